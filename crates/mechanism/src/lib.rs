@@ -1,0 +1,259 @@
+//! A planar linkage as plain data: links, points, pairs, loads, motion, drive.
+//!
+//! Everything is SI (m, kg, s, rad, N), angles grow counter-clockwise, y points up. Nothing here reads a file, solves
+//! an equation or prints. Link 0 is always the ground; the order of links, points and slides is the order of the scene.
+
+mod drive;
+mod load;
+mod motion;
+
+pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
+pub use load::{Balance, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
+pub use motion::{Motion, Until};
+
+/// Index of a link in [`Mechanism::links`]; [`GROUND`] is the frame.
+pub type LinkId = usize;
+/// Index of a point in [`Mechanism::points`].
+pub type PointId = usize;
+/// Index of a slide in [`Mechanism::slides`].
+pub type SlideId = usize;
+
+/// The frame of the mechanism.
+pub const GROUND: LinkId = 0;
+
+/// A mechanism with all that loads and drives it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mechanism {
+    /// One line for headers; may be empty.
+    pub title: String,
+    /// The ground, then the moving links.
+    pub links: Vec<Link>,
+    /// Every named point; one that stands in two or more links is a pin.
+    pub points: Vec<Point>,
+    /// The prismatic pairs.
+    pub slides: Vec<Slide>,
+    /// The input link and the positions to calculate.
+    pub input: Input,
+    /// Rough places (m, ground frame) of points in the first position.
+    pub assembly: Vec<(PointId, [f64; 2])>,
+    /// Acceleration of gravity, m/s², ground frame; `None`: links have no weight.
+    pub gravity: Option<[f64; 2]>,
+    /// Forces at points.
+    pub forces: Vec<Force>,
+    /// Moments on links.
+    pub moments: Vec<Moment>,
+    /// Springs and dampers.
+    pub springs: Vec<Spring>,
+    /// Contacts of an arc with a straight line of the ground.
+    pub contacts: Vec<Contact>,
+    /// What keeps the mechanism in its motion, where it is not the input link.
+    pub balance: Option<Balance>,
+    /// Motion; `None`: transfer functions and statics only.
+    pub motion: Option<Motion>,
+    /// Motor, reducer and flywheel.
+    pub drive: Option<Drive>,
+    /// What is asked for; `None`: everything.
+    pub output: Option<Output>,
+}
+
+/// A rigid link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Name, unique in the mechanism; the ground is `ground`.
+    pub name: String,
+    /// Mass, kg; 0 for a massless link.
+    pub mass: f64,
+    /// Center of mass in the frame of the link, m. Meaningless where mass and inertia are 0.
+    pub center: [f64; 2],
+    /// Moment of inertia about the center of mass, kg m².
+    pub inertia: f64,
+}
+
+/// A point fixed in one link (a point of interest) or in several (a pin that joins them).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Name, unique in the mechanism.
+    pub name: String,
+    /// Where it lies in each link that has it, in the order of the scene. Never empty.
+    pub places: Vec<Place>,
+}
+
+impl Point {
+    /// Whether the point is a revolute pair: it stands in two links or more.
+    pub fn is_pin(&self) -> bool {
+        self.places.len() > 1
+    }
+}
+
+/// A place fixed in a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The link.
+    pub link: LinkId,
+    /// Coordinates in the frame of the link, m.
+    pub at: [f64; 2],
+}
+
+/// A prismatic pair: `point` of `link` stays on a line of `on`, and `link` does not turn against `on`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slide {
+    /// Name, unique among the slides.
+    pub name: String,
+    /// The link that slides.
+    pub link: LinkId,
+    /// The link that carries the guide.
+    pub on: LinkId,
+    /// Point of `link` that stays on the line, in the frame of `link`, m.
+    pub point: [f64; 2],
+    /// Point of `on` on the guide line, in the frame of `on`, m.
+    pub through: [f64; 2],
+    /// Direction of the guide line in the frame of `on`, rad.
+    pub angle: f64,
+    /// Angle of the x axis of `link` from the guide direction, rad.
+    pub tilt: f64,
+}
+
+/// The input link, its coordinate and the positions to calculate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// The link.
+    pub link: LinkId,
+    /// How it is joined to the ground, which says what the coordinate is.
+    pub pair: InputPair,
+    /// Coordinate of the first position, rad or m.
+    pub from: f64,
+    /// Number of positions, at least 1.
+    pub positions: usize,
+    /// The positions: a whole cycle or a range.
+    pub range: Range,
+    /// The sense in which the coordinate runs.
+    pub direction: Sense,
+}
+
+/// The pair between input link and ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InputPair {
+    /// Pinned at this point; the coordinate is the angle of the x axis of the link, rad.
+    Pin(PointId),
+    /// Sliding; the coordinate is the displacement of this slide, m.
+    Slide(SlideId),
+}
+
+/// Which values of the coordinate are positions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Range {
+    /// Equally spaced over one cycle of this length (positive; rad or m), the end not repeated.
+    Cycle(f64),
+    /// From `from` to this value, both included.
+    To(f64),
+}
+
+/// Sense of the motion along the coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sense {
+    /// The coordinate grows.
+    Ccw,
+    /// The coordinate decreases.
+    Cw,
+}
+
+impl Sense {
+    /// +1 or -1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Ccw => 1.0,
+            Self::Cw => -1.0,
+        }
+    }
+}
+
+impl Input {
+    /// Sign of the coordinate's change along the positions: of `direction` for a cycle, of `to - from` for a range.
+    pub fn sign(&self) -> f64 {
+        match self.range {
+            Range::Cycle(_) => self.direction.sign(),
+            Range::To(to) if to < self.from => -1.0,
+            Range::To(to) if to > self.from => 1.0,
+            Range::To(_) => self.direction.sign(),
+        }
+    }
+
+    /// Coordinate of position `index`, rad or m.
+    pub fn coordinate(&self, index: usize) -> f64 {
+        match self.range {
+            Range::Cycle(cycle) => {
+                self.from + self.direction.sign() * cycle * (index as f64) / (self.positions as f64)
+            }
+            // The last one is `to` itself, not a sum that rounds.
+            Range::To(to) if index + 1 == self.positions && index > 0 => to,
+            Range::To(to) if self.positions > 1 => {
+                self.from + (to - self.from) * (index as f64) / ((self.positions - 1) as f64)
+            }
+            Range::To(_) => self.from,
+        }
+    }
+
+    /// Length of one cycle of the mechanism: the cycle of the scene, or one turn (rad) for a range of a pinned input;
+    /// `None` for a range of a sliding one.
+    pub fn period(&self) -> Option<f64> {
+        match (self.range, self.pair) {
+            (Range::Cycle(cycle), _) => Some(cycle),
+            (Range::To(_), InputPair::Pin(_)) => Some(std::f64::consts::TAU),
+            (Range::To(_), InputPair::Slide(_)) => None,
+        }
+    }
+}
+
+/// What the scene asks for; empty lists ask for nothing of their kind.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Output {
+    /// Points.
+    pub points: Vec<PointId>,
+    /// Links.
+    pub links: Vec<LinkId>,
+    /// Slides.
+    pub slides: Vec<SlideId>,
+    /// Pairs whose reactions are wanted.
+    pub reactions: Vec<PairId>,
+}
+
+/// A pair as the scene names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PairId {
+    /// A pin, with all its links.
+    Pin(PointId),
+    /// A slide.
+    Slide(SlideId),
+}
+
+impl Mechanism {
+    /// The point of this name.
+    pub fn point(&self, name: &str) -> Option<PointId> {
+        self.points.iter().position(|point| point.name == name)
+    }
+
+    /// The link of this name.
+    pub fn link(&self, name: &str) -> Option<LinkId> {
+        self.links.iter().position(|link| link.name == name)
+    }
+
+    /// The slide of this name.
+    pub fn slide(&self, name: &str) -> Option<SlideId> {
+        self.slides.iter().position(|slide| slide.name == name)
+    }
+
+    /// Coordinates of a named point in the frame of a link, m.
+    pub fn place_in(&self, point: PointId, link: LinkId) -> Option<[f64; 2]> {
+        self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
+    }
+
+    /// Whether anything but the drive acts on the links.
+    pub fn has_loads(&self) -> bool {
+        let weights = self.gravity.is_some() && self.links.iter().skip(1).any(|link| link.mass > 0.0);
+        weights
+            || !self.forces.is_empty()
+            || !self.moments.is_empty()
+            || !self.springs.is_empty()
+            || !self.contacts.is_empty()
+    }
+}

@@ -1,0 +1,4 @@
+//! Depending on this crate links every plugin of the repository: one line a plugin, here and nowhere else.
+//!
+//! `inventory` drops, without a word, a crate that no code names; so every program and test that wants plugins says
+//! `use assur_all as _;`.
