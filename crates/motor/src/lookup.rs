@@ -1,0 +1,84 @@
+//! Finding one motor among rows by what someone typed.
+
+use crate::designation::{normalize_latin, without_climate};
+use crate::{LookupError, Motor, normalize_designation, same_designation};
+
+/// How many designations an error shows.
+const SHOWN: usize = 5;
+/// How many similar designations an error suggests.
+const SUGGESTED: usize = 3;
+
+/// The motor of that designation. Without regard to case, spaces and script, in this order:
+///
+/// 1. the whole designation;
+/// 2. without the climatic version on either side (`4A100L4` finds `4А100L4У3`);
+/// 3. the leading words of a designation that consists of several (`LSES 250 MZ` finds `LSES 250 MZ 2p 55 kW`).
+///
+/// `place` says in words where the rows are from; errors name it.
+///
+/// # Errors
+///
+/// [`LookupError::NotFound`] with the nearest designations; [`LookupError::Ambiguous`] if several rows fit.
+pub fn find_designation<'a, I>(rows: I, designation: &str, place: &str) -> Result<&'a Motor, LookupError>
+where
+    I: IntoIterator<Item = &'a Motor> + Clone,
+{
+    let ways: [fn(&str, &str) -> bool; 3] = [same_designation, same_base, is_leading_words];
+    for way in ways {
+        let fits = |m: &&Motor| way(&m.designation, designation);
+        let found: Vec<&Motor> = rows.clone().into_iter().filter(fits).collect();
+        match found[..] {
+            [] => {}
+            [motor] => return Ok(motor),
+            _ => return Err(ambiguous(&found, designation, place)),
+        }
+    }
+    Err(LookupError::NotFound {
+        designation: designation.to_owned(),
+        catalogue: place.to_owned(),
+        nearest: nearest(rows, designation),
+    })
+}
+
+fn same_base(row: &str, asked: &str) -> bool {
+    let same = |row: &str, asked: &str| without_climate(row) == without_climate(asked);
+    same(&normalize_designation(row), &normalize_designation(asked))
+        || same(&normalize_latin(row), &normalize_latin(asked))
+}
+
+fn is_leading_words(row: &str, asked: &str) -> bool {
+    let ends = row.char_indices().filter(|(_, c)| c.is_whitespace()).map(|(at, _)| at);
+    ends.into_iter().any(|end| same_designation(&row[..end], asked))
+}
+
+fn ambiguous(found: &[&Motor], designation: &str, place: &str) -> LookupError {
+    // Rows of several catalogues may share a designation: then only the catalogue tells them apart.
+    let several_places = found.iter().any(|m| m.catalogue != found[0].catalogue);
+    let show = |m: &&Motor| {
+        if several_places { format!("{} ({})", m.designation, m.catalogue) } else { m.designation.clone() }
+    };
+    LookupError::Ambiguous {
+        designation: designation.to_owned(),
+        catalogue: place.to_owned(),
+        count: found.len(),
+        candidates: found.iter().take(SHOWN).map(show).collect(),
+    }
+}
+
+/// The rows whose designations need the fewest edits to become the one asked for.
+fn nearest<'a>(rows: impl IntoIterator<Item = &'a Motor>, designation: &str) -> Vec<String> {
+    let asked = normalize_latin(designation);
+    let asked = without_climate(&asked);
+    // Further away than that nothing is alike.
+    let most = asked.chars().count().div_ceil(2);
+    let distance = |m: &Motor| {
+        let key = normalize_latin(&m.designation);
+        let row = without_climate(&key);
+        // The difference of the lengths is a lower bound, and a cheap one.
+        let near = row.len().abs_diff(asked.len()) <= most;
+        near.then(|| strsim::osa_distance(row, asked)).filter(|&d| d <= most)
+    };
+    let mut alike: Vec<(usize, &Motor)> = rows.into_iter().filter_map(|m| Some((distance(m)?, m))).collect();
+    alike.sort_by_key(|&(d, _)| d);
+    alike.into_iter().take(SUGGESTED).map(|(_, m)| m.designation.clone()).collect()
+}

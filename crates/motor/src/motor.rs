@@ -1,0 +1,86 @@
+//! One row of a catalogue.
+
+use crate::{RatedData, latin_designation};
+
+/// A three-phase asynchronous motor as its catalogue prints it, in SI units.
+///
+/// Nothing is estimated: a value that the source does not print is `None`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motor {
+    /// Name of the catalogue that the row belongs to.
+    pub catalogue: String,
+    /// Type as printed; may hold Cyrillic letters, see [`latin_designation`](Self::latin_designation).
+    pub designation: String,
+    /// Number of poles: 2, 4, 6, 8, ...
+    pub poles: u32,
+    /// Rated shaft power, W.
+    pub rated_power: f64,
+    /// Synchronous speed, rad/s.
+    pub synchronous_speed: f64,
+    /// Rated speed, rad/s; less than the synchronous speed.
+    pub rated_speed: f64,
+    /// Rated slip as printed, a fraction. May differ from the slip of the printed speeds (then flagged).
+    pub printed_slip: Option<f64>,
+    /// Efficiency at full load, a fraction.
+    pub efficiency: Option<f64>,
+    /// Power factor cos φ at full load.
+    pub power_factor: Option<f64>,
+    /// Rated current, A.
+    pub rated_current: Option<f64>,
+    /// Breakdown torque / rated torque.
+    pub max_torque_ratio: Option<f64>,
+    /// Locked-rotor torque / rated torque.
+    pub starting_torque_ratio: Option<f64>,
+    /// Pull-up torque / rated torque.
+    pub min_torque_ratio: Option<f64>,
+    /// Locked-rotor current / rated current.
+    pub starting_current_ratio: Option<f64>,
+    /// Critical slip as printed, a fraction.
+    pub critical_slip: Option<f64>,
+    /// Moment of inertia of the rotor, kg·m².
+    pub rotor_inertia: Option<f64>,
+    /// Mass of the whole motor, kg.
+    pub mass: Option<f64>,
+    /// Height of the shaft above the feet, m.
+    pub shaft_height: Option<f64>,
+    /// Length with one shaft end, m.
+    pub length: Option<f64>,
+    /// Diameter of the housing, m.
+    pub diameter: Option<f64>,
+    /// Bore of the stator, m.
+    pub stator_bore: Option<f64>,
+    /// Length of the stator core, m.
+    pub stator_core_length: Option<f64>,
+    /// Remarks on the row, see [`flag_meaning`](crate::flag_meaning); empty if every check passed.
+    pub flags: Vec<String>,
+    /// Short reference to where the row is printed.
+    pub source: String,
+}
+
+impl Motor {
+    /// What the mechanical characteristic needs.
+    pub fn rated_data(&self) -> RatedData {
+        RatedData {
+            power: self.rated_power,
+            synchronous_speed: self.synchronous_speed,
+            rated_speed: self.rated_speed,
+            max_torque_ratio: self.max_torque_ratio,
+            inertia: self.rotor_inertia,
+        }
+    }
+
+    /// Rated torque, N·m: rated power / rated speed.
+    pub fn rated_torque(&self) -> f64 {
+        self.rated_power / self.rated_speed
+    }
+
+    /// Rated slip from the printed speeds, a fraction.
+    pub fn rated_slip(&self) -> f64 {
+        (self.synchronous_speed - self.rated_speed) / self.synchronous_speed
+    }
+
+    /// The designation in ASCII: [`latin_designation`] of what is printed.
+    pub fn latin_designation(&self) -> String {
+        latin_designation(&self.designation)
+    }
+}

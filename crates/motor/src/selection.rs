@@ -1,0 +1,222 @@
+//! Choosing a motor: the smallest that gives the power and keeps the speed limit.
+
+use std::cmp::Ordering;
+
+use crate::units::rpm;
+use crate::{CharacteristicKind, Motor};
+
+/// Relative slack of the comparisons with a rated value, so that the rounding of a unit does not decide.
+const SLACK: f64 = 1e-9;
+
+/// What the motor has to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SelectionRequest {
+    /// Power needed on the motor shaft, W: losses of the reducer are included.
+    pub required_power: f64,
+    /// Mean speed of the input shaft, rad/s; the sign does not matter.
+    pub input_speed: f64,
+    /// Highest admissible synchronous speed, rad/s; `None`: no limit.
+    pub max_motor_speed: Option<f64>,
+    /// The characteristic that the motor must have the data for.
+    pub characteristic: CharacteristicKind,
+}
+
+/// A motor that would do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate<'a> {
+    /// The catalogue row.
+    pub motor: &'a Motor,
+    /// Rated speed / input speed.
+    pub ratio: f64,
+    /// Rated power / required power, at least 1.
+    pub power_reserve: f64,
+}
+
+/// What was chosen, and from what.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Selection<'a> {
+    /// The choice.
+    pub chosen: Candidate<'a>,
+    /// The others that would do, the best first.
+    pub runners_up: Vec<Candidate<'a>>,
+    /// Rows with enough power that were left out, with the reason.
+    pub skipped: Vec<Skipped<'a>>,
+}
+
+/// A row that was left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Skipped<'a> {
+    /// The catalogue row.
+    pub motor: &'a Motor,
+    /// Why.
+    pub reason: SkipReason,
+}
+
+/// Why a row was left out though it has the power.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SkipReason {
+    /// Kloss's formula needs the breakdown torque.
+    #[error("the catalogue does not print its breakdown torque, which Kloss's formula needs")]
+    NoMaxTorqueRatio,
+    /// It is too fast.
+    #[error("its synchronous speed {:.0} rpm exceeds the limit {:.0} rpm", rpm(*synchronous_speed), rpm(*limit))]
+    TooFast {
+        /// Synchronous speed, rad/s.
+        synchronous_speed: f64,
+        /// The limit, rad/s.
+        limit: f64,
+    },
+}
+
+/// Why no motor can be chosen.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SelectionError {
+    /// The request cannot be answered.
+    #[error("cannot choose a motor: {what} is {value}, must be finite and greater than 0")]
+    Request {
+        /// Which value, in words with its unit.
+        what: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// There is nothing to choose from.
+    #[error("cannot choose a motor: the list of motors is empty")]
+    NoMotors,
+    /// No row has the data for the characteristic.
+    #[error(
+        "none of {count} motors prints its breakdown torque, which Kloss's formula needs; take another catalogue \
+         or the linear characteristic"
+    )]
+    NoMaxTorqueRatio {
+        /// How many rows there are.
+        count: usize,
+    },
+    /// All are too fast.
+    #[error(
+        "no motor keeps the speed limit of {:.1} rpm: the slowest, {designation}, has {:.1} rpm, {:.1} rpm too many; \
+         raise max_motor_speed", rpm(*limit), rpm(*slowest), rpm(slowest - limit)
+    )]
+    TooFast {
+        /// The limit, rad/s.
+        limit: f64,
+        /// Lowest synchronous speed of all, rad/s.
+        slowest: f64,
+        /// The motor that has it.
+        designation: String,
+    },
+    /// All are too weak.
+    #[error(
+        "no motor gives {required:.1} W: the strongest that fits otherwise, {designation}, has {largest:.1} W, \
+         {:.1} W too little; take another catalogue, raise max_motor_speed or lower the load", required - largest
+    )]
+    TooWeak {
+        /// Required power, W.
+        required: f64,
+        /// Highest rated power among the motors that fit otherwise, W.
+        largest: f64,
+        /// The motor that has it.
+        designation: String,
+    },
+}
+
+/// The smallest rated power that suffices among `motors`.
+///
+/// Among equal powers the highest synchronous speed within the limit comes first: such a motor has the least
+/// torque, hence the least size, mass and price, and the limit is there to say how fast it may be. Then the
+/// least slip (less is lost in the rotor), then the designation.
+///
+/// # Errors
+///
+/// [`SelectionError`], which says by how much the best row fails.
+pub fn select<'a, I>(motors: I, request: &SelectionRequest) -> Result<Selection<'a>, SelectionError>
+where
+    I: IntoIterator<Item = &'a Motor>,
+{
+    request.validate()?;
+    let motors: Vec<&Motor> = motors.into_iter().collect();
+    let enough = |m: &&Motor| m.rated_power >= request.required_power * (1.0 - SLACK);
+    let mut fits: Vec<&Motor> = Vec::new();
+    let mut skipped = Vec::new();
+    for &motor in motors.iter().filter(|m| enough(m)) {
+        match request.obstacle(motor) {
+            None => fits.push(motor),
+            Some(reason) => skipped.push(Skipped { motor, reason }),
+        }
+    }
+    fits.sort_by(|a, b| better(a, b));
+    let mut candidates = fits.into_iter().map(|motor| request.candidate(motor));
+    let chosen = candidates.next().ok_or_else(|| request.why_none(&motors))?;
+    Ok(Selection { chosen, runners_up: candidates.collect(), skipped })
+}
+
+fn better(a: &Motor, b: &Motor) -> Ordering {
+    (a.rated_power.total_cmp(&b.rated_power))
+        .then(b.synchronous_speed.total_cmp(&a.synchronous_speed))
+        .then(b.rated_speed.total_cmp(&a.rated_speed))
+        .then_with(|| a.designation.cmp(&b.designation))
+        .then_with(|| a.catalogue.cmp(&b.catalogue))
+}
+
+impl SelectionRequest {
+    fn validate(&self) -> Result<(), SelectionError> {
+        let named = [
+            ("the required power (W)", self.required_power),
+            ("the input speed (rad/s)", self.input_speed.abs()),
+            ("the limit of the motor speed (rad/s)", self.max_motor_speed.unwrap_or(1.0)),
+        ];
+        let bad = named.into_iter().find(|&(_, value)| !(value > 0.0 && value.is_finite()));
+        bad.map_or(Ok(()), |(what, value)| Err(SelectionError::Request { what, value }))
+    }
+
+    fn has_data(&self, motor: &Motor) -> bool {
+        self.characteristic == CharacteristicKind::Linear || motor.max_torque_ratio.is_some()
+    }
+
+    fn keeps_limit(&self, motor: &Motor) -> bool {
+        self.max_motor_speed.is_none_or(|limit| motor.synchronous_speed <= limit * (1.0 + SLACK))
+    }
+
+    fn obstacle(&self, motor: &Motor) -> Option<SkipReason> {
+        if !self.has_data(motor) {
+            return Some(SkipReason::NoMaxTorqueRatio);
+        }
+        let limit = self.max_motor_speed.filter(|_| !self.keeps_limit(motor))?;
+        Some(SkipReason::TooFast { synchronous_speed: motor.synchronous_speed, limit })
+    }
+
+    fn candidate<'a>(&self, motor: &'a Motor) -> Candidate<'a> {
+        Candidate {
+            motor,
+            ratio: motor.rated_speed / self.input_speed.abs(),
+            power_reserve: motor.rated_power / self.required_power,
+        }
+    }
+
+    /// Which of the demands no row meets, the most fundamental first.
+    fn why_none(&self, motors: &[&Motor]) -> SelectionError {
+        if motors.is_empty() {
+            return SelectionError::NoMotors;
+        }
+        let known: Vec<&Motor> = motors.iter().copied().filter(|m| self.has_data(m)).collect();
+        let Some(slowest) = known.iter().min_by(|a, b| a.synchronous_speed.total_cmp(&b.synchronous_speed))
+        else {
+            return SelectionError::NoMaxTorqueRatio { count: motors.len() };
+        };
+        let slow = known.iter().filter(|m| self.keeps_limit(m));
+        let strongest = slow.max_by(|a, b| a.rated_power.total_cmp(&b.rated_power));
+        match (strongest, self.max_motor_speed) {
+            (None, limit) => SelectionError::TooFast {
+                limit: limit.unwrap_or(f64::INFINITY),
+                slowest: slowest.synchronous_speed,
+                designation: slowest.designation.clone(),
+            },
+            (Some(strongest), _) => SelectionError::TooWeak {
+                required: self.required_power,
+                largest: strongest.rated_power,
+                designation: strongest.designation.clone(),
+            },
+        }
+    }
+}
