@@ -1,0 +1,21 @@
+//! Catalogue `4A`: asynchronous motors of the series 4А, closed design (IP44), 0.06 to 90 kW.
+//!
+//! Where the numbers are from and what was checked: `data/README.md`. The series prints no rotor inertia here,
+//! and its breakdown torques are guaranteed minima.
+
+use assur_motor::{CataloguePlugin, CatalogueTable};
+
+static TABLE: CatalogueTable = CatalogueTable::new("4A", include_str!("../data/4a.csv"));
+
+inventory::submit! {
+    CataloguePlugin {
+        name: "4A",
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "series 4A, closed (IP44), 0.06-90 kW, 2-8 poles; no rotor inertia",
+        source: "GOST 19523, as reprinted in textbooks on machine elements",
+        rows: || TABLE.rows(),
+    }
+}
+
+#[cfg(test)]
+mod tests;
