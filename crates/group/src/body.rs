@@ -1,0 +1,102 @@
+//! Pose of a link and its derivatives.
+
+use assur_number::Real;
+
+/// Pose of a link (PF0) and its first and second derivatives by the input coordinate (PF1, PF2).
+///
+/// The direction of the link's x axis is a unit vector, not an angle. Derivatives are per unit of the coordinate:
+/// per rad, or per m for a sliding input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body<T> {
+    /// Origin of the link's frame, x, m.
+    pub x: T,
+    /// Origin of the link's frame, y, m.
+    pub y: T,
+    /// Cosine of the angle of the link's x axis.
+    pub c: T,
+    /// Sine of it.
+    pub s: T,
+    /// dx/dq.
+    pub x1: T,
+    /// dy/dq.
+    pub y1: T,
+    /// d(angle)/dq.
+    pub w1: T,
+    /// d²x/dq².
+    pub x2: T,
+    /// d²y/dq².
+    pub y2: T,
+    /// d²(angle)/dq².
+    pub w2: T,
+}
+
+impl<T: Real> Body<T> {
+    /// The ground: at the origin, at rest.
+    pub fn ground() -> Self {
+        let zero = T::ZERO;
+        Self { x: zero, y: zero, c: T::ONE, s: zero, x1: zero, y1: zero, w1: zero, x2: zero, y2: zero, w2: zero }
+    }
+
+    /// Arm from the origin of the link to a point of it: a vector of the link turned into the ground's frame, m.
+    #[inline]
+    pub fn arm(&self, at: [T; 2]) -> [T; 2] {
+        [self.c * at[0] - self.s * at[1], self.s * at[0] + self.c * at[1]]
+    }
+
+    /// Place of a point of the link, m (PF0).
+    #[inline]
+    pub fn point(&self, at: [T; 2]) -> [T; 2] {
+        let [x, y] = self.arm(at);
+        [self.x + x, self.y + y]
+    }
+
+    /// First derivative of a point whose arm is given (PF1).
+    #[inline]
+    pub fn first(&self, arm: [T; 2]) -> [T; 2] {
+        [self.x1 - self.w1 * arm[1], self.y1 + self.w1 * arm[0]]
+    }
+
+    /// Second derivative of a point whose arm is given (PF2).
+    #[inline]
+    pub fn second(&self, arm: [T; 2]) -> [T; 2] {
+        let square = self.w1 * self.w1;
+        [self.x2 - self.w2 * arm[1] - square * arm[0], self.y2 + self.w2 * arm[0] - square * arm[1]]
+    }
+
+    /// Direction of the link's x axis turned by a fixed unit vector (cos, sin).
+    #[inline]
+    pub fn turned(&self, by: [T; 2]) -> [T; 2] {
+        self.arm(by)
+    }
+
+    /// Sets origin and derivatives so that the point with this arm has the given PF0, PF1, PF2; the direction and the
+    /// angle's derivatives must be set before.
+    #[inline]
+    pub fn hang(&mut self, arm: [T; 2], pf: [[T; 2]; 3]) {
+        self.hang_place(arm, pf[0]);
+        self.hang_first(arm, pf[1]);
+        self.hang_second(arm, pf[2]);
+    }
+
+    /// Sets the origin so that the point with this arm lies there.
+    #[inline]
+    pub fn hang_place(&mut self, arm: [T; 2], pf0: [T; 2]) {
+        self.x = pf0[0] - arm[0];
+        self.y = pf0[1] - arm[1];
+    }
+
+    /// Sets the origin's first derivative so that the point with this arm has this PF1.
+    #[inline]
+    pub fn hang_first(&mut self, arm: [T; 2], pf1: [T; 2]) {
+        self.x1 = pf1[0] + self.w1 * arm[1];
+        self.y1 = pf1[1] - self.w1 * arm[0];
+    }
+
+    /// Sets the origin's second derivative so that the point with this arm has this PF2.
+    #[inline]
+    pub fn hang_second(&mut self, arm: [T; 2], pf2: [T; 2]) {
+        let square = self.w1 * self.w1;
+        self.x2 = pf2[0] + self.w2 * arm[1] + square * arm[0];
+        self.y2 = pf2[1] - self.w2 * arm[0] + square * arm[1];
+    }
+}

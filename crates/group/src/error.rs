@@ -1,0 +1,48 @@
+//! Why a group has no solution.
+
+use assur_number::Real;
+
+/// Why a group has no solution at one position. The chain adds where: group, position, coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GroupError {
+    /// The links are too short, or too unequal, to meet.
+    #[error("no assembly: it misses by {:.6} mm", gap_m * 1e3)]
+    NoAssembly {
+        /// Least change of one length that would close the group, m. Positive.
+        gap_m: f64,
+    },
+    /// Places exist, but derivatives or reactions are not determined there.
+    #[error("singular position (dimensionless determinant {health:.3e})")]
+    Singular {
+        /// The dimensionless determinant of the group.
+        health: f64,
+    },
+}
+
+/// A dimensionless determinant below this counts as zero: rounding alone gives some 1e-16.
+pub const LEAST_HEALTH: f64 = 1e-15;
+
+impl GroupError {
+    /// Refuses a determinant that is zero or no number, in any lane.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::Singular`].
+    #[inline]
+    pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
+        let least = health.least();
+        if least >= LEAST_HEALTH { Ok(()) } else { Err(Self::Singular { health: least }) }
+    }
+
+    /// Refuses a result that is no number, in any lane.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::Singular`] with the health NaN.
+    #[inline]
+    pub fn if_nan<T: Real>(result: T) -> Result<(), Self> {
+        let least = result.least();
+        if least.is_nan() { Err(Self::Singular { health: least }) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,346 @@
+//! The general solution: derivatives and reactions of any group from its pairs alone.
+//!
+//! The unknowns are the origins and angles of the links of the group; each pair gives two constraints Phi. One matrix
+//! J = dPhi/du serves all: J u' and J u'' for the derivatives, its transpose for the reactions (theory of the
+//! project, section 2). A row of a pin and the first row of a slide are lengths; all of them, and the columns of the
+//! angles, are divided by the scale of the group, so that J is dimensionless.
+
+use assur_number::Real;
+
+use crate::linear::Lu;
+use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometry, Wrench};
+
+/// Newton's method is given up after so many steps.
+const MOST_STEPS: usize = 60;
+
+/// Calls a function with the number of unknowns as a constant: 3 for each link, at most 8 links.
+macro_rules! sized {
+    ($frame:expr, $call:ident ( $($arg:expr),* )) => {
+        match $frame.links.len() {
+            1 => $call::<T, 3>($($arg),*),
+            2 => $call::<T, 6>($($arg),*),
+            3 | 4 => $call::<T, 12>($($arg),*),
+            5 | 6 => $call::<T, 18>($($arg),*),
+            _ => $call::<T, 24>($($arg),*),
+        }
+    };
+}
+
+/// Greatest number of links in a group that the general solution takes.
+pub(crate) const MOST_LINKS: usize = 8;
+
+/// Unit vector along the guide of a slide, in the frame of the ground.
+fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> [T; 2] {
+    let (s, c) = T::from_f64(angle).sin_cos();
+    bodies[carrier].turned([c, s])
+}
+
+fn local<T: Real>(at: [f64; 2]) -> [T; 2] {
+    [T::from_f64(at[0]), T::from_f64(at[1])]
+}
+
+fn minus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Arm of a point of the ground's frame from the origin of a body.
+fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
+    [point[0] - body.x, point[1] - body.y]
+}
+
+/// Both points at which a pair acts: the arms on `a` and on `b`. A slide acts at the point of `a`.
+fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => (bodies[pair.a].arm(local(at_a)), bodies[pair.b].arm(local(at_b))),
+        PairGeometry::Slide { point, .. } => {
+            let on_a = bodies[pair.a].arm(local(point));
+            (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(local(point))))
+        }
+    }
+}
+
+/// The two directions in which a pair constrains: a pin x and y; a slide the normal of its guide, and the angle.
+fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
+    match pair.geometry {
+        PairGeometry::Pin { .. } => [Some([T::ONE, T::ZERO]), Some([T::ZERO, T::ONE])],
+        PairGeometry::Slide { angle, .. } => {
+            let [c, s] = guide(bodies, pair.b, angle);
+            [Some([-s, c]), None]
+        }
+    }
+}
+
+/// J, in units of the scale; rows that a smaller group leaves are filled with the identity.
+fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
+    let mut j = [[T::ZERO; N]; N];
+    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let mut row = 0;
+    for pair in frame.pairs() {
+        let (on_a, on_b) = arms(pair, bodies);
+        for direction in rows(pair, bodies) {
+            for (body, arm, sign) in [(pair.a, on_a, T::ONE), (pair.b, on_b, -T::ONE)] {
+                let Some(column) = frame.column(body) else { continue };
+                let entry = &mut j[row][3 * column..3 * column + 3];
+                if let Some([nx, ny]) = direction {
+                    entry[0] = sign * nx;
+                    entry[1] = sign * ny;
+                    entry[2] = sign * (ny * arm[0] - nx * arm[1]) * inverse_scale;
+                } else {
+                    entry[2] = sign;
+                }
+            }
+            row += 1;
+        }
+    }
+    for (i, line) in j.iter_mut().enumerate().skip(row) {
+        line[i] = T::ONE;
+    }
+    j
+}
+
+/// Right-hand sides: what the outer bodies (and, for the second order, the quadratic terms) give.
+fn right_side<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>], second: bool) -> [T; N] {
+    let mut right = [T::ZERO; N];
+    let mut row = 0;
+    for pair in frame.pairs() {
+        let (on_a, on_b) = arms(pair, bodies);
+        for direction in rows(pair, bodies) {
+            right[row] = match direction {
+                Some(n) => point_side(frame, bodies, pair, [on_a, on_b], n, second),
+                None => angle_side(frame, bodies, pair, second),
+            };
+            row += 1;
+        }
+    }
+    right
+}
+
+/// n (known part of b's motion - known part of a's motion) at the point of a pair.
+fn point_side<T: Real>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    pair: &Pair,
+    arms: [[T; 2]; 2],
+    n: [T; 2],
+    second: bool,
+) -> T {
+    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let known = |body: usize, arm: [T; 2]| {
+        let motion = &bodies[body];
+        match (frame.column(body).is_some(), second) {
+            (true, false) => [T::ZERO, T::ZERO],
+            // Of a link of the group only the centripetal part is known.
+            (true, true) => {
+                let square = motion.w1 * motion.w1;
+                [-(square * arm[0]), -(square * arm[1])]
+            }
+            (false, false) => motion.first(arm),
+            (false, true) => motion.second(arm),
+        }
+    };
+    let difference = minus(known(pair.b, arms[1]), known(pair.a, arms[0]));
+    let mut side = n[0] * difference[0] + n[1] * difference[1];
+    if second && pair.is_slide() {
+        // Coriolis: n (a_a - a_b) = 2 w_b v_r, v_r along the guide; n is the guide turned by 90 degrees.
+        let relative = minus(bodies[pair.a].first(arms[0]), bodies[pair.b].first(arms[1]));
+        let along = n[1] * relative[0] - n[0] * relative[1];
+        side += (bodies[pair.b].w1 * along).twice();
+    }
+    side * inverse_scale
+}
+
+fn angle_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], pair: &Pair, second: bool) -> T {
+    let known = |body: usize| match (frame.column(body), second) {
+        (Some(_), _) => T::ZERO,
+        (None, false) => bodies[body].w1,
+        (None, true) => bodies[body].w2,
+    };
+    known(pair.b) - known(pair.a)
+}
+
+/// PF1 and PF2 of the placed links of any group, from its pairs.
+///
+/// # Errors
+///
+/// [`GroupError::Singular`] where J cannot be inverted.
+pub fn derive_generally<T: Real>(
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+    order: Order,
+) -> Result<(), GroupError> {
+    sized!(frame, derive_sized(frame, bodies, order))
+}
+
+fn derive_sized<T: Real, const N: usize>(
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+    order: Order,
+) -> Result<(), GroupError> {
+    let lu = Lu::new(jacobian::<T, N>(frame, bodies));
+    if lu.health.is_nan() || lu.health < LEAST_HEALTH {
+        return Err(GroupError::Singular { health: lu.health });
+    }
+    let scale = T::from_f64(frame.scale);
+    // Both orders share J: it is factored once.
+    let first = lu.solve(&right_side::<T, N>(frame, bodies, false));
+    for (i, &link) in frame.links.iter().enumerate() {
+        let body = &mut bodies[link];
+        (body.x1, body.y1, body.w1) = (first[3 * i] * scale, first[3 * i + 1] * scale, first[3 * i + 2]);
+    }
+    if order < Order::Second {
+        return Ok(());
+    }
+    let second = lu.solve(&right_side::<T, N>(frame, bodies, true));
+    for (i, &link) in frame.links.iter().enumerate() {
+        let body = &mut bodies[link];
+        (body.x2, body.y2, body.w2) = (second[3 * i] * scale, second[3 * i + 1] * scale, second[3 * i + 2]);
+    }
+    Ok(())
+}
+
+/// Dimensionless determinant of any placed group: smallest over greatest pivot of its J.
+pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
+    fn sized<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
+        Lu::new(jacobian::<T, N>(frame, bodies)).health
+    }
+    sized!(frame, sized(frame, bodies))
+}
+
+/// Reactions in the pairs of any group: equilibrium of each link, the transpose of J.
+///
+/// # Errors
+///
+/// [`GroupError::Singular`] where the equations of equilibrium cannot be solved.
+pub fn reactions_generally<T: Real>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    loads: &mut [Wrench<T>],
+    reactions: &mut [Wrench<T>],
+) -> Result<(), GroupError> {
+    sized!(frame, reactions_sized(frame, bodies, loads, reactions))
+}
+
+fn reactions_sized<T: Real, const N: usize>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    loads: &mut [Wrench<T>],
+    reactions: &mut [Wrench<T>],
+) -> Result<(), GroupError> {
+    let j = jacobian::<T, N>(frame, bodies);
+    let mut transposed = [[T::ZERO; N]; N];
+    for (i, line) in j.iter().enumerate() {
+        for (k, &entry) in line.iter().enumerate() {
+            transposed[k][i] = entry;
+        }
+    }
+    let lu = Lu::new(transposed);
+    if lu.health.is_nan() || lu.health < LEAST_HEALTH {
+        return Err(GroupError::Singular { health: lu.health });
+    }
+    let scale = T::from_f64(frame.scale);
+    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let mut right = [T::ZERO; N];
+    for (i, &link) in frame.links.iter().enumerate() {
+        let load = &loads[link];
+        (right[3 * i], right[3 * i + 1], right[3 * i + 2]) = (-load.fx, -load.fy, -(load.m * inverse_scale));
+    }
+    let lambda = lu.solve(&right);
+    for (k, pair) in frame.pairs().enumerate() {
+        let (one, two) = (lambda[2 * k], lambda[2 * k + 1]);
+        let reaction = match rows(pair, bodies) {
+            [Some(n), None] => Wrench { fx: n[0] * one, fy: n[1] * one, m: two * scale },
+            _ => Wrench { fx: one, fy: two, m: T::ZERO },
+        };
+        reactions[pair.id] = reaction;
+        push_outer(frame, bodies, pair, &reaction, loads);
+    }
+    Ok(())
+}
+
+/// Adds the reaction of an outer pair to the load of the body outside the group.
+fn push_outer<T: Real>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    pair: &Pair,
+    reaction: &Wrench<T>,
+    loads: &mut [Wrench<T>],
+) {
+    let (on_a, on_b) = arms(pair, bodies);
+    if frame.column(pair.b).is_none() {
+        loads[pair.b].add_at(on_b, [-reaction.fx, -reaction.fy], -reaction.m);
+    }
+    if frame.column(pair.a).is_none() {
+        loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
+    }
+}
+
+/// Places any group by Newton's method on its constraints, from the place that its bodies have on entry.
+///
+/// Returns the health. Not a closed form: the way found is the one near the start.
+///
+/// # Errors
+///
+/// [`GroupError::NoAssembly`] with the remaining gap where it does not converge; [`GroupError::Singular`] where J
+/// cannot be inverted on the way.
+pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
+    sized!(frame, newton_sized(frame, bodies))
+}
+
+/// Phi of each pair, in units of the scale, with the sign such that J du = -Phi.
+fn residual<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [T; N] {
+    let mut phi = [T::ZERO; N];
+    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    for (k, pair) in frame.pairs().enumerate() {
+        let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
+        (phi[2 * k], phi[2 * k + 1]) = match pair.geometry {
+            PairGeometry::Pin { at_a, at_b } => {
+                let gap = minus(a.point(local(at_a)), b.point(local(at_b)));
+                (gap[0] * inverse_scale, gap[1] * inverse_scale)
+            }
+            PairGeometry::Slide { point, through, angle, tilt } => {
+                let [c, s] = guide(bodies, pair.b, angle);
+                let gap = minus(a.point(local(point)), b.point(local(through)));
+                let (st, ct) = T::from_f64(tilt).sin_cos();
+                let wanted = [c * ct - s * st, s * ct + c * st];
+                ((c * gap[1] - s * gap[0]) * inverse_scale, wanted[0] * a.s - wanted[1] * a.c)
+            }
+        };
+    }
+    phi
+}
+
+fn newton_sized<T: Real, const N: usize>(
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+) -> Result<T, GroupError> {
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let phi = residual::<T, N>(frame, bodies);
+        let size = phi.iter().map(|r| r.abs().greatest()).fold(0.0, f64::max);
+        let lu = Lu::new(jacobian::<T, N>(frame, bodies));
+        if lu.health.is_nan() || lu.health < LEAST_HEALTH {
+            return Err(GroupError::Singular { health: lu.health });
+        }
+        // Converged where a further step no longer helps: the residual is rounding.
+        if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
+            return Ok(T::from_f64(lu.health));
+        }
+        before = size;
+        let step = lu.solve(&phi);
+        for (i, &link) in frame.links.iter().enumerate() {
+            let scale = T::from_f64(frame.scale);
+            nudge(&mut bodies[link], [step[3 * i] * scale, step[3 * i + 1] * scale, step[3 * i + 2]]);
+        }
+    }
+    Err(GroupError::NoAssembly { gap_m: before * frame.scale })
+}
+
+/// Moves a body by minus a Newton step; the direction stays a unit vector.
+fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
+    body.x -= step[0];
+    body.y -= step[1];
+    let (s, c) = (-step[2]).sin_cos();
+    let [x, y] = body.turned([c, s]);
+    let length = (x * x + y * y).sqrt();
+    (body.c, body.s) = (x / length, y / length);
+}

@@ -1,0 +1,135 @@
+//! The pairs of a dyad in the number of its kernel, and how their reactions are handed out.
+
+use assur_number::Real;
+
+use crate::plane::{cross, direction, minus, opposite, times, vector};
+use crate::{Body, Pair, PairGeometry, Wrench};
+
+/// A pin seen from a link of the group.
+#[derive(Debug, Clone, Copy)]
+pub struct PinJoint<T> {
+    /// Index of the pair in the chain.
+    pub id: usize,
+    /// The other body.
+    pub body: usize,
+    /// The pin in the frame of the link, m.
+    pub own: [T; 2],
+    /// The pin in the frame of the other body, m.
+    pub at: [T; 2],
+    /// Whether the scene names the other body first: the stored reaction acts on that one.
+    pub turned: bool,
+}
+
+impl<T: Real> PinJoint<T> {
+    /// The pair as a pin seen from its body `a`; `None` for a slide.
+    pub fn new(seen: &Pair, turned: bool) -> Option<Self> {
+        match seen.geometry {
+            PairGeometry::Pin { at_a, at_b } => {
+                Some(Self { id: seen.id, body: seen.b, own: vector(at_a), at: vector(at_b), turned })
+            }
+            PairGeometry::Slide { .. } => None,
+        }
+    }
+
+    /// Stores the force (N) on the link of the group.
+    #[inline]
+    pub fn store(&self, force: [T; 2], reactions: &mut [Wrench<T>]) {
+        let [fx, fy] = if self.turned { opposite(force) } else { force };
+        reactions[self.id] = Wrench { fx, fy, m: T::ZERO };
+    }
+
+    /// Stores the force (N) on the link of the group, and adds its opposite to the load of the other body.
+    #[inline]
+    pub fn hand_on(
+        &self,
+        bodies: &[Body<T>],
+        force: [T; 2],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) {
+        self.store(force, reactions);
+        loads[self.body].add_at(bodies[self.body].arm(self.at), opposite(force), T::ZERO);
+    }
+}
+
+/// A slide seen from a link of the group: the point `own` stays on a line of the other body.
+#[derive(Debug, Clone, Copy)]
+pub struct SlideJoint<T> {
+    /// Index of the pair in the chain.
+    pub id: usize,
+    /// The link of the group.
+    pub link: usize,
+    /// The other body, that carries the line.
+    pub body: usize,
+    /// Point of the link on the line, in the frame of the link, m.
+    pub own: [T; 2],
+    /// Point of the other body on the line, in its frame, m.
+    pub through: [T; 2],
+    /// Unit vector along the line, in the frame of the other body.
+    pub along: [T; 2],
+    /// Turn of the link's x axis from the line, as a unit vector.
+    pub tilt: [T; 2],
+    /// Turn of the link's x axis from that of the other body, as a unit vector.
+    pub turn: [T; 2],
+    /// Whether in the scene the link of the group carries the guide: the stored reaction acts on the other body.
+    pub turned: bool,
+}
+
+impl<T: Real> SlideJoint<T> {
+    /// The pair as a slide seen from its body `a`; `None` for a pin.
+    pub fn new(seen: &Pair, turned: bool) -> Option<Self> {
+        let PairGeometry::Slide { point, through, angle, tilt } = seen.geometry else { return None };
+        let (along, tilt) = (direction(angle), direction(tilt));
+        Some(Self {
+            id: seen.id,
+            link: seen.a,
+            body: seen.b,
+            own: vector(point),
+            through: vector(through),
+            along,
+            tilt,
+            turn: times(along, tilt),
+            turned,
+        })
+    }
+
+    /// Distance to the left of the line at which a point of the link moves, m; the point in the frame of the link.
+    pub fn offset(&self, point: [T; 2]) -> T {
+        times(self.tilt, minus(point, self.own))[1]
+    }
+
+    /// Distance of the line to the left of the origin of the other body, m.
+    pub fn height(&self) -> T {
+        cross(self.along, self.through)
+    }
+
+    /// Stores force (N) and moment (N m, about `own`) on the link of the group.
+    #[inline]
+    pub fn store(&self, bodies: &[Body<T>], force: [T; 2], moment: T, reactions: &mut [Wrench<T>]) {
+        let mut on_a = Wrench { fx: force[0], fy: force[1], m: moment };
+        if self.turned {
+            // The scene's sliding body is the other one, and the moment on it is about its own point of the line.
+            let [other, link] = [&bodies[self.body], &bodies[self.link]];
+            let arm = minus(link.point(self.own), other.point(self.through));
+            on_a = Wrench::ZERO;
+            on_a.add_at(arm, opposite(force), -moment);
+        }
+        reactions[self.id] = on_a;
+    }
+
+    /// Stores force and moment on the link of the group, and adds their opposite to the load of the other body.
+    #[inline]
+    pub fn hand_on(
+        &self,
+        bodies: &[Body<T>],
+        force: [T; 2],
+        moment: T,
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) {
+        self.store(bodies, force, moment, reactions);
+        let [other, link] = [&bodies[self.body], &bodies[self.link]];
+        let arm = minus(link.point(self.own), [other.x, other.y]);
+        loads[self.body].add_at(arm, opposite(force), -moment);
+    }
+}

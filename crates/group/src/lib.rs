@@ -1,0 +1,39 @@
+//! The contract of an Assur group, and the registry of its kinds.
+//!
+//! A group is a chain of links of zero mobility: given the motion of the bodies that its outer pairs join, it can be
+//! solved on its own. Knows no concrete group, no scene file and no terminal. SI units; angles counter-clockwise.
+//!
+//! * [`Body`]: pose of a link and its derivatives by the input coordinate q (not by time).
+//! * [`GroupFrame`], [`Pair`]: what a group consists of, in the numbers of the compiled chain.
+//! * [`AssurGroup`]: places the links (PF0), differentiates (PF1, PF2), and finds the pair reactions. Only the
+//!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
+//! * [`GroupPlugin`]: the entry of a kind in the registry.
+
+mod body;
+mod dyad;
+mod error;
+mod general;
+mod joint;
+mod kernel;
+mod linear;
+mod pair;
+pub mod plane;
+mod registry;
+mod wrench;
+
+pub use body::Body;
+pub use dyad::{Dyad, PinEnd, SlideEnd};
+pub use error::{GroupError, LEAST_HEALTH};
+pub use general::{derive_generally, health_generally, place_by_newton, reactions_generally};
+pub use joint::{PinJoint, SlideJoint};
+pub use kernel::{AssurGroup, Number, Order};
+pub use pair::{GroupFrame, Pair, PairGeometry};
+pub use registry::{
+    BuildError, Builders, GroupKind, GroupPlugin, RegistryError, groups, kernel_of, plugin_for,
+};
+pub use wrench::Wrench;
+
+pub use inventory;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,69 @@
+//! Vectors of the plane, in any number; as complex numbers where they turn one another.
+
+use assur_number::Real;
+
+/// A fixed vector in another number type.
+#[inline]
+pub fn vector<T: Real>(of: [f64; 2]) -> [T; 2] {
+    [T::from_f64(of[0]), T::from_f64(of[1])]
+}
+
+/// Unit vector at an angle, rad; its sine and cosine in the precision of `T`.
+pub fn direction<T: Real>(angle: f64) -> [T; 2] {
+    let (s, c) = T::from_f64(angle).sin_cos();
+    [c, s]
+}
+
+/// a + b.
+#[inline]
+pub fn plus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+/// a - b.
+#[inline]
+pub fn minus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// -a.
+#[inline]
+pub fn opposite<T: Real>(a: [T; 2]) -> [T; 2] {
+    [-a[0], -a[1]]
+}
+
+/// k a.
+#[inline]
+pub fn scaled<T: Real>(k: T, a: [T; 2]) -> [T; 2] {
+    [k * a[0], k * a[1]]
+}
+
+/// Scalar product.
+#[inline]
+pub fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Component of the vector product across the plane; positive where `b` is counter-clockwise from `a`.
+#[inline]
+pub fn cross<T: Real>(a: [T; 2], b: [T; 2]) -> T {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// a turned by +90 degrees.
+#[inline]
+pub fn perp<T: Real>(a: [T; 2]) -> [T; 2] {
+    [-a[1], a[0]]
+}
+
+/// Complex product: `a` turned by the angle of `b` and stretched by its length.
+#[inline]
+pub fn times<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+/// Complex conjugate: the turn undone.
+#[inline]
+pub fn mirrored<T: Real>(a: [T; 2]) -> [T; 2] {
+    [a[0], -a[1]]
+}

@@ -1,0 +1,40 @@
+//! Force and moment on a link.
+
+use assur_number::Real;
+
+/// A force (ground's frame) and a moment about a stated point, on a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wrench<T> {
+    /// Force along x, N.
+    pub fx: T,
+    /// Force along y, N.
+    pub fy: T,
+    /// Moment, N m, counter-clockwise positive. Loads: about the origin of the link's frame. Reactions: about the pin,
+    /// or about the sliding link's point.
+    pub m: T,
+}
+
+impl<T: Real> Wrench<T> {
+    /// Nothing.
+    pub const ZERO: Self = Self { fx: T::ZERO, fy: T::ZERO, m: T::ZERO };
+
+    /// Adds a force that acts at `arm` (m, from the point of reference) and a moment.
+    #[inline]
+    pub fn add_at(&mut self, arm: [T; 2], force: [T; 2], moment: T) {
+        self.fx += force[0];
+        self.fy += force[1];
+        self.m += moment + arm[0] * force[1] - arm[1] * force[0];
+    }
+
+    /// Moment about the point at `arm` from the point of reference.
+    #[inline]
+    pub fn about(&self, arm: [T; 2]) -> T {
+        self.m - arm[0] * self.fy + arm[1] * self.fx
+    }
+
+    /// The force as a vector.
+    #[inline]
+    pub fn force(&self) -> [T; 2] {
+        [self.fx, self.fy]
+    }
+}

@@ -1,0 +1,181 @@
+//! Double-double: an unevaluated sum of two f64, about 32 digits.
+//!
+//! Sums and products by the error-free transformations of Dekker (1971) and Knuth; the product's error by a fused
+//! multiply-add. For references, not for speed.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use crate::Real;
+
+/// `hi + lo` with |lo| at most half a unit in the last place of `hi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dd {
+    /// The leading part.
+    pub hi: f64,
+    /// What `hi` leaves.
+    pub lo: f64,
+}
+
+/// pi/2 in three parts, enough to reduce an angle of some thousand turns.
+const HALF_PI: [f64; 3] =
+    [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+
+/// a + b exactly (Knuth).
+fn two_sum(a: f64, b: f64) -> Dd {
+    let hi = a + b;
+    let part = hi - a;
+    Dd { hi, lo: (a - (hi - part)) + (b - part) }
+}
+
+/// a + b exactly, |a| >= |b| (Dekker).
+fn quick_two_sum(a: f64, b: f64) -> Dd {
+    let hi = a + b;
+    Dd { hi, lo: b - (hi - a) }
+}
+
+/// a b exactly.
+fn two_product(a: f64, b: f64) -> Dd {
+    let hi = a * b;
+    Dd { hi, lo: a.mul_add(b, -hi) }
+}
+
+impl Dd {
+    /// The sum of two f64, exactly.
+    pub fn new(hi: f64, lo: f64) -> Self {
+        two_sum(hi, lo)
+    }
+
+    /// A quotient of two f64, to the full precision.
+    pub fn ratio(a: f64, b: f64) -> Self {
+        Self::from_f64(a) / Self::from_f64(b)
+    }
+
+    /// sin and cos for |x| <= pi/4 by their series, the argument halved four times first.
+    fn small_sin_cos(self) -> (Self, Self) {
+        let x = self * Self::from_f64(1.0 / 16.0);
+        let (mut sine, mut versine) = (Self::ZERO, Self::ZERO);
+        let mut term = x;
+        let mut n = 1.0;
+        // 12 pairs of terms: (pi/64)^25 / 25! is far below 1e-33.
+        for _ in 0..12 {
+            sine += term;
+            term = term * x * Self::ratio(1.0, n + 1.0);
+            versine += term;
+            term = -(term * x * Self::ratio(1.0, n + 2.0));
+            n += 2.0;
+        }
+        // versine = 1 - cos keeps its digits while doubling: v(2x) = 2 sin², sin(2x) = 2 sin (1 - v).
+        for _ in 0..4 {
+            let doubled = (sine * sine).twice();
+            sine = (sine * (Self::ONE - versine)).twice();
+            versine = doubled;
+        }
+        (sine, Self::ONE - versine)
+    }
+}
+
+impl Add for Dd {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let s = two_sum(self.hi, other.hi);
+        let t = two_sum(self.lo, other.lo);
+        let s = quick_two_sum(s.hi, s.lo + t.hi);
+        quick_two_sum(s.hi, s.lo + t.lo)
+    }
+}
+
+impl Sub for Dd {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + (-other)
+    }
+}
+
+impl Mul for Dd {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let p = two_product(self.hi, other.hi);
+        quick_two_sum(p.hi, p.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for Dd {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let q1 = self.hi / other.hi;
+        let rest = self - other * Self::from_f64(q1);
+        let q2 = rest.hi / other.hi;
+        let rest = rest - other * Self::from_f64(q2);
+        let q3 = rest.hi / other.hi;
+        quick_two_sum(q1, q2) + Self::from_f64(q3)
+    }
+}
+
+impl Neg for Dd {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl AddAssign for Dd {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Dd {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl Real for Dd {
+    const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
+
+    fn from_f64(value: f64) -> Self {
+        Self { hi: value, lo: 0.0 }
+    }
+    fn to_f64(self) -> f64 {
+        self.hi + self.lo
+    }
+    fn sqrt(self) -> Self {
+        let root = self.hi.sqrt();
+        // sqrt(0) has no Newton step; a negative number stays NaN.
+        if root == 0.0 || root.is_nan() {
+            return Self::from_f64(root);
+        }
+        let guess = Self::from_f64(root);
+        let rest = self - guess * guess;
+        guess + rest * Self::ratio(0.5, root)
+    }
+    fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+    fn least(self) -> f64 {
+        self.to_f64()
+    }
+    fn greatest(self) -> f64 {
+        self.to_f64()
+    }
+    fn clamp_negative(self) -> Self {
+        if self.hi < 0.0 { Self::ZERO } else { self }
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let turns = (self.hi / HALF_PI[0]).round();
+        let n = Self::from_f64(turns);
+        let mut rest = self;
+        for part in HALF_PI {
+            rest -= n * Self::from_f64(part);
+        }
+        let (s, c) = rest.small_sin_cos();
+        match turns.rem_euclid(4.0) {
+            quarter if quarter < 0.5 => (s, c),
+            quarter if quarter < 1.5 => (c, -s),
+            quarter if quarter < 2.5 => (-s, -c),
+            _ => (-c, s),
+        }
+    }
+}

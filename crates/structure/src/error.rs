@@ -1,0 +1,82 @@
+//! What makes a mechanism impossible to take apart.
+
+use assur_group::{BuildError, RegistryError};
+
+/// The count behind a fault of mobility.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Counted {
+    /// W by Chebyshev's formula.
+    pub mobility: i64,
+    /// `3*5 - 2*7`.
+    pub formula: String,
+}
+
+/// Why a mechanism can't be taken apart into groups.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StructureError {
+    /// Some links can move while the input stands.
+    #[error(
+        "mobility {} ({}), but one input moves the mechanism: {} can still move when the input stands{also}; \
+         join {} to something by one more pair, or leave out what hangs there",
+        counted.mobility, counted.formula, listed("link", "links", links), if links.len() == 1 { "it" } else { "them" }
+    )]
+    Loose {
+        /// The count.
+        counted: Counted,
+        /// The links that are loose.
+        links: Vec<String>,
+        /// Further remark: surplus pairs elsewhere.
+        also: String,
+    },
+    /// Some pairs constrain what is already fixed.
+    #[error(
+        "mobility {} ({}), must be 1: {} one constraint too many on {}; take one pair or one link away there \
+         (a passive link that only repeats a motion must be left out of the scene)",
+        counted.mobility, counted.formula, surplus(pairs), listed("link", "links", links)
+    )]
+    Surplus {
+        /// The count.
+        counted: Counted,
+        /// Pairs among which one is surplus.
+        pairs: Vec<String>,
+        /// Links that they lock.
+        links: Vec<String>,
+    },
+    /// No plugin solves a group.
+    #[error(
+        "{} form a group of class {}, order {order} ({pattern}); no plugin is registered for it \
+         (see `assur plugins`; another input link may give other groups)",
+        listed("link", "links", links), crate::roman(*class)
+    )]
+    NoPlugin {
+        /// Its links.
+        links: Vec<String>,
+        /// Its class.
+        class: u8,
+        /// Its order.
+        order: u8,
+        /// Its pairs in letters and names.
+        pattern: String,
+    },
+    /// The lengths make no group of the kind.
+    #[error("{group}: {source}")]
+    Build {
+        /// The group.
+        group: String,
+        /// What is wrong.
+        source: BuildError,
+    },
+    /// The registry is faulty.
+    #[error(transparent)]
+    Registry(#[from] RegistryError),
+}
+
+fn listed(one: &str, many: &str, names: &[String]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+    format!("{} {}", if names.len() == 1 { one } else { many }, quoted.join(", "))
+}
+
+fn surplus(pairs: &[String]) -> String {
+    format!("{} give{}", listed("pair", "pairs", pairs), if pairs.len() == 1 { "s" } else { "" })
+}
