@@ -34,7 +34,18 @@ impl<T: Real> Body<T> {
     /// The ground: at the origin, at rest.
     pub fn ground() -> Self {
         let zero = T::ZERO;
-        Self { x: zero, y: zero, c: T::ONE, s: zero, x1: zero, y1: zero, w1: zero, x2: zero, y2: zero, w2: zero }
+        Self {
+            x: zero,
+            y: zero,
+            c: T::ONE,
+            s: zero,
+            x1: zero,
+            y1: zero,
+            w1: zero,
+            x2: zero,
+            y2: zero,
+            w2: zero,
+        }
     }
 
     /// Arm from the origin of the link to a point of it: a vector of the link turned into the ground's frame, m.

@@ -18,6 +18,17 @@ pub enum GroupError {
         /// The dimensionless determinant of the group.
         health: f64,
     },
+    /// Too large for the general solution, or not a group: it needs three pairs for each two links.
+    #[error(
+        "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has {links} links \
+         and {pairs} pairs and needs a kind of its own"
+    )]
+    Unfit {
+        /// Links of the group.
+        links: usize,
+        /// Its pairs, inner and outer.
+        pairs: usize,
+    },
 }
 
 /// A dimensionless determinant below this counts as zero: rounding alone gives some 1e-16.

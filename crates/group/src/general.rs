@@ -13,21 +13,32 @@ use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometr
 /// Newton's method is given up after so many steps.
 const MOST_STEPS: usize = 60;
 
-/// Calls a function with the number of unknowns as a constant: 3 for each link, at most 8 links.
+/// Calls a function with the number of unknowns as a constant: 3 for each link.
 macro_rules! sized {
-    ($frame:expr, $call:ident ( $($arg:expr),* )) => {
-        match $frame.links.len() {
-            1 => $call::<T, 3>($($arg),*),
-            2 => $call::<T, 6>($($arg),*),
-            3 | 4 => $call::<T, 12>($($arg),*),
-            5 | 6 => $call::<T, 18>($($arg),*),
-            _ => $call::<T, 24>($($arg),*),
+    ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
+        match links_that_fit($frame) {
+            Some(1 | 2) => $call::<T, 6>($($arg),*),
+            Some(3 | 4) => $call::<T, 12>($($arg),*),
+            Some(5 | 6) => $call::<T, 18>($($arg),*),
+            Some(_) => $call::<T, 24>($($arg),*),
+            None => $unfit,
         }
     };
 }
 
 /// Greatest number of links in a group that the general solution takes.
-pub(crate) const MOST_LINKS: usize = 8;
+const MOST_LINKS: usize = 8;
+
+/// Number of links, if there are at most 8 with just as many constraints as unknowns.
+fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
+    let links = frame.links.len();
+    let zero_mobility = 3 * links == 2 * frame.pairs().count();
+    (zero_mobility && (1..=MOST_LINKS).contains(&links)).then_some(links)
+}
+
+fn unfit(frame: &GroupFrame) -> GroupError {
+    GroupError::Unfit { links: frame.links.len(), pairs: frame.pairs().count() }
+}
 
 /// Unit vector along the guide of a slide, in the frame of the ground.
 fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> [T; 2] {
@@ -51,7 +62,9 @@ fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
 /// Both points at which a pair acts: the arms on `a` and on `b`. A slide acts at the point of `a`.
 fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     match pair.geometry {
-        PairGeometry::Pin { at_a, at_b } => (bodies[pair.a].arm(local(at_a)), bodies[pair.b].arm(local(at_b))),
+        PairGeometry::Pin { at_a, at_b } => {
+            (bodies[pair.a].arm(local(at_a)), bodies[pair.b].arm(local(at_b)))
+        }
         PairGeometry::Slide { point, .. } => {
             let on_a = bodies[pair.a].arm(local(point));
             (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(local(point))))
@@ -162,13 +175,13 @@ fn angle_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], pair: &Pair, seco
 ///
 /// # Errors
 ///
-/// [`GroupError::Singular`] where J cannot be inverted.
+/// [`GroupError::Singular`] where J cannot be inverted, [`GroupError::Unfit`] for more than 8 links.
 pub fn derive_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &mut [Body<T>],
     order: Order,
 ) -> Result<(), GroupError> {
-    sized!(frame, derive_sized(frame, bodies, order))
+    sized!(frame, derive_sized(frame, bodies, order), Err(unfit(frame)))
 }
 
 fn derive_sized<T: Real, const N: usize>(
@@ -198,26 +211,27 @@ fn derive_sized<T: Real, const N: usize>(
     Ok(())
 }
 
-/// Dimensionless determinant of any placed group: smallest over greatest pivot of its J.
+/// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 for one that does not fit.
 pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
     fn sized<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
         Lu::new(jacobian::<T, N>(frame, bodies)).health
     }
-    sized!(frame, sized(frame, bodies))
+    sized!(frame, sized(frame, bodies), 0.0)
 }
 
 /// Reactions in the pairs of any group: equilibrium of each link, the transpose of J.
 ///
 /// # Errors
 ///
-/// [`GroupError::Singular`] where the equations of equilibrium cannot be solved.
+/// [`GroupError::Singular`] where the equations of equilibrium cannot be solved, [`GroupError::Unfit`] for more than
+/// 8 links.
 pub fn reactions_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
     reactions: &mut [Wrench<T>],
 ) -> Result<(), GroupError> {
-    sized!(frame, reactions_sized(frame, bodies, loads, reactions))
+    sized!(frame, reactions_sized(frame, bodies, loads, reactions), Err(unfit(frame)))
 }
 
 fn reactions_sized<T: Real, const N: usize>(
@@ -281,9 +295,9 @@ fn push_outer<T: Real>(
 /// # Errors
 ///
 /// [`GroupError::NoAssembly`] with the remaining gap where it does not converge; [`GroupError::Singular`] where J
-/// cannot be inverted on the way.
+/// cannot be inverted on the way; [`GroupError::Unfit`] for more than 8 links.
 pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
-    sized!(frame, newton_sized(frame, bodies))
+    sized!(frame, newton_sized(frame, bodies), Err(unfit(frame)))
 }
 
 /// Phi of each pair, in units of the scale, with the sign such that J du = -Phi.

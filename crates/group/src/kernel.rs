@@ -105,7 +105,10 @@ pub trait Number: Real {
 macro_rules! number {
     ($type:ty, $field:ident) => {
         impl Number for $type {
-            fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError> {
+            fn build(
+                builders: &Builders,
+                frame: &GroupFrame,
+            ) -> Result<Box<dyn AssurGroup<Self>>, BuildError> {
                 (builders.$field)(frame)
             }
         }

@@ -50,7 +50,12 @@ fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGro
 impl Builders {
     /// The builders of a kind.
     pub const fn of<K: GroupKind>() -> Self {
-        Self { double: boxed::<K, f64>, single: boxed::<K, f32>, extended: boxed::<K, Dd>, lanes: boxed::<K, F64x4> }
+        Self {
+            double: boxed::<K, f64>,
+            single: boxed::<K, f32>,
+            extended: boxed::<K, Dd>,
+            lanes: boxed::<K, F64x4>,
+        }
     }
 }
 
@@ -128,7 +133,10 @@ pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
 /// [`RegistryError`] where the registry is faulty.
 pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, RegistryError> {
     let all = groups()?;
-    Ok(all.into_iter().filter(|plugin| (plugin.matches)(frame)).min_by_key(|plugin| (plugin.class, plugin.name)))
+    Ok(all
+        .into_iter()
+        .filter(|plugin| (plugin.matches)(frame))
+        .min_by_key(|plugin| (plugin.class, plugin.name)))
 }
 
 /// The kernel of a group in one number type.

@@ -2,3 +2,5 @@
 //!
 //! `inventory` drops, without a word, a crate that no code names; so every program and test that wants plugins says
 //! `use assur_all as _;`.
+
+use assur_group_rrr as _;

@@ -1,0 +1,239 @@
+//! The closed forms of type 1.
+
+use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
+use assur_group::{AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, Wrench};
+use assur_number::Real;
+
+use crate::SLIDES;
+
+/// Rounding that a squared distance is allowed before the group counts as open, in units of the last place.
+const SLACK: f64 = 8.0;
+
+/// One group RRR, its lengths in the number `T`.
+#[derive(Debug, Clone)]
+pub struct Rrr<T> {
+    frame: GroupFrame,
+    links: [usize; 2],
+    /// Outer pins of link 1 and link 2.
+    ends: [PinJoint<T>; 2],
+    inner: PinJoint<T>,
+    /// From the outer to the inner pin of each link, in its frame, m.
+    rods: [[T; 2]; 2],
+    /// What turns such a vector, placed, into the direction of the link: mirrored rod / length².
+    unrods: [[T; 2]; 2],
+    /// (l1 + l2)², m².
+    stretched: T,
+    /// (l1 - l2)², m².
+    folded: T,
+    /// l1² - l2², m².
+    excess: T,
+    /// 1 / (l1 l2), 1/m².
+    inverse_product: T,
+    /// Lengths, m, for the gap of an error.
+    lengths: [f64; 2],
+    /// Rounding of d² near `stretched` and near `folded`, m².
+    slack: [f64; 2],
+}
+
+/// The triangle of the pins at one position.
+struct Triangle<T> {
+    /// A and its arm on link 1; B and its arm on link 2.
+    pins: [[T; 2]; 2],
+    arms: [[T; 2]; 2],
+    /// C - A and C - B.
+    r: [[T; 2]; 2],
+    /// r1 x r2.
+    d: T,
+}
+
+impl<T: Real> Rrr<T> {
+    /// Compiles a group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins lie in one place.
+    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad =
+            Dyad::of_pattern(frame, SLIDES).ok_or_else(|| BuildError::new("the pairs are not R-R-R"))?;
+        let pin = |pair, turned| PinJoint::<T>::new(pair, turned).ok_or_else(|| BuildError::new("not a pin"));
+        let ends = [pin(&dyad.first, dyad.turned[0])?, pin(&dyad.second, dyad.turned[2])?];
+        let inner = pin(&dyad.inner, dyad.turned[1])?;
+        let rods = [minus(inner.own, ends[0].own), minus(inner.at, ends[1].own)];
+        let squares = rods.map(|rod| dot(rod, rod));
+        let [l1, l2] = squares.map(Real::sqrt);
+        let lengths = [l1.to_f64(), l2.to_f64()];
+        if let Some(i) = lengths.iter().position(|&l| l.is_nan() || l <= 0.0) {
+            let what = format!("link {} of a group RRR needs its two pins apart; their distance is 0", i + 1);
+            return Err(BuildError::new(what));
+        }
+        let (sum, difference) = (l1 + l2, l1 - l2);
+        let size = frame.scale.max(sum.to_f64());
+        let rounding = SLACK * T::EPSILON * size;
+        Ok(Self {
+            frame: frame.clone(),
+            links: dyad.links,
+            ends,
+            inner,
+            rods,
+            unrods: [0, 1].map(|i| scaled(T::ONE / squares[i], mirrored(rods[i]))),
+            stretched: sum * sum,
+            folded: difference * difference,
+            excess: difference * sum,
+            inverse_product: T::ONE / (l1 * l2),
+            lengths,
+            slack: [rounding * sum.to_f64(), rounding * (difference.abs().to_f64() + rounding)],
+        })
+    }
+
+    /// Outer pins with their arms on the links of the group.
+    #[inline]
+    fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+        self.ends.each_ref().map(|end| bodies[end.body].point(end.at))
+    }
+
+    /// Finds the inner pin and turns the links; the triangle and the health.
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+        let pins = self.pins(bodies);
+        let d = minus(pins[1], pins[0]);
+        let square = dot(d, d);
+        // Two factors, each rounded relative to its own zero: l1² - alpha² d² would lose half the digits near both.
+        let (far, near) = (self.stretched - square, square - self.folded);
+        if !(far.least() >= -self.slack[0]
+            && near.least() >= -self.slack[1]
+            && square.least() > self.slack[1])
+        {
+            return Err(self.refusal(square, far, near));
+        }
+        let root = (far * near).clamp_negative().sqrt().half();
+        let health = root * self.inverse_product;
+        let root = if way == 0 { root } else { -root };
+        let inverse = T::ONE / square;
+        // Both from their own formula: r1 - d would lose the digits of a short second link.
+        let part = (self.excess * inverse).half();
+        let (alpha, gamma) = (part + T::ONE.half(), part - T::ONE.half());
+        let across = scaled(root * inverse, perp(d));
+        let r = [plus(scaled(alpha, d), across), plus(scaled(gamma, d), across)];
+        let mut arms = [[T::ZERO; 2]; 2];
+        for i in 0..2 {
+            let turned = times(r[i], self.unrods[i]);
+            let body = &mut bodies[self.links[i]];
+            [body.c, body.s] = turned;
+            arms[i] = body.arm(self.ends[i].own);
+            body.hang_place(arms[i], pins[i]);
+        }
+        Ok((Triangle { pins, arms, r, d: root }, health))
+    }
+
+    /// Why there is no triangle: the gap, or a place that is not determined.
+    #[cold]
+    fn refusal(&self, square: T, far: T, near: T) -> GroupError {
+        let [l1, l2] = self.lengths;
+        let too_far = square.greatest().sqrt() - (l1 + l2);
+        let too_near = (l1 - l2).abs() - square.least().max(0.0).sqrt();
+        let open = far.least() < -self.slack[0] || near.least() < -self.slack[1];
+        if open {
+            GroupError::NoAssembly { gap_m: too_far.max(too_near) }
+        } else {
+            // Equal links folded upon each other may point anywhere.
+            GroupError::Singular { health: square.least() * 0.0 }
+        }
+    }
+
+    /// The triangle of links that are placed already.
+    #[inline]
+    fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
+        let link = self.links.map(|i| &bodies[i]);
+        let r = [link[0].arm(self.rods[0]), link[1].arm(self.rods[1])];
+        let arms = [link[0].arm(self.ends[0].own), link[1].arm(self.ends[1].own)];
+        Triangle { pins: self.pins(bodies), arms, d: cross(r[0], r[1]), r }
+    }
+
+    #[inline]
+    fn differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        triangle: &Triangle<T>,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        let Triangle { pins, arms, r, d } = triangle;
+        GroupError::if_singular((*d * self.inverse_product).abs())?;
+        let inverse = T::ONE / *d;
+        let outer = [0, 1].map(|i| {
+            let body = &bodies[self.ends[i].body];
+            let arm = minus(pins[i], [body.x, body.y]);
+            [body.first(arm), body.second(arm)]
+        });
+        let v = minus(outer[1][0], outer[0][0]);
+        let w = [dot(v, r[1]) * inverse, dot(v, r[0]) * inverse];
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w1 = w[i];
+            link.hang_first(arms[i], outer[i][0]);
+        }
+        if order < Order::Second {
+            return GroupError::if_nan(w[0] + w[1]);
+        }
+        let centripetal = minus(scaled(w[0] * w[0], r[0]), scaled(w[1] * w[1], r[1]));
+        let a = plus(minus(outer[1][1], outer[0][1]), centripetal);
+        let e = [dot(a, r[1]) * inverse, dot(a, r[0]) * inverse];
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w2 = e[i];
+            link.hang_second(arms[i], outer[i][1]);
+        }
+        GroupError::if_nan(e[0] + e[1])
+    }
+}
+
+impl<T: Real> AssurGroup<T> for Rrr<T> {
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    fn ways(&self) -> usize {
+        2
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        self.close(bodies, way).map(|(_, health)| health)
+    }
+
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        self.differentiate(bodies, &self.read(bodies), order)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
+        let (triangle, health) = self.close(bodies, way)?;
+        if order > Order::Place {
+            self.differentiate(bodies, &triangle, order)?;
+        }
+        Ok(health)
+    }
+
+    fn health(&self, bodies: &[Body<T>]) -> f64 {
+        (self.read(bodies).d * self.inverse_product).abs().least()
+    }
+
+    fn reactions(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        let Triangle { arms, r, d, .. } = self.read(bodies);
+        GroupError::if_singular((d * self.inverse_product).abs())?;
+        let [one, two] = self.links.map(|i| loads[i]);
+        // Moments about A and about B know the inner reaction only: r1 x F = -m1, r2 x F = m2.
+        let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
+        let k = -(T::ONE / d);
+        let force = plus(scaled(m2 * k, r[0]), scaled(m1 * k, r[1]));
+        self.inner.store(force, reactions);
+        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
+        self.ends[1].hand_on(bodies, minus(force, two.force()), loads, reactions);
+        GroupError::if_nan(force[0] + force[1])
+    }
+}

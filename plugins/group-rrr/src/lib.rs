@@ -1,0 +1,49 @@
+//! Type 1: two links and three pins (RRR).
+//!
+//! ```text
+//!        C         A, B   outer pins (given), d = B - A
+//!   l1 /   \ l2    C      inner pin: C = A + alpha d + beta d turned by 90 degrees
+//!     A     B      alpha = (d² + l1² - l2²) / 2d²,  beta = ± sqrt(((l1+l2)² - d²)(d² - (l1-l2)²)) / 2d²
+//! ```
+//!
+//! With r1 = C - A, r2 = C - B and D = r1 x r2, the derivatives are w1 = V r2 / D, w2 = V r1 / D, where V = B' - A' for
+//! the first order, and B'' - A'' + w1² r1 - w2² r2 for the second.
+
+mod kernel;
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+
+pub use kernel::Rrr;
+
+const SLIDES: [bool; 3] = [false, false, false];
+
+/// The kind RRR.
+#[derive(Debug, Clone, Copy)]
+pub struct RrrKind;
+
+impl GroupKind for RrrKind {
+    type Kernel<T: Number> = Rrr<T>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Rrr<T>, BuildError> {
+        Rrr::new(frame)
+    }
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "rrr",
+        kind: "RRR",
+        class: 2,
+        number: 1,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "two links, three pins",
+        ways: "0: the inner pin left of the way from the outer pin of the first link to that of the second; 1: right",
+        singular: "the links in one line, stretched or folded: sin(phi2 - phi1) = 0",
+        source: "S stage 2; theory of two circles",
+        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
+        builders: Builders::of::<RrrKind>(),
+    }
+}
