@@ -17,6 +17,7 @@ mod flag;
 mod flywheel;
 mod lookup;
 mod motor;
+mod plausibility;
 mod rated;
 mod selection;
 mod shaft;
@@ -36,6 +37,7 @@ pub use flywheel::{
 };
 pub use lookup::find_designation;
 pub use motor::Motor;
+pub use plausibility::{Doubt, doubts};
 pub use rated::{RatedData, RatedDataError};
 pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, SkipReason, Skipped, select};
 pub use shaft::{ShaftError, ShaftMotor};

@@ -70,7 +70,7 @@ fn nearest<'a>(rows: impl IntoIterator<Item = &'a Motor>, designation: &str) -> 
     let asked = normalize_latin(designation);
     let asked = without_climate(&asked);
     // Further away than that nothing is alike.
-    let most = asked.chars().count().div_ceil(2);
+    let most = asked.chars().count() / 2;
     let distance = |m: &Motor| {
         let key = normalize_latin(&m.designation);
         let row = without_climate(&key);

@@ -1,0 +1,62 @@
+use crate::catalogue::{named, sorted};
+use crate::{CatalogueError, CataloguePlugin, CatalogueTable, MotorCatalogue};
+
+static TABLE: CatalogueTable = CatalogueTable::new(
+    "B",
+    "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,source\n4А1У3,4,1,1500,1400,x\n",
+);
+static BROKEN: CatalogueTable = CatalogueTable::new("broken", "nothing");
+
+const fn plugin(name: &'static str, crate_name: &'static str) -> CataloguePlugin {
+    CataloguePlugin { name, crate_name, summary: "", source: "", rows: || TABLE.rows() }
+}
+
+static A: CataloguePlugin = plugin("4A", "crate-a");
+static B: CataloguePlugin = plugin("b-IEC", "crate-b");
+static C: CataloguePlugin = plugin("C", "crate-c");
+/// With a Cyrillic letter and in lower case: the same name as A.
+static A_AGAIN: CataloguePlugin = plugin("4а", "crate-z");
+
+#[test]
+fn sorted_by_name_whatever_the_order_of_linking() {
+    for order in [vec![&A, &B, &C], vec![&C, &B, &A], vec![&B, &A, &C]] {
+        let names: Vec<&str> = sorted(order).unwrap().iter().map(|c| c.name()).collect();
+        assert_eq!(names, ["4A", "b-IEC", "C"]);
+    }
+}
+
+#[test]
+fn one_name_twice_is_an_error_that_names_both_crates() {
+    let error = sorted(vec![&A_AGAIN, &B, &A]).unwrap_err().to_string();
+    assert!(error.contains("crate-a") && error.contains("crate-z"), "{error}");
+    assert!(matches!(sorted(vec![&A, &A]), Err(CatalogueError::DuplicateName { .. })));
+}
+
+#[test]
+fn no_catalogue_at_all_is_an_error() {
+    assert_eq!(sorted(vec![]).unwrap_err(), CatalogueError::NoneRegistered);
+}
+
+#[test]
+fn found_without_regard_to_case_else_the_nearest_first() {
+    let all = [&A, &B, &C];
+    assert_eq!(named(&all, "B-iec").unwrap().crate_name, "crate-b");
+    assert_eq!(named(&all, "4А").unwrap().crate_name, "crate-a", "Cyrillic");
+    assert_eq!(
+        named(&all, "B-EC").unwrap_err().to_string(),
+        "no motor catalogue `B-EC`; there are: b-IEC, C, 4A"
+    );
+}
+
+#[test]
+fn rows_are_read_once_and_found() {
+    assert!(std::ptr::eq(TABLE.rows().unwrap(), TABLE.rows().unwrap()));
+    assert_eq!(A.find("4a1").unwrap().poles, 4);
+    assert!(A.find("5A1").unwrap_err().to_string().contains("no motor `5A1` in catalogue 4A"));
+}
+
+#[test]
+fn a_broken_table_is_an_error_every_time() {
+    assert!(BROKEN.rows().is_err());
+    assert_eq!(BROKEN.rows(), BROKEN.rows());
+}
