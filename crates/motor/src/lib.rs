@@ -5,8 +5,47 @@
 //! The formulas are those of the working section and of Kloss (theory of the asynchronous machine); each
 //! stands at the function that uses it.
 //!
-//! A catalogue is a plugin: a CSV file, a [`CatalogueTable`] and one `inventory::submit!` of a
-//! [`CataloguePlugin`].
+//! ```
+//! use assur_motor::{Characteristic, CharacteristicKind, RatedData, ShaftMotor, rad_per_s};
+//!
+//! let rated = RatedData {
+//!     power: 1100.0,
+//!     synchronous_speed: rad_per_s(1500.0),
+//!     rated_speed: rad_per_s(1410.0),
+//!     max_torque_ratio: Some(2.2),
+//!     inertia: Some(0.0045),
+//! };
+//! let kloss = Characteristic::new(CharacteristicKind::Kloss, &rated)?;
+//! assert!((kloss.torque(rated.rated_speed) - 7.4498).abs() < 1e-4); // 1100 W / 147.65 rad/s
+//!
+//! // Behind a reducer 23.5 : 1 of efficiency 0.95, driving counter-clockwise.
+//! let motor = ShaftMotor::new(kloss, 23.5, 0.95, 1.0)?;
+//! assert!((motor.torque(rad_per_s(60.0)) - 166.32).abs() < 0.01); // 23.5 * 0.95 * 7.4498
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A catalogue is a plugin: a CSV file, a [`CatalogueTable`] and one `inventory::submit!`.
+//!
+//! ```
+//! use assur_motor::{CataloguePlugin, CatalogueTable, find_motor};
+//!
+//! static TABLE: CatalogueTable = CatalogueTable::new(
+//!     "MINE", // usually include_str!("../data/mine.csv")
+//!     "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,source\nM 1,4,1.1,1500,1410,p. 7\n",
+//! );
+//! inventory::submit! {
+//!     CataloguePlugin {
+//!         name: "MINE",
+//!         crate_name: env!("CARGO_PKG_NAME"),
+//!         summary: "what motors these are",
+//!         source: "where they are printed",
+//!         rows: || TABLE.rows(),
+//!     }
+//! }
+//! # fn main() {
+//! assert_eq!(find_motor(Some("mine"), "m1").map(|m| m.poles), Ok(4));
+//! # }
+//! ```
 
 mod catalogue;
 mod characteristic;
@@ -49,4 +88,5 @@ pub use warning::{
 };
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "mirror images, zeros and values handed through agree to the last bit")]
 mod tests;

@@ -18,4 +18,5 @@ inventory::submit! {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "whole kilowatts convert without rounding")]
 mod tests;

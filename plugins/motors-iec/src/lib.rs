@@ -68,4 +68,5 @@ catalogue!(
 );
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "whole kilowatts convert without rounding")]
 mod tests;

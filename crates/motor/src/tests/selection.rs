@@ -41,7 +41,7 @@ fn smallest_power_then_highest_speed_then_least_slip() {
 #[test]
 fn exactly_enough_is_enough() {
     assert_eq!(order(&request(1100.0, Some(1500.0)))[0], "four");
-    assert_eq!(order(&request(1100.000_01, Some(1500.0)))[0], "big four");
+    assert_eq!(order(&request(1100.01, Some(1500.0)))[0], "big four");
 }
 
 #[test]
