@@ -1,0 +1,222 @@
+//! `[drive]`: motor, reducer and flywheel.
+
+use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, Torque};
+
+use crate::context::Context;
+use crate::error::Fault;
+use crate::numbers::Bound;
+use crate::text::shown;
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+
+const KEYS: &[&str] = &[
+    "motor",
+    "catalogue",
+    "max_motor_speed",
+    "characteristic",
+    "ratio",
+    "efficiency",
+    "torque",
+    "flywheel",
+    "flywheel_on",
+];
+const MOTOR_KEYS: &[&str] = &["power", "synchronous_speed", "rated_speed", "max_torque_ratio", "inertia"];
+/// What has a meaning only where there is a motor.
+const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];
+const CHARACTERISTICS: &[(&str, Characteristic)] =
+    &[("kloss", Characteristic::Kloss), ("linear", Characteristic::Linear)];
+const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("motor", FlywheelPlace::Motor)];
+
+/// Reads the drive; `motion` is what `[motion]` says, if it could be read.
+pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
+    let section = root.get("drive")?.section("the drive", KEYS)?;
+    check_motion(&section, motion, context);
+    check_motor_keys(&section, context);
+    let torque = torque(&section, context);
+    let ratio = solved(&section, "ratio", Dimension::Number, Bound::Positive).unwrap_or(Solve::Given(1.0));
+    let flywheel = solved(&section, "flywheel", Dimension::Inertia, Bound::NotNegative);
+    let efficiency = section.quantity_or("efficiency", Dimension::Number, Bound::Positive, 1.0);
+    if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
+        entry
+            .fault(format!("`efficiency` is greater than 0 and at most 1, got {efficiency}"), "such as 0.95");
+    }
+    check_solved(&section, motion);
+    let place = section.get("flywheel_on").and_then(|entry| entry.choice(PLACES));
+    Some(Drive {
+        torque: torque?,
+        ratio,
+        efficiency,
+        flywheel,
+        flywheel_on: place.unwrap_or(FlywheelPlace::Crank),
+    })
+}
+
+fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) {
+    let absent = motion.is_none() && !context.moves;
+    if absent || matches!(motion, Some(Motion::Prescribed { .. })) {
+        let got = if absent { "the scene has none" } else { "this one is \"prescribed\"" };
+        let message = format!("[drive] needs a motion of kind \"transient\" or \"steady\", {got}");
+        let label = "a prescribed motion is kept by the balancing load";
+        section.faults.push(Fault::new(section.span.clone(), message).label(label));
+    }
+}
+
+/// Keys that would be without effect.
+fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
+    let motor = section.get("motor");
+    if motor.is_none() {
+        for entry in OF_THE_MOTOR.iter().filter_map(|key| section.get(key)) {
+            let message = format!("`{}` belongs to a motor, and the drive has none", entry.name);
+            section.faults.push(Fault::new(entry.key, message).label("add `motor = ...` or leave it out"));
+        }
+        let on_motor = section.get("flywheel_on").filter(|entry| entry.value.as_str() == Some("motor"));
+        if let Some(entry) = on_motor {
+            entry.fault("the flywheel is on the motor, and the drive has none", "flywheel_on = \"crank\"");
+        }
+    }
+    if section.get("flywheel").is_none() {
+        if let Some(entry) = section.get("flywheel_on") {
+            let fault = Fault::new(entry.key, "`flywheel_on` without `flywheel`");
+            section.faults.push(fault.label("add `flywheel = \"solve\"` or a moment of inertia"));
+        }
+    }
+    if context.coordinate() == Some(Dimension::Length) {
+        for entry in ["motor", "flywheel"].iter().filter_map(|key| section.get(key)) {
+            let message = format!("`{}` needs an input that turns, this one slides", entry.name);
+            section.faults.push(Fault::new(entry.key, message));
+        }
+    }
+}
+
+/// What "solve" needs to be solvable.
+fn check_solved(section: &Section<'_>, motion: Option<&Motion>) {
+    let wanted = |key: &str| section.get(key).filter(|entry| entry.value.as_str() == Some("solve"));
+    if matches!(motion, Some(Motion::Transient { .. })) {
+        for entry in ["ratio", "flywheel"].into_iter().filter_map(wanted) {
+            let message = format!("`{} = \"solve\"` needs a motion of kind \"steady\"", entry.name);
+            entry.fault(message, "give a number for a transient motion");
+        }
+    }
+    if let (Some(Motion::Steady { unevenness: None, .. }), Some(entry)) = (motion, wanted("flywheel")) {
+        entry.fault("`flywheel = \"solve\"` needs `unevenness` in [motion]", "such as unevenness = 0.05");
+    }
+}
+
+/// A number, or "solve".
+fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) -> Option<Solve> {
+    let entry = section.get(key)?;
+    if entry.value.as_str() == Some("solve") {
+        return Some(Solve::Wanted);
+    }
+    if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
+        let message = format!("`{key}` wants \"solve\" or {}, got \"{}\"", dimension.name(), shown(text));
+        entry.fault(message, "");
+        return None;
+    }
+    entry.bounded(dimension, bound).map(Solve::Given)
+}
+
+fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {
+    match (section.get("motor"), section.get("torque")) {
+        (Some(_), Some(torque)) => {
+            torque.fault("`torque` and `motor` exclude each other", "leave one out");
+            None
+        }
+        (Some(motor), None) => with_motor(section, &motor),
+        (None, Some(torque)) => constant(&torque, context),
+        (None, None) => {
+            if section.get("flywheel").is_none() {
+                section.missing("motor", "`motor`, `torque` or `flywheel`: an empty drive does nothing");
+            }
+            Some(Torque::None)
+        }
+    }
+}
+
+fn constant(entry: &Entry<'_>, context: &Context<'_>) -> Option<Torque> {
+    let dimension = context.by_input(Dimension::Moment, Dimension::Force);
+    match entry.value.as_str() {
+        Some("balance") => Some(Torque::Balance),
+        Some(text) if text.starts_with(char::is_alphabetic) => {
+            let wanted = dimension.unwrap_or(Dimension::Moment).full();
+            entry.fault(format!("`torque` wants \"balance\" or {wanted}, got \"{}\"", shown(text)), "");
+            None
+        }
+        _ => entry.quantity(dimension).map(Torque::Constant),
+    }
+}
+
+fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
+    let motor = motor(entry);
+    let catalogue = section.get("catalogue").and_then(|entry| entry.text("the name of a catalogue"));
+    let max_speed = section
+        .get("max_motor_speed")
+        .and_then(|entry| entry.bounded(Dimension::AngularSpeed, Bound::Positive));
+    let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
+    let mut characteristic = given.unwrap_or(Characteristic::Kloss);
+    if let Some(Motor::Rated(rated)) = motor {
+        refuse_with_rated(section);
+        if rated.max_torque_ratio.is_none() {
+            if given == Some(Characteristic::Kloss) {
+                entry.fault(
+                    "`characteristic = \"kloss\"` needs `max_torque_ratio`",
+                    "or characteristic = \"linear\"",
+                );
+            }
+            characteristic = Characteristic::Linear;
+        }
+    }
+    let catalogue = catalogue.map(str::to_owned);
+    Some(Torque::Motor { motor: motor?, catalogue, max_speed, characteristic })
+}
+
+/// Rated data are no choice from a catalogue.
+fn refuse_with_rated(section: &Section<'_>) {
+    for entry in ["catalogue", "max_motor_speed"].iter().filter_map(|key| section.get(key)) {
+        let message =
+            format!("`{}` belongs to a motor of a catalogue, this one is given by its data", entry.name);
+        section.faults.push(Fault::new(entry.key, message).label("leave it out"));
+    }
+}
+
+fn motor(entry: &Entry<'_>) -> Option<Motor> {
+    if entry.value.is_table() {
+        return rated(entry).map(Motor::Rated);
+    }
+    match entry.text("a designation, \"auto\" or rated data")? {
+        "auto" => Some(Motor::Auto),
+        designation => Some(Motor::Designation(designation.to_owned())),
+    }
+}
+
+fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
+    let section = entry.section("a motor", MOTOR_KEYS)?;
+    let need = |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::Positive));
+    let power = need("power", Dimension::Power);
+    let synchronous = need("synchronous_speed", Dimension::AngularSpeed);
+    let rated = need("rated_speed", Dimension::AngularSpeed);
+    if let (Some(synchronous), Some(rated), Some(entry)) = (synchronous, rated, section.get("rated_speed")) {
+        if rated >= synchronous {
+            entry.fault("`rated_speed` must be less than `synchronous_speed`", "an asynchronous motor slips");
+        }
+    }
+    let breakdown = section.get("max_torque_ratio").and_then(|entry| {
+        let value = entry.bounded(Dimension::Number, Bound::Any)?;
+        if value <= 1.0 {
+            entry.fault(
+                format!("`max_torque_ratio` must be greater than 1, got {value}"),
+                "breakdown torque / rated torque",
+            );
+        }
+        Some(value)
+    });
+    let inertia =
+        section.get("inertia").and_then(|entry| entry.bounded(Dimension::Inertia, Bound::NotNegative));
+    Some(RatedMotor {
+        power: power?,
+        synchronous_speed: synchronous?,
+        rated_speed: rated?,
+        max_torque_ratio: breakdown,
+        inertia,
+    })
+}

@@ -1,0 +1,108 @@
+//! `[input]`: the input link, its coordinate and the positions.
+
+use std::f64::consts::TAU;
+
+use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
+
+use crate::linkage::Linkage;
+use crate::numbers::Bound;
+use crate::slides::on_ground;
+use crate::text::{row, shown};
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+
+const KEYS: &[&str] = &["link", "from", "positions", "cycle", "direction", "to"];
+/// More positions than anybody reads; a slip of the keyboard must not fill the memory.
+pub(crate) const MOST: usize = 1_000_000;
+
+/// Reads the input; `None` where its link or pair is not known.
+pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
+    let Some(entry) = root.get("input") else {
+        root.missing("input", "add [input] with `link`, the link that drives the others");
+        return None;
+    };
+    let section = entry.section("the input", KEYS)?;
+    let link = section
+        .need("link")
+        .and_then(|entry| Some((linkage.moving(&entry, "a link joined to the ground")?, entry)));
+    let pair = link.as_ref().and_then(|(link, entry)| pair(linkage, *link, entry));
+    let dimension = pair.map(coordinate_of);
+    let from = section.quantity_or("from", dimension, Bound::Any, 0.0);
+    let positions = section.get("positions").and_then(|entry| entry.count(1, MOST)).unwrap_or(12);
+    let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
+    let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
+    let range = range(&section, dimension, from, positions);
+    check_direction(&section, from, range, sense);
+    let direction = sense.unwrap_or(Sense::Ccw);
+    Some(Input { link: link?.0, pair: pair?, from, positions, range, direction })
+}
+
+/// What the coordinate of an input is.
+pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
+    match pair {
+        InputPair::Pin(_) => Dimension::Angle,
+        InputPair::Slide(_) => Dimension::Length,
+    }
+}
+
+/// The one pair between the link and the ground.
+fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
+    let stands = |id: usize, link| linkage.points[id].places.iter().any(|place| place.link == link);
+    let pins =
+        (0..linkage.points.len()).filter(|&id| stands(id, GROUND) && stands(id, link)).map(InputPair::Pin);
+    let slides = on_ground(linkage, link).into_iter().map(InputPair::Slide);
+    let pairs: Vec<InputPair> = pins.chain(slides).collect();
+    if let [pair] = pairs[..] {
+        return Some(pair);
+    }
+    let name = shown(&linkage.links[link].name);
+    if pairs.is_empty() {
+        let label = "a point that stands in [ground] too, or a [[slide]] on \"ground\"";
+        entry.fault(format!("the input link `{name}` is not joined to the ground"), label);
+    } else {
+        let names = pairs.iter().map(|pair| match *pair {
+            InputPair::Pin(id) => linkage.points[id].name.as_str(),
+            InputPair::Slide(id) => linkage.slides[id].name.as_str(),
+        });
+        let message =
+            format!("the input link `{name}` is joined to the ground {} times: {}", pairs.len(), row(names));
+        entry.fault(message, "one pin or one slide is wanted");
+    }
+    None
+}
+
+fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positions: usize) -> Range {
+    if let Some(entry) = section.get("to") {
+        if let Some(cycle) = section.get("cycle") {
+            cycle.fault("`cycle` and `to` exclude each other", "a whole cycle, or a range");
+        }
+        let Some(to) = entry.quantity(dimension) else {
+            return Range::To(from);
+        };
+        if positions > 1 && dimension.is_some() && to.total_cmp(&from).is_eq() {
+            entry.fault(
+                format!("`to` equals `from`, but `positions` is {positions}"),
+                "positions = 1, or another end",
+            );
+        }
+        return Range::To(to);
+    }
+    if section.get("cycle").is_none() && dimension == Some(Dimension::Length) {
+        section.missing("to", "a sliding input has no cycle of its own: give `to` or `cycle`");
+    }
+    Range::Cycle(section.quantity_or("cycle", dimension, Bound::Positive, TAU))
+}
+
+/// With `to` the direction follows from the range; one that is given must agree.
+fn check_direction(section: &Section<'_>, from: f64, range: Range, sense: Option<Sense>) {
+    let (Range::To(to), Some(sense), Some(entry)) = (range, sense, section.get("direction")) else {
+        return;
+    };
+    if (to - from) * sense.sign() < 0.0 {
+        let way = if to > from { "grows" } else { "decreases" };
+        entry.fault(
+            format!("`direction` contradicts `to`: from `from` to `to` the coordinate {way}"),
+            "leave it out",
+        );
+    }
+}

@@ -1,0 +1,131 @@
+//! `[[spring]]` and `[[contact]]`: what acts between two links.
+
+use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring};
+
+use crate::context::Context;
+use crate::linkage::pair;
+use crate::names::LoadNames;
+use crate::numbers::Bound;
+use crate::text::{row, shown};
+use crate::units::Dimension;
+use crate::value;
+use crate::walk::{Entry, Section};
+
+const SPRING_KEYS: &[&str] = &["name", "between", "stiffness", "length", "damping"];
+const CONTACT_KEYS: &[&str] = &["name", "link", "center", "radius", "angle", "force", "friction", "during"];
+
+/// `[[spring]]`.
+pub(crate) fn springs(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Spring> {
+    let sections =
+        root.get("spring").map(|entry| entry.sections("a spring", SPRING_KEYS)).unwrap_or_default();
+    sections
+        .iter()
+        .enumerate()
+        .filter_map(|(index, section)| spring(section, index, context, names))
+        .collect()
+}
+
+fn spring(
+    section: &Section<'_>,
+    index: usize,
+    context: &Context<'_>,
+    names: &mut LoadNames,
+) -> Option<Spring> {
+    let stiffness = section.quantity_or("stiffness", Dimension::Stiffness, Bound::NotNegative, 0.0);
+    let length = section.quantity_or("length", Dimension::Length, Bound::NotNegative, 0.0);
+    let damping = section.quantity_or("damping", Dimension::Damping, Bound::NotNegative, 0.0);
+    if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
+        context.need_motion(&entry, "`damping`");
+    }
+    let name = names.read(section, || format!("spring {}", index + 1));
+    let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
+    Some(Spring { name, ends, stiffness, length, damping })
+}
+
+fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
+    let [a, b] = entry.pair("two points, such as [\"C\", \"D\"]")?;
+    let (first, second) = (end(&a, context), end(&b, context));
+    let ((p, first), (q, second)) = (first?, second?);
+    let linkage = context.linkage;
+    let both = (0..linkage.links.len()).find(|&link| stands(context, p, link) && stands(context, q, link));
+    if let Some(link) = both {
+        let message = format!("both ends stand in link `{}`", shown(&linkage.links[link].name));
+        entry.fault(message, "a spring there keeps its length; points of two links are wanted");
+        return None;
+    }
+    Some([first, second])
+}
+
+fn stands(context: &Context<'_>, point: PointId, link: LinkId) -> bool {
+    context.linkage.points[point].places.iter().any(|place| place.link == link)
+}
+
+/// A point, alone or as "link.point". A pin is at one place in all its links, so that any of them will do.
+fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
+    let text = entry.text("a point, or \"link.point\"")?;
+    let linkage = context.linkage;
+    let Some((link, point)) = text.split_once('.') else {
+        let id = linkage.point(entry)?;
+        return linkage.points[id].places.first().map(|place| (id, *place));
+    };
+    let Some(link) = linkage.links.iter().position(|known| known.name == link) else {
+        linkage.unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
+        return None;
+    };
+    let Some(id) = linkage.point_named(point) else {
+        linkage.unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
+        return None;
+    };
+    let places = &linkage.points[id].places;
+    let place = places.iter().find(|place| place.link == link);
+    if place.is_none() {
+        let holders = places.iter().map(|place| linkage.links[place.link].name.as_str());
+        let on = shown(&linkage.links[link].name);
+        entry.fault(
+            format!("point `{}` is not on link `{on}`", shown(point)),
+            format!("it stands in: {}", row(holders)),
+        );
+    }
+    place.map(|place| (id, *place))
+}
+
+/// `[[contact]]`.
+pub(crate) fn contacts(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Contact> {
+    let sections =
+        root.get("contact").map(|entry| entry.sections("a contact", CONTACT_KEYS)).unwrap_or_default();
+    sections
+        .iter()
+        .enumerate()
+        .filter_map(|(index, section)| contact(section, index, context, names))
+        .collect()
+}
+
+fn contact(
+    section: &Section<'_>,
+    index: usize,
+    context: &Context<'_>,
+    names: &mut LoadNames,
+) -> Option<Contact> {
+    let linkage = context.linkage;
+    let radius =
+        section.need("radius").and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
+    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Any, 0.0);
+    let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
+    let force = section.need("force").and_then(|entry| value::read(&entry, Dimension::Force, false, context));
+    let during = section.get("during").and_then(|entry| interval(&entry, context));
+    let link = section
+        .need("link")
+        .and_then(|entry| linkage.moving(&entry, "the line is the ground's, the arc a link's"));
+    let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
+    let on = &linkage.links[link.unwrap_or(GROUND)].name;
+    let name = names.read(section, || format!("contact {} on {on}", index + 1));
+    Some(Contact { name, center: center?, radius: radius?, angle, force: force?, friction, during })
+}
+
+fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {
+    let [from, to] = pair(entry, context.coordinate())?;
+    if from > to {
+        entry.fault("`during` ends before it begins", "[from, to] with `from` not greater than `to`");
+    }
+    Some([from, to])
+}

@@ -1,0 +1,121 @@
+//! Scene files: TOML with units to a [`Mechanism`], or every fault with its line.
+//!
+//! The one way in is [`read`], which is pure: text in, mechanism out. Nothing here opens a file or prints. Inside, a
+//! fault is noted and reading goes on, so that one run shows all that is wrong; see [`SceneErrors`].
+
+mod context;
+mod drive;
+mod error;
+mod input;
+mod joints;
+mod linkage;
+mod links;
+mod loads;
+mod motion;
+mod names;
+mod numbers;
+mod render;
+mod slides;
+#[cfg(test)]
+mod tests;
+mod text;
+mod units;
+mod value;
+mod walk;
+mod wishes;
+
+use assur_mechanism::{Input, InputPair, Mechanism, Range, Sense};
+use toml::de::DeTable;
+
+use context::Context;
+use error::{Fault, Faults};
+use names::LoadNames;
+use walk::Section;
+
+pub use error::{SceneError, SceneErrors};
+pub use units::{Dimension, UnitError, quantity};
+
+/// A commented scene that runs, to begin a new one with.
+pub const STARTER: &str = include_str!("starter.toml");
+
+const KEYS: &[&str] = &[
+    "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
+    "contact", "balance", "motion", "drive", "output",
+];
+/// Faults of syntax that are reported: the parser's recovery after the first few invents more.
+const SYNTAX_FAULTS: usize = 3;
+
+/// Reads a scene. `file_name` is only repeated in errors.
+///
+/// # Errors
+///
+/// [`SceneErrors`] with every fault: of the TOML syntax, or else of keys, kinds of values, units, names, and of what
+/// the scene says as a whole.
+pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
+    let faults = Faults::default();
+    let (document, syntax) = DeTable::parse_recoverable(text);
+    if !syntax.is_empty() {
+        for error in syntax.iter().take(SYNTAX_FAULTS) {
+            faults.push(Fault::new(error.span().unwrap_or(0..0), format!("not TOML: {}", error.message())));
+        }
+        return faults.into_result(nothing(), file_name, text);
+    }
+    let mechanism = scene(document.get_ref(), &faults);
+    faults.into_result(mechanism, file_name, text)
+}
+
+/// Reads what TOML has read. Where faults were noted, the mechanism is not sound.
+fn scene<'a>(document: &'a DeTable<'a>, faults: &'a Faults) -> Mechanism {
+    let root = Section::root(document, KEYS, faults);
+    let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
+    let (mut linkage, firsts) = links::read(&root);
+    slides::read(&root, &mut linkage, &firsts);
+    let input = input::read(&root, &linkage);
+    let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
+    let names = &mut LoadNames::default();
+    let motion = motion::read(&root, &context);
+    let mechanism = Mechanism {
+        title,
+        assembly: wishes::assembly(&root, &linkage),
+        gravity: loads::gravity(&root),
+        forces: loads::forces(&root, &context, names),
+        moments: loads::moments(&root, &context, names),
+        springs: joints::springs(&root, &context, names),
+        contacts: joints::contacts(&root, &context, names),
+        balance: wishes::balance(&root, &linkage),
+        drive: drive::read(&root, motion.as_ref(), &context),
+        motion,
+        output: wishes::output(&root, &linkage),
+        ..nothing()
+    };
+    let input = input.unwrap_or(mechanism.input);
+    Mechanism { links: linkage.links, points: linkage.points, slides: linkage.slides, input, ..mechanism }
+}
+
+/// What stands in for a mechanism while there are faults.
+fn nothing() -> Mechanism {
+    Mechanism {
+        title: String::new(),
+        links: Vec::new(),
+        points: Vec::new(),
+        slides: Vec::new(),
+        input: Input {
+            link: 0,
+            pair: InputPair::Pin(0),
+            from: 0.0,
+            positions: 1,
+            range: Range::Cycle(std::f64::consts::TAU),
+            direction: Sense::Ccw,
+        },
+        assembly: Vec::new(),
+        gravity: None,
+        forces: Vec::new(),
+        moments: Vec::new(),
+        springs: Vec::new(),
+        contacts: Vec::new(),
+        balance: None,
+        motion: None,
+        drive: None,
+        output: None,
+    }
+}

@@ -1,0 +1,149 @@
+//! Names of links, points and slides, and what stands behind them.
+
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
+
+use crate::numbers::Bound;
+use crate::text::{did_you_mean, nearest, row, shown};
+use crate::units::Dimension;
+use crate::walk::Entry;
+
+/// Links, points and slides of the scene.
+#[derive(Debug, Default)]
+pub(crate) struct Linkage {
+    pub(crate) links: Vec<Link>,
+    pub(crate) points: Vec<Point>,
+    pub(crate) slides: Vec<Slide>,
+}
+
+impl Linkage {
+    /// The link that an entry names.
+    pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
+        let name = entry.text("the name of a link")?;
+        let found = self.links.iter().position(|link| link.name == name);
+        if found.is_none() {
+            self.unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
+        }
+        found
+    }
+
+    /// The moving link that an entry names.
+    pub(crate) fn moving(&self, entry: &Entry<'_>, why: &str) -> Option<LinkId> {
+        let link = self.link(entry)?;
+        if link == GROUND {
+            entry.fault(format!("`{}` wants a moving link, got the ground", entry.name), why);
+            return None;
+        }
+        Some(link)
+    }
+
+    /// The point that an entry names.
+    pub(crate) fn point(&self, entry: &Entry<'_>) -> Option<PointId> {
+        let name = entry.text("the name of a point")?;
+        let found = self.point_named(name);
+        if found.is_none() {
+            self.unknown(entry, "point", name, self.points.iter().map(|point| point.name.as_str()));
+        }
+        found
+    }
+
+    /// The point of this name.
+    pub(crate) fn point_named(&self, name: &str) -> Option<PointId> {
+        self.points.iter().position(|point| point.name == name)
+    }
+
+    /// Notes an unknown name, with the nearest known one.
+    pub(crate) fn unknown<'n>(
+        &self,
+        entry: &Entry<'_>,
+        what: &str,
+        name: &str,
+        known: impl Iterator<Item = &'n str> + Clone,
+    ) {
+        let near = nearest(name, known.clone());
+        let label = match (near, known.clone().next()) {
+            (Some(_), _) => did_you_mean(near),
+            (None, None) => format!("the scene has no {what}s"),
+            (None, Some(_)) => format!("{what}s: {}", row(known)),
+        };
+        entry.fault(format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name)), label);
+    }
+
+    /// Points of a link with their coordinates.
+    fn points_of(&self, link: LinkId) -> impl Iterator<Item = (&str, [f64; 2])> + Clone {
+        let place =
+            move |point: &Point| point.places.iter().find(|place| place.link == link).map(|place| place.at);
+        self.points.iter().filter_map(move |point| Some((point.name.as_str(), place(point)?)))
+    }
+
+    /// A place fixed in a link: one of its points, coordinates, or a number on its x axis.
+    pub(crate) fn place(&self, entry: &Entry<'_>, link: LinkId) -> Option<Place> {
+        self.location(entry, link).map(|at| Place { link, at })
+    }
+
+    /// The same as coordinates in the frame of the link, m.
+    pub(crate) fn location(&self, entry: &Entry<'_>, link: LinkId) -> Option<[f64; 2]> {
+        let Some(name) = entry.value.as_str() else {
+            return coordinates(entry);
+        };
+        if let Some((_, at)) = self.points_of(link).find(|point| point.0 == name) {
+            return Some(at);
+        }
+        // A text that begins with a digit is a length on the x axis, as it is in `points`.
+        if name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '\u{2212}')) {
+            return coordinates(entry);
+        }
+        entry.text("a point or [x, y]")?;
+        self.not_on(entry, name, link);
+        None
+    }
+
+    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) {
+        let on = &self.links[link].name;
+        let Some(point) = self.point_named(name) else {
+            let known = self.points_of(link).map(|point| point.0);
+            let near = nearest(name, known.clone());
+            let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
+            let message =
+                format!("`{}`: link `{}` has no point `{}`", shown(&entry.name), shown(on), shown(name));
+            return entry.fault(message, label);
+        };
+        let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());
+        let message = format!(
+            "`{}`: point `{}` is not on link `{}`, it stands in: {}",
+            shown(&entry.name),
+            shown(name),
+            shown(on),
+            row(holders)
+        );
+        entry.fault(message, self.listed(link));
+    }
+
+    fn listed(&self, link: LinkId) -> String {
+        let mut names = self.points_of(link).map(|point| point.0).peekable();
+        if names.peek().is_none() {
+            "it has none: give [x, y]".to_owned()
+        } else {
+            format!("its points: {}", row(names))
+        }
+    }
+}
+
+/// Coordinates [x, y] in m, or one number on the x axis.
+pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
+    if entry.value.is_array() {
+        return pair(entry, Dimension::Length);
+    }
+    if entry.value.is_table() || entry.value.is_bool() || entry.value.is_datetime() {
+        entry.wrong("[x, y] or one length on the x axis", "such as [0, \"-400 mm\"] or \"120 mm\"");
+        return None;
+    }
+    entry.bounded(Dimension::Length, Bound::Any).map(|x| [x, 0.0])
+}
+
+/// Two quantities of one dimension.
+pub(crate) fn pair(entry: &Entry<'_>, dimension: impl Into<Option<Dimension>>) -> Option<[f64; 2]> {
+    let dimension = dimension.into();
+    let [a, b] = entry.pair("a list of two")?;
+    let (a, b) = (a.quantity(dimension), b.quantity(dimension));
+    Some([a?, b?])
+}

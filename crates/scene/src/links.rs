@@ -1,0 +1,108 @@
+//! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
+
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point};
+
+use crate::linkage::{Linkage, coordinates};
+use crate::numbers::Bound;
+use crate::text::shown;
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+
+const GROUND_KEYS: &[&str] = &["points"];
+const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
+
+/// Reads the ground and the links; the first point of each link comes with them.
+pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
+    let mut linkage = Linkage::default();
+    linkage.links.push(massless("ground"));
+    let mut firsts = vec![[0.0; 2]];
+    if let Some(ground) = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS)) {
+        if let Some(points) = ground.get("points") {
+            firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
+        }
+    }
+    let links = root
+        .get("link")
+        .map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"))
+        .unwrap_or_default();
+    if links.is_empty() {
+        root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
+    }
+    // All the points before the masses: a center may be named by a point.
+    let sections: Vec<_> = links.iter().map(|entry| add_link(&mut linkage, &mut firsts, entry)).collect();
+    for (index, section) in sections.iter().enumerate() {
+        if let Some(section) = section {
+            add_mass(&mut linkage, index + 1, section);
+        }
+    }
+    (linkage, firsts)
+}
+
+fn massless(name: &str) -> Link {
+    Link { name: name.to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 }
+}
+
+/// The link joins the list even where it is faulty, so that its name is known.
+fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry<'a>) -> Option<Section<'a>> {
+    check_name(entry, "link");
+    if entry.name == "ground" {
+        entry.fault("the ground is no moving link", "its points stand in [ground]");
+    }
+    let id = linkage.links.len();
+    linkage.links.push(massless(&entry.name));
+    firsts.push([0.0; 2]);
+    let section = entry.section("a link", LINK_KEYS)?;
+    if let Some(points) = section.need("points") {
+        firsts[id] = add_points(linkage, &points, id);
+    }
+    Some(section)
+}
+
+/// Adds the points of a link; returns the first of them.
+fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
+    let mut first = None;
+    for point in entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }") {
+        check_name(&point, "point");
+        let at = coordinates(&point).unwrap_or_default();
+        first = first.or(Some(at));
+        let place = Place { link, at };
+        match linkage.point_named(&point.name) {
+            Some(known) => linkage.points[known].places.push(place),
+            None => linkage.points.push(Point { name: point.name, places: vec![place] }),
+        }
+    }
+    first.unwrap_or_default()
+}
+
+/// Names are printed in tables and written as "link.point".
+fn check_name(entry: &Entry<'_>, what: &str) {
+    let name = &entry.name;
+    if name.trim().is_empty() || name.contains('.') || name.chars().any(char::is_control) {
+        let fault =
+            crate::error::Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
+        entry.faults.push(fault.label("a name is not empty and has neither a point nor control characters"));
+    }
+}
+
+fn add_mass(linkage: &mut Linkage, id: LinkId, section: &Section<'_>) {
+    let mass = section.quantity_or("mass", Dimension::Mass, Bound::NotNegative, 0.0);
+    let inertia = section.quantity_or("inertia", Dimension::Inertia, Bound::NotNegative, 0.0);
+    let center = match section.get("center") {
+        Some(entry) => linkage.location(&entry, id),
+        None => default_center(linkage, id, section, mass > 0.0 || inertia > 0.0),
+    };
+    let link = &mut linkage.links[id];
+    (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());
+}
+
+fn default_center(linkage: &Linkage, id: LinkId, section: &Section<'_>, heavy: bool) -> Option<[f64; 2]> {
+    let mut places = linkage.points.iter().flat_map(|point| &point.places).filter(|place| place.link == id);
+    match (places.next(), places.next()) {
+        (Some(only), None) => Some(only.at),
+        _ if heavy => {
+            section.missing("center", "a link with a mass or inertia and not just one point needs it");
+            None
+        }
+        _ => None,
+    }
+}

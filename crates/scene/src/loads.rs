@@ -1,0 +1,93 @@
+//! `gravity`, `[[force]]`, `[[moment]]`: what acts on single links.
+
+use assur_mechanism::{Direction, Force, Moment};
+
+use crate::context::Context;
+use crate::linkage::pair;
+use crate::names::LoadNames;
+use crate::numbers::Bound;
+use crate::text::shown;
+use crate::units::Dimension;
+use crate::value;
+use crate::walk::Section;
+
+const FORCE_KEYS: &[&str] = &["name", "link", "at", "angle", "frame", "value", "against_motion"];
+const MOMENT_KEYS: &[&str] = &["name", "link", "value"];
+
+/// `gravity`: a size, straight down, or [gx, gy].
+pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
+    let entry = root.get("gravity")?;
+    if entry.value.is_array() {
+        return pair(&entry, Dimension::Acceleration);
+    }
+    let size = entry.quantity(Dimension::Acceleration)?;
+    if size < 0.0 {
+        entry.fault("`gravity` as one number points down and must not be negative", "or [gx, gy]");
+    }
+    Some([0.0, -size])
+}
+
+/// `[[force]]`.
+pub(crate) fn forces(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Force> {
+    let sections = root.get("force").map(|entry| entry.sections("a force", FORCE_KEYS)).unwrap_or_default();
+    sections.iter().enumerate().filter_map(|(index, section)| force(section, index, context, names)).collect()
+}
+
+fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut LoadNames) -> Option<Force> {
+    let direction = direction(section, context);
+    let value = section.need("value").and_then(|entry| value::read(&entry, Dimension::Force, true, context));
+    let weight = "the ground carries any load";
+    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
+    let on = link.map_or("?", |link| &context.linkage.links[link].name);
+    let name = names.read(section, || format!("force {} on {}", index + 1, on));
+    Some(Force { name, at: at?, direction: direction?, value: value? })
+}
+
+fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
+    let against = section.get("against_motion");
+    let (angle, frame) = (section.get("angle"), section.get("frame"));
+    if let Some(against) = against.filter(|entry| entry.flag() != Some(false)) {
+        for entry in [&angle, &frame].into_iter().flatten() {
+            entry.fault(
+                format!("`{}` and `against_motion` exclude each other", shown(&entry.name)),
+                "leave one out",
+            );
+        }
+        context.need_motion(&against, "`against_motion`");
+        return Some(Direction::AgainstMotion);
+    }
+    let in_link = frame.and_then(|entry| entry.choice(&[("ground", false), ("link", true)])).unwrap_or(false);
+    let Some(angle) = angle else {
+        section.missing("angle", "the direction: `angle`, or `against_motion = true`");
+        return None;
+    };
+    let angle = angle.bounded(Dimension::Angle, Bound::Any)?;
+    Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
+}
+
+/// `[[moment]]`.
+pub(crate) fn moments(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Moment> {
+    let sections =
+        root.get("moment").map(|entry| entry.sections("a moment", MOMENT_KEYS)).unwrap_or_default();
+    sections
+        .iter()
+        .enumerate()
+        .filter_map(|(index, section)| moment(section, index, context, names))
+        .collect()
+}
+
+fn moment(
+    section: &Section<'_>,
+    index: usize,
+    context: &Context<'_>,
+    names: &mut LoadNames,
+) -> Option<Moment> {
+    let value =
+        section.need("value").and_then(|entry| value::read(&entry, Dimension::Moment, false, context));
+    let weight = "the ground carries any load";
+    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let on = link.map_or("?", |link| &context.linkage.links[link].name);
+    let name = names.read(section, || format!("moment {} on {}", index + 1, on));
+    Some(Moment { name, link: link?, value: value? })
+}

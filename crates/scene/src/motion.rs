@@ -1,0 +1,148 @@
+//! `[motion]`: how the input moves.
+
+use assur_mechanism::{Motion, Until};
+
+use crate::context::Context;
+use crate::input::MOST;
+use crate::numbers::Bound;
+use crate::text::shown;
+use crate::units::{Dimension, UnitError, is_bare, quantity};
+use crate::walk::{Entry, Section};
+
+const ALL_KEYS: &[&str] = &[
+    "kind",
+    "speed",
+    "acceleration",
+    "until",
+    "samples",
+    "integrator",
+    "tolerance",
+    "mean_speed",
+    "unevenness",
+];
+const KINDS: &[(&str, Kind)] =
+    &[("prescribed", Kind::Prescribed), ("transient", Kind::Transient), ("steady", Kind::Steady)];
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Prescribed,
+    Transient,
+    Steady,
+}
+
+impl Kind {
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Prescribed => &["kind", "speed", "acceleration"],
+            Self::Transient => &["kind", "speed", "until", "samples", "integrator", "tolerance"],
+            Self::Steady => &["kind", "mean_speed", "unevenness"],
+        }
+    }
+
+    fn name(self) -> &'static str {
+        KINDS.iter().find(|kind| kind.1 == self).map_or("", |kind| kind.0)
+    }
+}
+
+/// Reads the motion.
+pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
+    let section = root.get("motion")?.section("the motion", ALL_KEYS)?;
+    let kind = match section.get("kind") {
+        Some(entry) => entry.choice(KINDS)?,
+        None => Kind::Prescribed,
+    };
+    refuse_other_kinds(&section, kind);
+    match kind {
+        Kind::Prescribed => prescribed(&section, context),
+        Kind::Transient => transient(&section, context),
+        Kind::Steady => steady(&section, context),
+    }
+}
+
+/// A known key of another kind would be without effect.
+fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
+    for entry in section.entries() {
+        let name = entry.name.as_str();
+        if !ALL_KEYS.contains(&name) || kind.keys().contains(&name) {
+            continue;
+        }
+        let owner = KINDS.iter().find(|other| other.1.keys().contains(&name)).map_or("", |other| other.0);
+        let message =
+            format!("`{name}` belongs to a motion of kind \"{owner}\", this one is \"{}\"", kind.name());
+        let help = format!("a {} motion knows: {}", kind.name(), kind.keys().join(", "));
+        section.faults.push(crate::error::Fault::new(entry.key, message).help(help));
+    }
+}
+
+fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
+    let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
+    let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
+    let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
+    let sign = context.sign();
+    Some(Motion::Prescribed { speed: sign * speed, acceleration: sign * acceleration })
+}
+
+fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
+    let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
+    let samples = section.get("samples").and_then(|entry| entry.count(1, MOST)).unwrap_or(100);
+    let integrator = section.get("integrator").and_then(|entry| entry.text("the name of an integrator"));
+    let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
+    if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
+        entry.fault(format!("`tolerance` is relative and less than 1, got {tolerance}"), "such as 1e-9");
+    }
+    let until = section.need("until").and_then(|entry| until(&entry, context))?;
+    let integrator = integrator.unwrap_or("auto").to_owned();
+    Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance })
+}
+
+/// "rest", a time, or a way of the input.
+fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
+    let Some(text) = entry.value.as_str() else {
+        return entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time);
+    };
+    if text == "rest" {
+        return Some(Until::Rest);
+    }
+    let way = context.coordinate().unwrap_or(Dimension::Angle);
+    let is_way = !is_bare(text, way) && quantity(text, way).is_ok();
+    if is_way {
+        return entry.bounded(way, Bound::Positive).map(Until::Way);
+    }
+    let wanted =
+        format!("a time ({}), {} ({}) or \"rest\"", Dimension::Time.units(), way.name(), way.units());
+    match quantity(text, Dimension::Time) {
+        Err(UnitError::WrongDimension { unit, found, .. }) => {
+            let found = found.map_or("no quantity of a scene", Dimension::name);
+            entry.fault(format!("`until` wants {wanted}, got `{}`, {found}", shown(&unit)), "");
+            None
+        }
+        Err(UnitError::NotANumber { .. }) => {
+            entry.fault(format!("`until` wants {wanted}, got {}", entry.written()), "");
+            None
+        }
+        _ => entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time),
+    }
+}
+
+fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
+    if context.has_no_cycle() {
+        let fault = crate::error::Fault::new(
+            section.span.clone(),
+            "a steady motion needs a cycle, and the input slides over a range",
+        );
+        section.faults.push(fault.label("give the input a `cycle`"));
+    }
+    let unevenness = section.get("unevenness").and_then(|entry| {
+        let value = entry.bounded(Dimension::Number, Bound::Positive)?;
+        if value >= 2.0 {
+            entry.fault(
+                format!("`unevenness` is (max - min) / mean and less than 2, got {value}"),
+                "such as 0.05",
+            );
+        }
+        Some(value)
+    });
+    let entry = section.need("mean_speed")?;
+    let mean = entry.bounded(context.speed(), Bound::Positive)?;
+    Some(Motion::Steady { mean_speed: context.sign() * mean, unevenness })
+}

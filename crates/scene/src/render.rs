@@ -1,0 +1,87 @@
+//! Faults as text.
+
+use std::fmt;
+
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
+use crate::error::{SceneError, SceneErrors};
+
+/// Faults that are printed; the rest are counted.
+const MOST: usize = 20;
+/// Columns of a source line that are printed.
+const WIDEST: usize = 100;
+/// Columns that are kept before the place where a long line is cut.
+const BEFORE: usize = 40;
+
+impl fmt::Display for SceneErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, error) in self.errors.iter().take(MOST).enumerate() {
+            if index > 0 {
+                writeln!(f)?;
+            }
+            render(f, &self.file, error)?;
+        }
+        match self.errors.len().saturating_sub(MOST) {
+            0 => Ok(()),
+            more => writeln!(f, "\n... and {more} more"),
+        }
+    }
+}
+
+fn render(f: &mut fmt::Formatter<'_>, file: &str, error: &SceneError) -> fmt::Result {
+    let gutter = error.line.to_string().len();
+    let (line, before, marked) = excerpt(error);
+    writeln!(f, "error: {}", error.message)?;
+    writeln!(f, "  {}, line {}, column {}", printable(file), error.line, error.column)?;
+    writeln!(f, "{:gutter$} |", "")?;
+    writeln!(f, "{}", format!("{} | {line}", error.line).trim_end())?;
+    let carets = "^".repeat(marked.max(1));
+    writeln!(f, "{}", format!("{:gutter$} | {:before$}{carets} {}", "", "", error.label).trim_end())?;
+    if let Some(help) = &error.help {
+        writeln!(f, "{:gutter$} = {help}", "")?;
+    }
+    Ok(())
+}
+
+/// The source line fit to print, the columns before the marked part, and its columns.
+fn excerpt(error: &SceneError) -> (String, usize, usize) {
+    let source = error.source.as_str();
+    let head = printable(&source[..error.marked.start]);
+    let mark = printable(&source[error.marked.clone()]);
+    let tail = printable(&source[error.marked.end..]);
+    if head.width() + mark.width() + tail.width() <= WIDEST {
+        let (before, marked) = (head.width(), mark.width());
+        return (head + &mark + &tail, before, marked);
+    }
+    let kept = last_columns(&head, BEFORE);
+    let head = if kept.len() < head.len() { format!("...{kept}") } else { head };
+    let room = WIDEST - head.width();
+    let mark = first_columns(&mark, room).to_owned();
+    let tail = first_columns(&tail, room - mark.width());
+    let (before, marked) = (head.width(), mark.width());
+    (format!("{head}{mark}{tail}..."), before, marked)
+}
+
+/// Tabs become four spaces, other control characters a question mark.
+fn printable(piece: &str) -> String {
+    let piece = piece.replace('\t', "    ");
+    piece.chars().map(|c| if c.is_control() { '?' } else { c }).collect()
+}
+
+fn first_columns(text: &str, columns: usize) -> &str {
+    let mut used = 0;
+    let end = text.char_indices().find(|(_, c)| {
+        used += c.width().unwrap_or(0);
+        used > columns
+    });
+    end.map_or(text, |(at, _)| &text[..at])
+}
+
+fn last_columns(text: &str, columns: usize) -> &str {
+    let mut used = 0;
+    let cut = text.char_indices().rev().find(|(_, c)| {
+        used += c.width().unwrap_or(0);
+        used > columns
+    });
+    cut.map_or(text, |(at, c)| &text[at + c.len_utf8()..])
+}

@@ -1,0 +1,42 @@
+//! Words for messages.
+
+/// The longest piece of a scene that a message repeats, in characters.
+const LONGEST: usize = 40;
+
+/// A piece of the scene as a message can repeat it: one line, no control characters, not endless.
+pub(crate) fn shown(piece: &str) -> String {
+    let mut out: String = piece.chars().take(LONGEST).map(|c| if c.is_control() { '?' } else { c }).collect();
+    if piece.chars().nth(LONGEST).is_some() {
+        out.push_str("...");
+    }
+    out
+}
+
+/// The known word that is spelled nearly as `word`; the first of equally near ones.
+pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+    // A third of the letters may be wrong: `lenght` for `length`, but not `mm` for `kg`.
+    let limit = (word.chars().count() / 3).max(1);
+    let lower = word.to_lowercase();
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in known.into_iter().filter(|_| word.len() <= 64) {
+        let distance = strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
+        let short = distance >= candidate.chars().count() || distance >= word.chars().count();
+        if distance <= limit && !short && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+/// "did you mean `x`?", or nothing.
+pub(crate) fn did_you_mean(near: Option<&str>) -> String {
+    near.map(|near| format!("did you mean `{}`?", shown(near))).unwrap_or_default()
+}
+
+/// Names in a row, at most a dozen: "A, B, C".
+pub(crate) fn row<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
+    let names: Vec<String> = names.into_iter().map(shown).collect();
+    let more = names.len().saturating_sub(12);
+    let listed = names[..names.len() - more].join(", ");
+    if more == 0 { listed } else { format!("{listed} and {more} more") }
+}

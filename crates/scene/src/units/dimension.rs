@@ -1,0 +1,112 @@
+//! What a scene measures.
+
+/// Exponents of m, kg, s and rad. The angle counts, so that an angle is no number and 1/s no speed of rotation by
+/// accident.
+pub(crate) type Powers = [i32; 4];
+
+/// A kind of quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dimension {
+    /// A plain number.
+    Number,
+    /// m.
+    Length,
+    /// rad.
+    Angle,
+    /// kg.
+    Mass,
+    /// s.
+    Time,
+    /// N.
+    Force,
+    /// N m.
+    Moment,
+    /// m/s.
+    Speed,
+    /// rad/s.
+    AngularSpeed,
+    /// m/s².
+    Acceleration,
+    /// rad/s².
+    AngularAcceleration,
+    /// kg m².
+    Inertia,
+    /// N/m.
+    Stiffness,
+    /// N s/m.
+    Damping,
+    /// W.
+    Power,
+}
+
+use Dimension as D;
+
+/// Dimension, its powers, its name, its usual units (SI first), an example.
+type Row = (Dimension, Powers, &'static str, &'static str, &'static str);
+
+const ROWS: [Row; 15] = [
+    (D::Number, [0, 0, 0, 0], "a plain number", "", "0.5"),
+    (D::Length, [1, 0, 0, 0], "a length", "m, mm, cm, km, um", "120 mm"),
+    (D::Angle, [0, 0, 0, 1], "an angle", "rad, deg, rev", "30 deg"),
+    (D::Mass, [0, 1, 0, 0], "a mass", "kg, g, t", "4 kg"),
+    (D::Time, [0, 0, 1, 0], "a time", "s, ms, min, h", "0.5 s"),
+    (D::Force, [1, 1, -2, 0], "a force", "N, kN, MN, mN", "1.5 kN"),
+    (D::Moment, [2, 1, -2, 0], "a moment", "N*m, kN*m, N*mm", "25 N*m"),
+    (D::Speed, [1, 0, -1, 0], "a speed", "m/s, mm/s, km/h", "0.3 m/s"),
+    (D::AngularSpeed, [0, 0, -1, 1], "a speed of rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm"),
+    (D::Acceleration, [1, 0, -2, 0], "an acceleration", "m/s^2, mm/s^2", "9.81 m/s^2"),
+    (D::AngularAcceleration, [0, 0, -2, 1], "an angular acceleration", "rad/s^2, deg/s^2", "40 rad/s^2"),
+    (D::Inertia, [2, 1, 0, 0], "a moment of inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2"),
+    (D::Stiffness, [0, 1, -2, 0], "a stiffness", "N/m, N/mm, kN/m", "4530 N/m"),
+    (D::Damping, [0, 1, -1, 0], "a damping", "N*s/m, kN*s/m", "12 N*s/m"),
+    (D::Power, [2, 1, -3, 0], "a power", "W, kW, MW", "1.5 kW"),
+];
+
+impl Dimension {
+    fn row(self) -> &'static Row {
+        // The first row only to have an answer without a panic: a test finds each dimension in the table.
+        ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
+    }
+
+    /// Its name with an article: "a mass".
+    pub fn name(self) -> &'static str {
+        self.row().2
+    }
+
+    /// Its usual units, the SI unit first: "kg, g, t"; empty for a plain number.
+    pub fn units(self) -> &'static str {
+        self.row().3
+    }
+
+    /// The SI unit of bare numbers; empty for a plain number.
+    pub fn si(self) -> &'static str {
+        self.units().split(", ").next().unwrap_or_default()
+    }
+
+    /// A quantity of this kind as a scene has it: "4 kg".
+    pub fn example(self) -> &'static str {
+        self.row().4
+    }
+
+    /// Name and units: "a mass (kg, g, t)".
+    pub(crate) fn full(self) -> String {
+        if self == Self::Number {
+            self.name().to_owned()
+        } else {
+            format!("{} ({})", self.name(), self.units())
+        }
+    }
+
+    /// The quantity of a scene that has these powers.
+    pub(crate) fn of(powers: Powers) -> Option<Self> {
+        ROWS.iter().find(|row| row.1 == powers).map(|row| row.0)
+    }
+
+    /// Whether a unit of these powers measures it: 1/s and 1/s² do for rotation, as the SI has it.
+    pub(crate) fn accepts(self, powers: Powers) -> bool {
+        let turning = matches!(self, Self::AngularSpeed | Self::AngularAcceleration);
+        let own = self.row().1;
+        own == powers || (turning && powers == [own[0], own[1], own[2], 0])
+    }
+}

@@ -1,0 +1,82 @@
+//! Quantities: a number and a unit to SI.
+
+mod dimension;
+mod parse;
+#[cfg(test)]
+mod tests;
+
+pub use dimension::Dimension;
+
+use crate::text::shown;
+
+/// Why a text is no quantity of the wanted dimension. The text of an error continues the name of what was read:
+/// "`mass` " + "wants a mass (kg, g, t), got `mm`, a length".
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum UnitError {
+    /// The text does not begin with a number.
+    #[error("wants {}, got `{}`, which does not begin with a number", wanted.full(), shown(text))]
+    NotANumber {
+        /// The text.
+        text: String,
+        /// What was wanted.
+        wanted: Dimension,
+    },
+    /// A comma stands in the number.
+    #[error("has a comma in the number `{}`: the decimal sign is a point", shown(text))]
+    Comma {
+        /// The text.
+        text: String,
+    },
+    /// The number is beyond the range of double precision.
+    #[error("is too large: `{}`", shown(text))]
+    TooLarge {
+        /// The text.
+        text: String,
+    },
+    /// No unit of this name is known.
+    #[error("wants {}, got the unknown unit `{}`", wanted.full(), shown(unit))]
+    UnknownUnit {
+        /// The unit, or the part of it that is unknown.
+        unit: String,
+        /// A known unit that is spelled nearly so.
+        near: Option<String>,
+        /// What was wanted.
+        wanted: Dimension,
+    },
+    /// The unit measures something else.
+    #[error("wants {}, got `{}`, {}", wanted.full(), shown(unit), found.map_or("no quantity of a scene", Dimension::name))]
+    WrongDimension {
+        /// The unit.
+        unit: String,
+        /// What it measures, if a scene has such a quantity.
+        found: Option<Dimension>,
+        /// What was wanted.
+        wanted: Dimension,
+    },
+}
+
+/// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number alone is SI already.
+///
+/// # Errors
+///
+/// [`UnitError`]: no number, too large a number, an unknown unit, a unit of another dimension.
+pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
+    let (number, unit) = parse::split(text, wanted)?;
+    if unit.is_empty() {
+        return Ok(number);
+    }
+    let scale = parse::unit(unit, wanted)?;
+    if !wanted.accepts(scale.powers) {
+        let found = Dimension::of(scale.powers);
+        return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, wanted });
+    }
+    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so.
+    let value = number * scale.up / scale.down;
+    if value.is_finite() { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
+}
+
+/// Whether a text is a number without a unit.
+pub(crate) fn is_bare(text: &str, wanted: Dimension) -> bool {
+    matches!(parse::split(text, wanted), Ok((_, "")))
+}

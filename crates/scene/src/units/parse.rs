@@ -1,0 +1,158 @@
+//! Number and unit of a quantity. A unit is a product of named units with exponents, so that `kg*mm^2` needs no entry.
+
+use std::f64::consts::{PI, TAU};
+
+use super::UnitError;
+use super::dimension::{Dimension, Powers};
+use crate::text::nearest;
+
+/// A unit: `up / down` of the SI unit with these powers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Scale {
+    pub(super) up: f64,
+    pub(super) down: f64,
+    pub(super) powers: Powers,
+}
+
+const M: Powers = [1, 0, 0, 0];
+const KG: Powers = [0, 1, 0, 0];
+const S: Powers = [0, 0, 1, 0];
+const RAD: Powers = [0, 0, 0, 1];
+const N: Powers = [1, 1, -2, 0];
+const NM: Powers = [2, 1, -2, 0];
+const W: Powers = [2, 1, -3, 0];
+
+/// Name, up, down, powers.
+const NAMED: &[(&str, f64, f64, Powers)] = &[
+    ("1", 1.0, 1.0, [0; 4]),
+    ("m", 1.0, 1.0, M),
+    ("mm", 1.0, 1e3, M),
+    ("cm", 1.0, 1e2, M),
+    ("dm", 1.0, 10.0, M),
+    ("km", 1e3, 1.0, M),
+    ("um", 1.0, 1e6, M),
+    ("\u{b5}m", 1.0, 1e6, M),
+    ("\u{3bc}m", 1.0, 1e6, M),
+    ("rad", 1.0, 1.0, RAD),
+    ("mrad", 1.0, 1e3, RAD),
+    ("deg", PI, 180.0, RAD),
+    ("\u{b0}", PI, 180.0, RAD),
+    ("rev", TAU, 1.0, RAD),
+    ("turn", TAU, 1.0, RAD),
+    ("kg", 1.0, 1.0, KG),
+    ("g", 1.0, 1e3, KG),
+    ("t", 1e3, 1.0, KG),
+    ("s", 1.0, 1.0, S),
+    ("ms", 1.0, 1e3, S),
+    ("min", 60.0, 1.0, S),
+    ("h", 3600.0, 1.0, S),
+    ("rpm", TAU, 60.0, [0, 0, -1, 1]),
+    ("N", 1.0, 1.0, N),
+    ("mN", 1.0, 1e3, N),
+    ("kN", 1e3, 1.0, N),
+    ("MN", 1e6, 1.0, N),
+    ("Nm", 1.0, 1.0, NM),
+    ("kNm", 1e3, 1.0, NM),
+    ("Nmm", 1.0, 1e3, NM),
+    ("W", 1.0, 1.0, W),
+    ("kW", 1e3, 1.0, W),
+    ("MW", 1e6, 1.0, W),
+];
+
+/// The number that a text begins with, and the unit after it, both without white space around.
+pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitError> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(number_length(text));
+    let unit = unit.trim();
+    if unit.starts_with(',') && !number.is_empty() {
+        return Err(UnitError::Comma { text: text.to_owned() });
+    }
+    let value: f64 = number
+        .replace('\u{2212}', "-")
+        .parse()
+        .map_err(|_| UnitError::NotANumber { text: text.to_owned(), wanted })?;
+    if value.is_finite() { Ok((value, unit)) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
+}
+
+/// Length in bytes of the number at the beginning: sign, digits with a point, exponent.
+fn number_length(text: &str) -> usize {
+    let digits = |at: usize| text[at..].bytes().take_while(u8::is_ascii_digit).count();
+    let sign = |at: usize| {
+        let first = text[at..].chars().next().filter(|c| matches!(c, '+' | '-' | '\u{2212}'));
+        first.map_or(0, char::len_utf8)
+    };
+    let mut end = sign(0);
+    end += digits(end);
+    if text[end..].starts_with('.') {
+        end += 1 + digits(end + 1);
+    }
+    if text[end..].starts_with(['e', 'E']) {
+        let start = end + 1 + sign(end + 1);
+        if digits(start) > 0 {
+            end = start + digits(start);
+        }
+    }
+    end
+}
+
+/// The scale of a unit: factors joined by `*`, `·`, white space or `/`, each with an exponent (`^2`, `²` or `2`).
+pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
+    let mut scale = Scale { up: 1.0, down: 1.0, powers: [0; 4] };
+    let mut rest = text;
+    let mut sign = 1;
+    // More factors than any unit has; the bound keeps the exponents small.
+    for _ in 0..12 {
+        let end = rest.find(is_operator).unwrap_or(rest.len());
+        let (factor, after) = rest.split_at(end);
+        let unknown = || unknown_unit(factor, text, wanted);
+        let (name, exponent) = exponent(factor.trim()).ok_or_else(unknown)?;
+        let &(_, up, down, powers) = NAMED.iter().find(|named| named.0 == name).ok_or_else(unknown)?;
+        apply(&mut scale, up, down, powers, sign * exponent);
+        let after = after.trim_start();
+        let Some(operator) = after.chars().next() else {
+            return Ok(scale);
+        };
+        sign = if operator == '/' { -1 } else { 1 };
+        rest = after.strip_prefix(is_sign).unwrap_or(after).trim_start();
+    }
+    Err(unknown_unit(text, text, wanted))
+}
+
+fn is_operator(c: char) -> bool {
+    c == '/' || is_sign(c) || c.is_whitespace()
+}
+
+fn is_sign(c: char) -> bool {
+    matches!(c, '*' | '/' | '\u{b7}' | '\u{22c5}' | '\u{d7}')
+}
+
+fn apply(scale: &mut Scale, up: f64, down: f64, powers: Powers, exponent: i32) {
+    let (up, down) = if exponent < 0 { (down, up) } else { (up, down) };
+    scale.up *= up.powi(exponent.abs());
+    scale.down *= down.powi(exponent.abs());
+    for (sum, power) in scale.powers.iter_mut().zip(powers) {
+        *sum += power * exponent;
+    }
+}
+
+/// Name and exponent of one factor.
+fn exponent(factor: &str) -> Option<(&str, i32)> {
+    if let Some((name, exponent)) = factor.split_once('^') {
+        return exponent.parse().ok().filter(|e| (-4..=4).contains(e)).map(|e| (name, e));
+    }
+    for (sign, exponent) in [("\u{b2}", 2), ("\u{b3}", 3), ("2", 2), ("3", 3)] {
+        if let Some(name) = factor.strip_suffix(sign).filter(|name| !name.is_empty()) {
+            return Some((name, exponent));
+        }
+    }
+    Some((factor, 1))
+}
+
+fn unknown_unit(part: &str, whole: &str, wanted: Dimension) -> UnitError {
+    let part = part.trim();
+    let unit = if part.is_empty() { whole } else { part };
+    // Units of the wanted kind first, then any.
+    let kin = nearest(whole, wanted.units().split(", "));
+    let near = kin.or_else(|| nearest(unit, NAMED.iter().map(|named| named.0)));
+    UnitError::UnknownUnit { unit: unit.to_owned(), near: near.map(str::to_owned), wanted }
+}

@@ -1,0 +1,193 @@
+//! `value` of a load: a number, or a table over angle, time, speed or stroke.
+
+use assur_mechanism::{Over, Shape, Table, Value};
+
+use crate::context::Context;
+use crate::numbers::Bound;
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+
+const OVER: &[(&str, Kind)] = &[
+    ("angle", Kind::Plain(Over::Coordinate)),
+    ("time", Kind::Plain(Over::Time)),
+    ("speed", Kind::Plain(Over::Speed)),
+    ("stroke", Kind::Stroke),
+];
+const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
+const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward", "back"];
+const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
+const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
+const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Plain(Over),
+    Stroke,
+}
+
+/// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke can be followed.
+pub(crate) fn read(
+    entry: &Entry<'_>,
+    dimension: Dimension,
+    stroke: bool,
+    context: &Context<'_>,
+) -> Option<Value> {
+    if !entry.value.is_table() {
+        return entry.quantity(dimension).map(Value::Constant);
+    }
+    let kind = kind(entry)?;
+    let (what, keys) = match kind {
+        Kind::Plain(Over::Coordinate) => ("a table over angle", ANGLE_KEYS),
+        Kind::Plain(_) => ("a table over time or speed", TABLE_KEYS),
+        Kind::Stroke => ("a table over stroke", STROKE_KEYS),
+    };
+    let section = entry.section(what, keys)?;
+    let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
+    match kind {
+        Kind::Plain(over) => plain(&section, over, shape, dimension, context),
+        Kind::Stroke => {
+            let over = section.get("over")?;
+            if !stroke {
+                over.fault(
+                    "only a force has a point whose stroke can be followed",
+                    "over = \"angle\", \"time\" or \"speed\"",
+                );
+            } else if context.has_no_cycle() {
+                over.fault(
+                    "`stroke` needs a cycle, and the input slides over a range",
+                    "give the input a `cycle`",
+                );
+            }
+            strokes(&section, shape, dimension)
+        }
+    }
+}
+
+/// What the table is over; where that is not said, the keys are checked against all.
+fn kind(entry: &Entry<'_>) -> Option<Kind> {
+    let mut over = entry.named("a table", "").into_iter().filter(|key| key.name == "over");
+    match over.next() {
+        Some(over) => over.choice(OVER),
+        None => {
+            entry
+                .section("a table of a load", ALL_KEYS)?
+                .missing("over", "over = \"angle\", \"time\", \"speed\" or \"stroke\"");
+            None
+        }
+    }
+}
+
+fn plain(
+    section: &Section<'_>,
+    over: Over,
+    shape: Shape,
+    dimension: Dimension,
+    context: &Context<'_>,
+) -> Option<Value> {
+    let argument = match over {
+        Over::Coordinate => context.coordinate(),
+        Over::Time => Some(Dimension::Time),
+        Over::Speed => context.speed(),
+    };
+    if over != Over::Coordinate {
+        context.need_motion(&section.get("over")?, "a table over time or speed");
+    }
+    let flag = section.get("repeat");
+    let given = flag.as_ref().and_then(Entry::flag);
+    if let Some(entry) = flag.filter(|_| given == Some(true) && context.has_no_cycle()) {
+        entry.fault("`repeat` needs a cycle, and the input slides over a range", "give the input a `cycle`");
+    }
+    let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
+    let entry = section.need("table")?;
+    let table = Table { rows: rows(&entry, argument, dimension)?, shape };
+    if repeat {
+        check_span(&entry, &table, context);
+    }
+    Some(Value::Table { over, table, repeat })
+}
+
+/// Rows beyond the cycle of a table that repeats would never be reached.
+fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
+    let (Some(first), Some(last)) = (table.rows.first(), table.rows.last()) else {
+        return;
+    };
+    let Some(cycle) = context.input.and_then(assur_mechanism::Input::period) else {
+        return;
+    };
+    let span = last[0] - first[0];
+    // The limit allows for the rounding of angles.
+    if span > cycle * (1.0 + 1e-9) {
+        let (unit, scale) = match context.coordinate() {
+            Some(Dimension::Angle) => ("deg", 180.0 / std::f64::consts::PI),
+            _ => ("m", 1.0),
+        };
+        let message =
+            format!("the table spans {:.6} {unit}, the cycle has {:.6} {unit}", span * scale, cycle * scale);
+        entry.fault(message, "`repeat = false`, a longer `cycle` of the input, or fewer rows");
+    }
+}
+
+fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<Value> {
+    let axis = section.need("axis").and_then(|axis| axis.quantity(Dimension::Angle));
+    let side = |key: &str| match section.get(key) {
+        None => Some(Table::constant(0.0)),
+        Some(entry) => one_way(&entry, shape, dimension),
+    };
+    if section.get("forward").is_none() && section.get("back").is_none() {
+        section.missing("forward", "`forward`, `back` or both");
+    }
+    let (forward, back) = (side("forward"), side("back"));
+    Some(Value::Stroke { axis: axis?, forward: forward?, back: back? })
+}
+
+/// One direction of a stroke: a number, or rows over 0 to 1.
+fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Table> {
+    if !entry.value.is_array() {
+        return entry.quantity(dimension).map(Table::constant);
+    }
+    let rows = rows(entry, Dimension::Number, dimension)?;
+    let ends = [rows.first(), rows.last()];
+    if let Some(outside) = ends.into_iter().flatten().find(|row| !(0.0..=1.0).contains(&row[0])) {
+        entry.fault(format!("`{}` has a row at {}: a stroke runs from 0 to 1", entry.name, outside[0]), "");
+        return None;
+    }
+    Some(Table { rows, shape })
+}
+
+/// Rows [argument, value], the arguments not decreasing.
+fn rows(
+    entry: &Entry<'_>,
+    argument: impl Into<Option<Dimension>>,
+    dimension: Dimension,
+) -> Option<Vec<[f64; 2]>> {
+    let argument = argument.into();
+    if !entry.value.is_array() {
+        entry.wrong("a list of rows", "such as [[0, 10], [1, 20]]");
+        return None;
+    }
+    let items = entry.list("a list of rows");
+    if items.is_empty() {
+        entry.fault(format!("`{}` has no rows", entry.name), "such as [[0, 10], [1, 20]]");
+        return None;
+    }
+    let mut rows: Vec<[f64; 2]> = Vec::with_capacity(items.len());
+    let mut whole = true;
+    for item in &items {
+        let Some(row) = row(item, argument, dimension) else {
+            whole = false;
+            continue;
+        };
+        if argument.is_some() && rows.last().is_some_and(|last| row[0] < last[0]) {
+            item.fault("the first numbers of the rows must not decrease", "smaller than in the row before");
+            whole = false;
+        }
+        rows.push(row);
+    }
+    whole.then_some(rows)
+}
+
+fn row(item: &Entry<'_>, argument: Option<Dimension>, dimension: Dimension) -> Option<[f64; 2]> {
+    let [x, y] = item.pair("rows of two numbers")?;
+    let (x, y) = (x.bounded(argument, Bound::Any), y.bounded(dimension, Bound::Any));
+    Some([x?, y?])
+}

@@ -1,0 +1,227 @@
+//! Tables and values of the file, each with its place and with the name that a message gives it.
+//!
+//! A reader asks a [`Section`] for a key and the [`Entry`] for a value of a kind. What is wrong is noted and answered
+//! with `None`, so that the reader goes on; what it builds from defaults then is thrown away with the faults.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::error::{Fault, Faults};
+use crate::text::{did_you_mean, nearest, row, shown};
+
+/// A table of the file whose keys are known.
+#[derive(Debug, Clone)]
+pub(crate) struct Section<'a> {
+    table: &'a DeTable<'a>,
+    /// What the table is, with an article: "a spring".
+    pub(crate) what: &'static str,
+    /// Its header, or all of an inline table.
+    pub(crate) span: Range<usize>,
+    known: &'static [&'static str],
+    pub(crate) faults: &'a Faults,
+}
+
+/// A value of the file.
+#[derive(Debug, Clone)]
+pub(crate) struct Entry<'a> {
+    /// Its key, or what a message calls it.
+    pub(crate) name: String,
+    /// Where the key stands; for an element of a list, where the element stands.
+    pub(crate) key: Range<usize>,
+    pub(crate) value: &'a DeValue<'a>,
+    /// Where the value stands.
+    pub(crate) span: Range<usize>,
+    pub(crate) faults: &'a Faults,
+}
+
+impl<'a> Section<'a> {
+    /// The whole file.
+    pub(crate) fn root(table: &'a DeTable<'a>, known: &'static [&'static str], faults: &'a Faults) -> Self {
+        let section = Self { table, what: "a scene", span: 0..0, known, faults };
+        section.refuse_unknown();
+        section
+    }
+
+    fn refuse_unknown(&self) {
+        for entry in self.entries() {
+            if !self.known.contains(&entry.name.as_str()) {
+                let near = nearest(&entry.name, self.known.iter().copied());
+                let message = format!("unknown key `{}`", shown(&entry.name));
+                let help = format!("{} knows: {}", self.what, self.known.join(", "));
+                self.faults.push(Fault::new(entry.key, message).label(did_you_mean(near)).help(help));
+            }
+        }
+    }
+
+    /// The value of a key.
+    pub(crate) fn get(&self, key: &str) -> Option<Entry<'a>> {
+        let (name, value) = self.table.get_key_value(key)?;
+        Some(Entry::new(name.get_ref().to_string(), name.span(), value, self.faults))
+    }
+
+    /// The value of a key that must be there.
+    pub(crate) fn need(&self, key: &str) -> Option<Entry<'a>> {
+        let entry = self.get(key);
+        if entry.is_none() {
+            self.missing(key, "");
+        }
+        entry
+    }
+
+    /// Notes that a key is missing, and why it is wanted.
+    pub(crate) fn missing(&self, key: &str, why: &str) {
+        let label = if why.is_empty() { format!("add `{key} = ...`") } else { why.to_owned() };
+        let help = format!("{} knows: {}", self.what, self.known.join(", "));
+        self.faults.push(
+            Fault::new(self.span.clone(), format!("{} needs `{key}`", self.what)).label(label).help(help),
+        );
+    }
+
+    /// Every key with its value, in the order of the file.
+    pub(crate) fn entries(&self) -> Vec<Entry<'a>> {
+        entries(self.table, self.faults)
+    }
+}
+
+/// Keys and values of a table in the order of the file.
+fn entries<'a>(table: &'a DeTable<'a>, faults: &'a Faults) -> Vec<Entry<'a>> {
+    let mut all: Vec<Entry<'a>> = table
+        .iter()
+        .map(|(name, value)| Entry::new(name.get_ref().to_string(), name.span(), value, faults))
+        .collect();
+    all.sort_by_key(|entry| entry.key.start);
+    all
+}
+
+impl<'a> Entry<'a> {
+    fn new(name: String, key: Range<usize>, value: &'a Spanned<DeValue<'a>>, faults: &'a Faults) -> Self {
+        Self { name, key, value: value.get_ref(), span: value.span(), faults }
+    }
+
+    /// Notes a fault of the value.
+    pub(crate) fn fault(&self, message: impl Into<String>, label: impl Into<String>) {
+        self.faults.push(Fault::new(self.span.clone(), message).label(label));
+    }
+
+    /// Notes that the value is of the wrong kind.
+    pub(crate) fn wrong(&self, wanted: &str, label: impl Into<String>) {
+        let message = format!("`{}` wants {wanted}, got {}", shown(&self.name), kind(self.value));
+        self.fault(message, label);
+    }
+
+    /// A table whose keys are names of the user's.
+    pub(crate) fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
+        match self.value {
+            DeValue::Table(table) => entries(table, self.faults),
+            _ => {
+                self.wrong(wanted, label);
+                Vec::new()
+            }
+        }
+    }
+
+    /// A table with these keys.
+    pub(crate) fn section(&self, what: &'static str, known: &'static [&'static str]) -> Option<Section<'a>> {
+        let DeValue::Table(table) = self.value else {
+            let hint =
+                if self.value.is_array() { format!("write [{}] once", self.name) } else { String::new() };
+            self.wrong("one table", hint);
+            return None;
+        };
+        let section = Section { table, what, span: self.span.clone(), known, faults: self.faults };
+        section.refuse_unknown();
+        Some(section)
+    }
+
+    /// A list of tables, `[[name]]`, each with these keys.
+    pub(crate) fn sections(&self, what: &'static str, known: &'static [&'static str]) -> Vec<Section<'a>> {
+        if self.value.is_table() {
+            self.wrong("a list of tables", format!("write [[{}]]", self.name));
+            return Vec::new();
+        }
+        self.list("a list of tables").iter().filter_map(|item| item.section(what, known)).collect()
+    }
+
+    /// The elements of a list; each bears the name of the list.
+    pub(crate) fn list(&self, wanted: &str) -> Vec<Self> {
+        let DeValue::Array(array) = self.value else {
+            self.wrong(wanted, "");
+            return Vec::new();
+        };
+        array.iter().map(|item| Self::new(self.name.clone(), item.span(), item, self.faults)).collect()
+    }
+
+    /// The two elements of a list of two.
+    pub(crate) fn pair(&self, wanted: &str) -> Option<[Self; 2]> {
+        let list = if self.value.is_array() { self.list(wanted) } else { Vec::new() };
+        let count = list.len();
+        let pair: Result<[Self; 2], _> = list.try_into();
+        if pair.is_err() {
+            let got =
+                if self.value.is_array() { format!("{count} values") } else { kind(self.value).to_owned() };
+            self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
+        }
+        pair.ok()
+    }
+
+    /// A text on one line that is not empty.
+    pub(crate) fn text(&self, wanted: &str) -> Option<&'a str> {
+        let DeValue::String(text) = self.value else {
+            self.wrong(wanted, "in quotes");
+            return None;
+        };
+        let text = text.as_ref();
+        if text.trim().is_empty() || text.chars().any(char::is_control) {
+            let got = if text.trim().is_empty() { "an empty text" } else { "a text with control characters" };
+            self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
+            return None;
+        }
+        Some(text)
+    }
+
+    /// A text for a header; it may be empty.
+    pub(crate) fn line(&self) -> Option<String> {
+        let text = self.value.as_str();
+        if text.is_none() {
+            self.wrong("a text", "in quotes");
+        }
+        text.map(|text| text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
+    }
+
+    /// One of some words.
+    pub(crate) fn choice<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
+        let list = row(words.iter().map(|word| word.0));
+        let text = self.text(&format!("one of: {list}"))?;
+        let found = words.iter().find(|word| word.0 == text);
+        if found.is_none() {
+            let near = nearest(text, words.iter().map(|word| word.0));
+            let message = format!("`{}` wants one of: {list}, got `{}`", self.name, shown(text));
+            self.fault(message, did_you_mean(near));
+        }
+        found.map(|word| word.1)
+    }
+
+    /// `true` or `false`.
+    pub(crate) fn flag(&self) -> Option<bool> {
+        let flag = self.value.as_bool();
+        if flag.is_none() {
+            self.wrong("true or false", "");
+        }
+        flag
+    }
+}
+
+/// What a value is, with an article.
+pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "an integer",
+        DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

@@ -1,0 +1,104 @@
+//! `[assembly]`, `[balance]`, `[output]`: what is wanted of the linkage.
+
+use assur_mechanism::{Balance, GROUND, LinkId, Output, PairId, PointId, SlideId};
+
+use crate::linkage::{Linkage, pair};
+use crate::numbers::Bound;
+use crate::text::shown;
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+
+const BALANCE_KEYS: &[&str] = &["link", "at", "angle"];
+const OUTPUT_KEYS: &[&str] = &["points", "links", "slides", "reactions"];
+
+/// `[assembly]`: rough places of points.
+pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [f64; 2])> {
+    let Some(entry) = root.get("assembly") else {
+        return Vec::new();
+    };
+    let hints = entry.named("a table of points", "such as D = [0.17, 0.28]");
+    hints.iter().filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, Dimension::Length)?))).collect()
+}
+
+fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
+    let Some(id) = linkage.point_named(&hint.name) else {
+        let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
+        linkage.unknown(&at_key, "point", &hint.name, linkage.points.iter().map(|point| point.name.as_str()));
+        return None;
+    };
+    if linkage.points[id].places.iter().any(|place| place.link == GROUND) {
+        hint.fault(
+            format!("point `{}` is on the ground: its place is known", shown(&hint.name)),
+            "leave it out",
+        );
+    }
+    Some(id)
+}
+
+/// `[balance]`: what keeps the motion, if not the input.
+pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> {
+    let section = root.get("balance")?.section("the balance", BALANCE_KEYS)?;
+    let link = section.need("link").and_then(|entry| linkage.moving(&entry, "the ground carries any load"));
+    match (section.get("at"), section.get("angle")) {
+        (None, None) => Some(Balance::Moment(link?)),
+        (Some(at), Some(angle)) => {
+            let (at, angle) = (linkage.place(&at, link?), angle.bounded(Dimension::Angle, Bound::Any));
+            Some(Balance::Force { at: at?, angle: angle? })
+        }
+        (at, _) => {
+            let absent = if at.is_none() { "at" } else { "angle" };
+            section.missing(absent, "a force has `at` and `angle`, a moment has neither");
+            None
+        }
+    }
+}
+
+/// `[output]`: what is asked for.
+pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
+    let section = root.get("output")?.section("the output", OUTPUT_KEYS)?;
+    Some(Output {
+        points: each(&section, "points", |entry| linkage.point(entry)),
+        links: each(&section, "links", |entry| link(entry, linkage)),
+        slides: each(&section, "slides", |entry| slide(entry, linkage)),
+        reactions: each(&section, "reactions", |entry| pair_id(entry, linkage)),
+    })
+}
+
+fn each<T>(section: &Section<'_>, key: &str, read: impl Fn(&Entry<'_>) -> Option<T>) -> Vec<T> {
+    let items = section.get(key).map(|entry| entry.list("a list of names")).unwrap_or_default();
+    items.iter().filter_map(read).collect()
+}
+
+fn link(entry: &Entry<'_>, linkage: &Linkage) -> Option<LinkId> {
+    linkage.moving(entry, "the ground does not move")
+}
+
+fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
+    let name = entry.text("the name of a slide")?;
+    let found = linkage.slides.iter().position(|slide| slide.name == name);
+    if found.is_none() {
+        linkage.unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
+    }
+    found
+}
+
+fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
+    let name = entry.text("the name of a pin or slide")?;
+    if let Some(id) = linkage.slides.iter().position(|slide| slide.name == name) {
+        return Some(PairId::Slide(id));
+    }
+    let pins = linkage.points.iter().filter(|point| point.is_pin()).map(|point| point.name.as_str());
+    match linkage.point_named(name) {
+        Some(id) if linkage.points[id].is_pin() => Some(PairId::Pin(id)),
+        Some(_) => {
+            let label = format!("pins: {}", crate::text::row(pins));
+            entry.fault(format!("point `{}` is no pin: it stands in one link", shown(name)), label);
+            None
+        }
+        None => {
+            let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
+            linkage.unknown(entry, "pin or slide", name, pins.chain(slides));
+            None
+        }
+    }
+}
