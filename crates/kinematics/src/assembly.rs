@@ -1,0 +1,45 @@
+//! The way of each group as a function of the coordinate.
+
+/// Where a mechanism can be assembled around its first position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Least coordinate, rad or m.
+    pub low: f64,
+    /// Greatest coordinate, rad or m.
+    pub high: f64,
+    /// Whether it turns fully: `low` and `high` are then one period apart and mean nothing else.
+    pub full: bool,
+}
+
+/// The way of each group at every coordinate: the first ones, and where they change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ways {
+    /// Start of the walked interval.
+    pub(crate) low: f64,
+    /// Its length where the motion is periodic: the ways repeat with it.
+    pub(crate) period: Option<f64>,
+    /// Coordinates (increasing, from `low`) and groups where two ways meet.
+    pub(crate) changes: Vec<(f64, usize)>,
+    /// Ways before, between and after the changes: one row more than changes.
+    pub(crate) rows: Vec<Vec<u8>>,
+}
+
+impl Ways {
+    /// The ways at a coordinate.
+    #[inline]
+    pub fn at(&self, coordinate: f64) -> &[u8] {
+        if self.changes.is_empty() {
+            return &self.rows[0];
+        }
+        let place = match self.period {
+            Some(period) => self.low + (coordinate - self.low).rem_euclid(period),
+            None => coordinate,
+        };
+        &self.rows[self.changes.partition_point(|change| change.0 <= place)]
+    }
+
+    /// Coordinates at which two ways of a group meet within the walked interval, with the group.
+    pub fn changes(&self) -> &[(f64, usize)] {
+        &self.changes
+    }
+}

@@ -1,0 +1,155 @@
+//! The compiled chain: input link and groups as flat data.
+
+use assur_group::{AssurGroup, Body, GroupError, Number, Order, kernel_of};
+use assur_mechanism::{InputPair, Mechanism};
+use assur_number::Real;
+use assur_structure::Structure;
+
+use crate::CompileError;
+
+/// The input link in one number type.
+#[derive(Debug, Clone, Copy)]
+pub enum Input<T> {
+    /// Pinned to the ground; the coordinate is its angle.
+    Crank {
+        /// Index of the link.
+        link: usize,
+        /// The pin in the ground's frame, m.
+        ground: [T; 2],
+        /// The pin in the link's frame, m.
+        own: [T; 2],
+    },
+    /// Sliding on the ground; the coordinate is the displacement of its slide.
+    Slider {
+        /// Index of the link.
+        link: usize,
+        /// Direction of its x axis.
+        axis: [T; 2],
+        /// d(origin)/dq: the unit vector along which the origin moves as the coordinate grows.
+        along: [T; 2],
+        /// Its origin at the coordinate 0, m.
+        origin: [T; 2],
+    },
+}
+
+/// A group that has no solution, by its index.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChainError {
+    /// Index of the group.
+    pub group: usize,
+    /// What it says.
+    pub source: GroupError,
+}
+
+/// Input and groups in one number type.
+#[derive(Debug)]
+pub struct Chain<T: Number> {
+    /// The input link.
+    pub input: Input<T>,
+    /// The groups in solving order.
+    pub groups: Vec<Box<dyn AssurGroup<T>>>,
+    bodies: usize,
+}
+
+fn vector<T: Real>(at: [f64; 2]) -> [T; 2] {
+    [T::from_f64(at[0]), T::from_f64(at[1])]
+}
+
+impl<T: Number> Chain<T> {
+    /// Builds the kernels of all groups.
+    ///
+    /// # Errors
+    ///
+    /// [`CompileError::Build`] where lengths make no group of the kind.
+    pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
+        let mut groups = Vec::with_capacity(structure.groups.len());
+        for (i, group) in structure.groups.iter().enumerate() {
+            let kernel = kernel_of::<T>(group.plugin, &group.frame)
+                .map_err(|source| CompileError::Build { group: structure.group_name(mechanism, i), source })?;
+            groups.push(kernel);
+        }
+        Ok(Self { input: input_of(mechanism), groups, bodies: structure.links })
+    }
+
+    /// Bodies at rest at the origin, to be solved into.
+    pub fn bodies(&self) -> Vec<Body<T>> {
+        vec![Body::ground(); self.bodies]
+    }
+
+    /// Places the input link; its derivatives are exact.
+    #[inline]
+    pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
+        match self.input {
+            Input::Crank { link, ground, own } => {
+                let (s, c) = coordinate.sin_cos();
+                let body = &mut bodies[link];
+                (body.c, body.s, body.w1, body.w2) = (c, s, T::ONE, T::ZERO);
+                let arm = body.arm(own);
+                body.hang(arm, [ground, [T::ZERO; 2], [T::ZERO; 2]]);
+            }
+            Input::Slider { link, axis, along, origin } => {
+                let body = &mut bodies[link];
+                (body.c, body.s) = (axis[0], axis[1]);
+                (body.x, body.y) = (origin[0] + along[0] * coordinate, origin[1] + along[1] * coordinate);
+                (body.x1, body.y1) = (along[0], along[1]);
+            }
+        }
+    }
+
+    /// Solves the whole chain at one coordinate, each group in the way given.
+    ///
+    /// # Errors
+    ///
+    /// [`ChainError`] with the first group that has no solution; groups before it are solved.
+    #[inline]
+    pub fn solve(
+        &self,
+        coordinate: T,
+        ways: &[u8],
+        order: Order,
+        bodies: &mut [Body<T>],
+        health: &mut [T],
+    ) -> Result<(), ChainError> {
+        self.set_input(coordinate, bodies);
+        for (group, kernel) in self.groups.iter().enumerate() {
+            match kernel.solve(bodies, usize::from(ways[group]), order) {
+                Ok(found) => health[group] = found,
+                Err(source) => return Err(ChainError { group, source }),
+            }
+        }
+        Ok(())
+    }
+}
+
+fn input_of<T: Real>(mechanism: &Mechanism) -> Input<T> {
+    let link = mechanism.input.link;
+    match mechanism.input.pair {
+        InputPair::Pin(point) => {
+            let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());
+            Input::Crank { link, ground: at(assur_mechanism::GROUND), own: at(link) }
+        }
+        InputPair::Slide(slide) => slider_of(mechanism, slide),
+    }
+}
+
+/// A sliding input; either of the two may carry the guide.
+fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
+    let found = &mechanism.slides[slide];
+    let (point, through) = (vector::<T>(found.point), vector::<T>(found.through));
+    let (s, c) = T::from_f64(found.angle).sin_cos();
+    if found.on == assur_mechanism::GROUND {
+        let (ts, tc) = (T::from_f64(found.angle) + T::from_f64(found.tilt)).sin_cos();
+        let mut body = Body { c: tc, s: ts, ..Body::ground() };
+        let arm = body.arm(point);
+        body.hang_place(arm, through);
+        Input::Slider { link: found.link, axis: [tc, ts], along: [c, s], origin: [body.x, body.y] }
+    } else {
+        // The ground is what "slides" on the input link: displacement = (ground's point - through) along the guide.
+        let (ts, tc) = (-(T::from_f64(found.angle) + T::from_f64(found.tilt))).sin_cos();
+        let mut body = Body { c: tc, s: ts, ..Body::ground() };
+        let along = body.turned([c, s]);
+        let arm = body.arm(through);
+        body.hang_place(arm, point);
+        Input::Slider { link: found.on, axis: [tc, ts], along: [-along[0], -along[1]], origin: [body.x, body.y] }
+    }
+}

@@ -1,0 +1,73 @@
+//! What can go wrong between a mechanism and a position.
+
+use assur_group::{BuildError, GroupError};
+use assur_structure::StructureError;
+
+/// Why a mechanism can't be compiled.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompileError {
+    /// It can't be taken apart.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The lengths make no group of the kind.
+    #[error("{group}: {source}")]
+    Build {
+        /// The group.
+        group: String,
+        /// What is wrong.
+        source: BuildError,
+    },
+}
+
+/// Why there is no position at a coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PositionError {
+    /// Index of the group.
+    pub group: usize,
+    /// The group in words: `group 1 (RRR rod, rocker)`.
+    pub group_name: String,
+    /// Number of the position, where it is one of the scene's.
+    pub index: Option<usize>,
+    /// The coordinate, rad or m.
+    pub coordinate: f64,
+    /// Whether the coordinate is an angle.
+    pub angular: bool,
+    /// What the group says.
+    pub source: GroupError,
+    /// Coordinates around the first position between which the mechanism can be assembled, rad or m, in the order of
+    /// the coordinate; `None`: not even the first position.
+    pub range: Option<[f64; 2]>,
+}
+
+impl PositionError {
+    /// A coordinate as a reader wants it: degrees or millimeters.
+    fn show(&self, coordinate: f64) -> String {
+        if self.angular {
+            format!("{:.4} deg", coordinate.to_degrees())
+        } else {
+            format!("{:.4} mm", coordinate * 1e3)
+        }
+    }
+}
+
+impl std::fmt::Display for PositionError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.group_name)?;
+        if let Some(index) = self.index {
+            write!(f, ", position {index}")?;
+        }
+        write!(f, ", coordinate {}: {}", self.show(self.coordinate), self.source)?;
+        match self.range {
+            Some([low, high]) => {
+                write!(f, "; the mechanism can be assembled from {} to {}", self.show(low), self.show(high))
+            }
+            None => write!(
+                f,
+                "; it can't be assembled in the first position: check the lengths, or start elsewhere (`input.from`)"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for PositionError {}

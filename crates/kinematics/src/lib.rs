@@ -1,0 +1,28 @@
+//! Runs the chain of groups: positions and transfer functions at any value of the input coordinate.
+//!
+//! [`Linkage::compile`] takes a mechanism apart, builds the kernel of each group, chooses the assembly of the first
+//! position and follows it once over the whole cycle. From then on [`Linkage::solve`] is a pure function of the
+//! coordinate: it has no memory of where it was called before, allocates nothing and takes no lock.
+//!
+//! Where two ways of a group meet (a change point: parallelogram, kite) the assembly goes through by continuity. Such
+//! coordinates are found at compile time; the way of each group is then known for every coordinate, and close to a
+//! change point, where the group's equations lose all their digits, the smooth motion is interpolated across it.
+
+mod assembly;
+mod chain;
+mod error;
+mod linkage;
+mod patch;
+mod rank;
+mod read;
+mod walk;
+
+pub use assembly::{Range, Ways};
+pub use chain::{Chain, ChainError, Input};
+pub use error::{CompileError, PositionError};
+pub use linkage::{Linkage, Position};
+pub use rank::{Rank, rank_of};
+pub use read::{LinkMotion, PointMotion, SlideMotion, continuous_angle};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,129 @@
+//! A mechanism compiled for many positions.
+
+use assur_group::{AssurGroup, Body, Order};
+use assur_mechanism::{InputPair, Mechanism};
+use assur_structure::Structure;
+
+use crate::assembly::Ways;
+use crate::patch::Patch;
+use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
+
+/// A mechanism, taken apart and compiled: everything that positions need.
+#[derive(Debug)]
+pub struct Linkage {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// Its groups.
+    pub structure: Structure,
+    /// The compiled chain.
+    pub chain: Chain<f64>,
+    /// The way of each group at every coordinate.
+    pub ways: Ways,
+    /// Where it can be assembled; `None`: not even in the first position.
+    pub range: Option<Range>,
+    /// Why the first position can't be assembled, if so.
+    pub(crate) first_failure: Option<ChainError>,
+    pub(crate) patches: Vec<Patch>,
+}
+
+/// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
+#[derive(Debug, Clone)]
+pub struct Position {
+    /// The coordinate, rad or m.
+    pub coordinate: f64,
+    /// One for each link, the ground first.
+    pub bodies: Vec<Body<f64>>,
+    /// Dimensionless determinant of each group: 0 at a singular position. Its sign carries no meaning.
+    pub health: Vec<f64>,
+}
+
+impl Linkage {
+    /// Takes a mechanism apart, compiles it and follows its assembly over the cycle.
+    ///
+    /// A mechanism that can't be assembled compiles too; [`solve`](Self::solve) then says where and by how much.
+    ///
+    /// # Errors
+    ///
+    /// [`CompileError`] if the mechanism can't be taken apart into registered groups.
+    pub fn compile(mechanism: Mechanism) -> Result<Self, CompileError> {
+        let structure = Structure::of(&mechanism)?;
+        let chain = Chain::compile(&mechanism, &structure)?;
+        let walked = walk::walk(&mechanism, &structure, &chain);
+        Ok(Self {
+            mechanism,
+            structure,
+            chain,
+            ways: walked.ways,
+            range: walked.range,
+            first_failure: walked.failure,
+            patches: walked.patches,
+        })
+    }
+
+    /// Scratch for positions.
+    pub fn position(&self) -> Position {
+        Position {
+            coordinate: f64::NAN,
+            bodies: self.chain.bodies(),
+            health: vec![0.0; self.chain.groups.len()],
+        }
+    }
+
+    /// The kernels of the groups in solving order.
+    pub fn groups(&self) -> &[Box<dyn AssurGroup<f64>>] {
+        &self.chain.groups
+    }
+
+    /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
+    pub fn angular(&self) -> bool {
+        matches!(self.mechanism.input.pair, InputPair::Pin(_))
+    }
+
+    /// Solves all links at one coordinate.
+    ///
+    /// # Errors
+    ///
+    /// [`PositionError`] with group, coordinate and what is missing.
+    #[inline]
+    pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
+        position.coordinate = coordinate;
+        if let Some(patch) = self.patches.iter().find(|patch| patch.covers(coordinate)) {
+            self.chain.set_input(coordinate, &mut position.bodies);
+            patch.apply(coordinate, &mut position.bodies, &mut position.health);
+            return Ok(());
+        }
+        let ways = self.ways.at(coordinate);
+        self.chain
+            .solve(coordinate, ways, order, &mut position.bodies, &mut position.health)
+            .map_err(|failure| self.explain(coordinate, failure))
+    }
+
+    /// Solves position `index` of the scene.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](Self::solve), with the number of the position.
+    pub fn solve_index(&self, index: usize, order: Order, position: &mut Position) -> Result<(), PositionError> {
+        let coordinate = self.mechanism.input.coordinate(index);
+        self.solve(coordinate, order, position).map_err(|error| PositionError { index: Some(index), ..error })
+    }
+
+    /// Coordinates at which two ways of a group meet within the walked period, with the group.
+    pub fn change_points(&self) -> &[(f64, usize)] {
+        self.ways.changes()
+    }
+
+    #[cold]
+    fn explain(&self, coordinate: f64, failure: ChainError) -> PositionError {
+        let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
+        PositionError {
+            group: failure.group,
+            group_name: self.structure.group_name(&self.mechanism, failure.group),
+            index: None,
+            coordinate,
+            angular: self.angular(),
+            source: failure.source,
+            range: self.range.map(|range| [range.low, range.high]),
+        }
+    }
+}

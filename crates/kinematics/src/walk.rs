@@ -1,0 +1,380 @@
+//! The first assembly, and one walk over the cycle that finds where ways meet and where the mechanism ends.
+
+use assur_group::{Body, Order};
+use assur_mechanism::{InputPair, Mechanism};
+use assur_structure::Structure;
+
+use crate::assembly::Ways;
+use crate::patch::Patch;
+use crate::read::motion_of;
+use crate::{Chain, ChainError, Range};
+
+/// Samples over one turn (or over the range of a sliding input).
+const SAMPLES: usize = 720;
+
+/// Two ways meet where the dimensionless determinant falls below this: it is the square root of a length's rounding.
+const MEETING: f64 = 2e-7;
+
+/// A local minimum of the determinant above this can't be the foot of a meeting between two samples.
+const SUSPECT: f64 = 0.2;
+
+/// Longest motion that is walked before ways must repeat, in periods.
+const MOST_PERIODS: usize = 4;
+
+/// What a walk found.
+#[derive(Debug)]
+pub(crate) struct Walked {
+    pub(crate) ways: Ways,
+    pub(crate) range: Option<Range>,
+    pub(crate) failure: Option<ChainError>,
+    pub(crate) patches: Vec<Patch>,
+}
+
+/// Chooses the assembly of the first position and follows it.
+pub(crate) fn walk(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Walked {
+    let from = mechanism.input.from;
+    let first = match first_ways(mechanism, structure, chain) {
+        Ok(first) => first,
+        Err((ways, failure)) => {
+            let ways = Ways { low: from, period: None, changes: Vec::new(), rows: vec![ways] };
+            return Walked { ways, range: None, failure: Some(failure), patches: Vec::new() };
+        }
+    };
+    let mut walker = Walker { chain, groups: chain.groups.len() };
+    let (ways, range) = match mechanism.input.pair {
+        InputPair::Pin(_) => walker.turn(from, &first),
+        InputPair::Slide(_) => walker.slide(mechanism, structure.scale, &first),
+    };
+    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
+    let patches = patches(chain, &ways, unit);
+    Walked { ways, range: Some(range), failure: None, patches }
+}
+
+/// The way of each group in the first position: the one closest to the places of `[assembly]`.
+fn first_ways(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    chain: &Chain<f64>,
+) -> Result<Vec<u8>, (Vec<u8>, ChainError)> {
+    let mut bodies = guessed_bodies(mechanism, chain);
+    chain.set_input(mechanism.input.from, &mut bodies);
+    let mut ways = vec![0_u8; chain.groups.len()];
+    for (i, kernel) in chain.groups.iter().enumerate() {
+        let links = &structure.groups[i].frame.links;
+        let mut best: Option<(f64, u8, Vec<Body<f64>>)> = None;
+        let mut failure = None;
+        for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
+            let mut tried = bodies.clone();
+            match kernel.place(&mut tried, usize::from(way)) {
+                Ok(_) => {
+                    let miss = miss(mechanism, links, &tried);
+                    if best.as_ref().is_none_or(|(least, ..)| miss < *least) {
+                        best = Some((miss, way, tried));
+                    }
+                }
+                Err(source) => failure = Some(ChainError { group: i, source }),
+            }
+        }
+        match (best, failure) {
+            (Some((_, way, placed)), _) => (ways[i], bodies) = (way, placed),
+            (None, Some(failure)) => return Err((ways, failure)),
+            (None, None) => {}
+        }
+    }
+    Ok(ways)
+}
+
+/// Starting guess for kinds that iterate: each link at the mean of its wanted points.
+fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
+    let mut bodies = chain.bodies();
+    for (link, body) in bodies.iter_mut().enumerate().skip(1) {
+        let known: Vec<_> = mechanism
+            .assembly
+            .iter()
+            .filter_map(|(point, place)| Some((mechanism.place_in(*point, link)?, *place)))
+            .collect();
+        match known[..] {
+            [] => {}
+            [(own, place)] => (body.x, body.y) = (place[0] - own[0], place[1] - own[1]),
+            [(own, place), .., (own2, place2)] => {
+                let wanted = (place2[1] - place[1]).atan2(place2[0] - place[0]);
+                let angle = wanted - (own2[1] - own[1]).atan2(own2[0] - own[0]);
+                (body.s, body.c) = angle.sin_cos();
+                let arm = body.arm(own);
+                body.hang_place(arm, place);
+            }
+        }
+    }
+    bodies
+}
+
+/// Sum of squares of the distances of a group's points from their wanted places.
+fn miss(mechanism: &Mechanism, links: &[usize], bodies: &[Body<f64>]) -> f64 {
+    let mut sum = 0.0;
+    for (point, wanted) in &mechanism.assembly {
+        let place = mechanism.points[*point].places.iter().find(|place| links.contains(&place.link));
+        if let Some(place) = place {
+            let found = motion_of(&bodies[place.link], place.at).pf0;
+            sum += (found[0] - wanted[0]).powi(2) + (found[1] - wanted[1]).powi(2);
+        }
+    }
+    sum
+}
+
+struct Walker<'a> {
+    chain: &'a Chain<f64>,
+    groups: usize,
+}
+
+/// One direction of a walk: where it ended, and the changes on the way (distance from the start, group).
+struct Leg {
+    reached: f64,
+    complete: bool,
+    changes: Vec<(f64, usize)>,
+    last: Vec<u8>,
+}
+
+impl Walker<'_> {
+    /// A pinned input: a full turn if it can, else both ways to where it ends.
+    fn turn(&mut self, from: f64, first: &[u8]) -> (Ways, Range) {
+        let period = std::f64::consts::TAU;
+        let mut periods = 1;
+        loop {
+            let length = period * periods as f64;
+            let leg = self.leg(from, length, SAMPLES * periods, first);
+            if !leg.complete {
+                let back = self.leg(from, -length, SAMPLES * periods, first);
+                return joined(from, &leg, &back, first);
+            }
+            // With an odd number of meetings the mechanism comes back to the other assembly: its true cycle is longer.
+            if leg.last == first || periods == MOST_PERIODS {
+                let range = Range { low: from, high: from + period, full: true };
+                let rows = rows_of(first, &leg.changes);
+                let changes = leg.changes.into_iter().map(|(d, group)| (from + d, group)).collect();
+                return (Ways { low: from, period: Some(length), changes, rows }, range);
+            }
+            periods *= 2;
+        }
+    }
+
+    /// A sliding input: over the range of the scene, and as far again on both sides (the reader wants to know where the
+    /// mechanism ends).
+    fn slide(&mut self, mechanism: &Mechanism, scale: f64, first: &[u8]) -> (Ways, Range) {
+        let from = mechanism.input.from;
+        let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
+        let length = 4.0 * scale.max((last - from).abs());
+        let forth = self.leg(from, length, 4 * SAMPLES, first);
+        let back = self.leg(from, -length, 4 * SAMPLES, first);
+        joined(from, &forth, &back, first)
+    }
+
+    /// Walks `length` from the start in equal steps, group after group.
+    fn leg(&mut self, from: f64, length: f64, samples: usize, first: &[u8]) -> Leg {
+        let at = |i: usize| from + length * (i as f64) / (samples as f64);
+        let mut grid: Vec<Vec<Body<f64>>> = Vec::with_capacity(samples + 1);
+        for i in 0..=samples {
+            let mut bodies = self.chain.bodies();
+            self.chain.set_input(at(i), &mut bodies);
+            grid.push(bodies);
+        }
+        let mut leg = Leg { reached: length, complete: true, changes: Vec::new(), last: first.to_vec() };
+        for group in 0..self.groups {
+            let health = self.healths(group, first[group], &mut grid);
+            let flips = self.meetings(group, &at, &health, &mut leg, first);
+            self.replace(group, first[group], &at, &flips, &mut grid);
+            if health.len() < grid.len() {
+                let end = self.end(group, &at, health.len(), &leg, first);
+                leg.complete = false;
+                leg.reached = end - from;
+                grid.truncate(health.len());
+            }
+            leg.changes.extend(flips.iter().map(|q| (q - from, group)));
+            leg.changes.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        }
+        let reached = leg.reached.abs();
+        leg.changes.retain(|change| change.0.abs() <= reached);
+        for (_, group) in &leg.changes {
+            leg.last[*group] = 1 - leg.last[*group];
+        }
+        leg
+    }
+
+    /// Places one group at every sample in its first way; stops at the first that can't be assembled for good.
+    fn healths(&self, group: usize, way: u8, grid: &mut [Vec<Body<f64>>]) -> Vec<f64> {
+        let kernel = &self.chain.groups[group];
+        let mut health = Vec::with_capacity(grid.len());
+        for i in 0..grid.len() {
+            // A kind that iterates starts from the sample before.
+            if i > 0 {
+                for &link in &kernel.frame().links {
+                    grid[i][link] = grid[i - 1][link];
+                }
+            }
+            match kernel.place(&mut grid[i], usize::from(way)) {
+                Ok(found) => health.push(found.abs()),
+                // At a change point itself a group may say "singular": it is passed, not the end.
+                Err(assur_group::GroupError::Singular { .. }) if i > 0 => health.push(0.0),
+                Err(_) => break,
+            }
+        }
+        health
+    }
+
+    /// Coordinates where two ways of a group meet: the determinant touches zero.
+    fn meetings(
+        &self,
+        group: usize,
+        at: &impl Fn(usize) -> f64,
+        health: &[f64],
+        leg: &mut Leg,
+        first: &[u8],
+    ) -> Vec<f64> {
+        let mut found: Vec<f64> = Vec::new();
+        if self.chain.groups[group].ways() != 2 {
+            return found;
+        }
+        for i in 0..health.len() {
+            let before = if i > 0 { health[i - 1] } else { f64::INFINITY };
+            let after = health.get(i + 1).copied().unwrap_or(f64::INFINITY);
+            if health[i] > before || health[i] >= after || health[i] > SUSPECT {
+                continue;
+            }
+            // The first position itself may be a meeting; the leg then begins behind it.
+            let (low, high) = (at(i.saturating_sub(1)), at((i + 1).min(health.len() - 1)));
+            let (place, least) = self.least_health(group, low, high, leg, first, at(0));
+            let start = (place - at(0)).abs() < 1e-9;
+            if least < MEETING && !start && found.last().is_none_or(|last| (last - place).abs() > 1e-6) {
+                found.push(place);
+            }
+        }
+        found
+    }
+
+    /// Golden-section search for the least determinant of a group.
+    fn least_health(
+        &self,
+        group: usize,
+        low: f64,
+        high: f64,
+        leg: &Leg,
+        first: &[u8],
+        from: f64,
+    ) -> (f64, f64) {
+        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let f = |q: f64| self.health_at(group, q, leg, first, from);
+        let (mut a, mut b) = (low, high);
+        let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
+        let (mut fx, mut fy) = (f(x), f(y));
+        for _ in 0..90 {
+            if fx <= fy {
+                (b, y, fy) = (y, x, fx);
+                x = b - ratio * (b - a);
+                fx = f(x);
+            } else {
+                (a, x, fx) = (x, y, fy);
+                y = a + ratio * (b - a);
+                fy = f(y);
+            }
+        }
+        if fx <= fy { (x, fx) } else { (y, fy) }
+    }
+
+    /// Determinant of a group at any coordinate, the groups before it in their known ways; 0 where it does not assemble.
+    fn health_at(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> f64 {
+        let mut bodies = self.chain.bodies();
+        self.chain.set_input(q, &mut bodies);
+        for (i, kernel) in self.chain.groups.iter().enumerate().take(group + 1) {
+            let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
+            let way = usize::from(first[i]) ^ (flips & 1);
+            match kernel.place(&mut bodies, way.min(kernel.ways() - 1)) {
+                Ok(health) if i == group => return health.abs(),
+                Ok(_) => {}
+                Err(_) => return 0.0,
+            }
+        }
+        0.0
+    }
+
+    /// Places a group again behind its meetings, in the other way.
+    fn replace(
+        &self,
+        group: usize,
+        way: u8,
+        at: &impl Fn(usize) -> f64,
+        flips: &[f64],
+        grid: &mut [Vec<Body<f64>>],
+    ) {
+        let start = at(0);
+        for (i, bodies) in grid.iter_mut().enumerate() {
+            let passed = flips.iter().filter(|q| (**q - start).abs() < (at(i) - start).abs()).count();
+            if passed % 2 == 1 {
+                // A sample on the meeting itself keeps the place that both ways share.
+                let _ = self.chain.groups[group].place(bodies, usize::from(1 - way));
+            }
+        }
+    }
+
+    /// Where a group stops assembling, by bisection between two samples.
+    fn end(&self, group: usize, at: &impl Fn(usize) -> f64, failed: usize, leg: &Leg, first: &[u8]) -> f64 {
+        let (mut good, mut bad) = (at(failed.saturating_sub(1)), at(failed));
+        for _ in 0..60 {
+            let middle = 0.5 * (good + bad);
+            if self.assembles(group, middle, leg, first, at(0)) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        good
+    }
+
+    fn assembles(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> bool {
+        let mut bodies = self.chain.bodies();
+        self.chain.set_input(q, &mut bodies);
+        self.chain.groups.iter().enumerate().take(group + 1).all(|(i, kernel)| {
+            let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
+            let way = usize::from(first[i]) ^ (flips & 1);
+            kernel.place(&mut bodies, way.min(kernel.ways() - 1)).is_ok()
+        })
+    }
+}
+
+/// Ways in each interval between changes.
+fn rows_of(first: &[u8], changes: &[(f64, usize)]) -> Vec<Vec<u8>> {
+    let mut rows = vec![first.to_vec()];
+    for (_, group) in changes {
+        let mut row = rows[rows.len() - 1].clone();
+        row[*group] = 1 - row[*group];
+        rows.push(row);
+    }
+    rows
+}
+
+/// Two legs from one start as one interval.
+fn joined(from: f64, forth: &Leg, back: &Leg, first: &[u8]) -> (Ways, Range) {
+    let mut backward: Vec<_> = back.changes.clone();
+    backward.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let before = back.last.clone();
+    let changes: Vec<_> =
+        backward.iter().chain(&forth.changes).map(|(d, group)| (from + d, *group)).collect();
+    let relative: Vec<_> = changes.clone();
+    let rows = if changes.is_empty() { vec![first.to_vec()] } else { rows_of(&before, &relative) };
+    let range = Range { low: from + back.reached, high: from + forth.reached, full: false };
+    (Ways { low: range.low, period: None, changes, rows }, range)
+}
+
+/// A patch around each change point whose surroundings can be solved.
+fn patches(chain: &Chain<f64>, ways: &Ways, unit: f64) -> Vec<Patch> {
+    let mut centers: Vec<f64> = Vec::new();
+    for (q, _) in &ways.changes {
+        if centers.last().is_none_or(|last| (last - q).abs() > 1e-6) {
+            centers.push(*q);
+        }
+    }
+    let mut health = vec![0.0; chain.groups.len()];
+    let mut solve = |q: f64| {
+        let mut bodies = chain.bodies();
+        chain.solve(q, ways.at(q), Order::Second, &mut bodies, &mut health).ok().map(|()| bodies)
+    };
+    centers.into_iter().filter_map(|center| Patch::sample(center, ways.period, unit, &mut solve)).collect()
+}
