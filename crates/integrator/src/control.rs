@@ -1,0 +1,86 @@
+//! Size of steps: the norm of an error and the proportional-integral controller.
+
+use crate::State;
+
+/// Constants of the controller of step sizes (Gustafsson; Hairer, Wanner II, IV.2):
+/// factor = safety · error^-`proportional` · `error_before`^`integral`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Control {
+    /// Exponent of the present error.
+    pub proportional: f64,
+    /// Exponent of the error before: damps the alternation of too long and too short steps. 0: plain control.
+    pub integral: f64,
+    /// Part of the wanted step that is really tried.
+    pub safety: f64,
+    /// Least factor between steps.
+    pub shrink: f64,
+    /// Greatest factor between steps.
+    pub grow: f64,
+    /// Order of the error estimate, for the first step.
+    pub order: f64,
+}
+
+impl Control {
+    /// Factor to the next step after an accepted one.
+    #[inline]
+    pub fn after_accepted(&self, error: f64, error_before: f64) -> f64 {
+        let error = error.max(1e-10);
+        let factor = self.safety * error.powf(-self.proportional) * error_before.powf(self.integral);
+        factor.clamp(self.shrink, self.grow)
+    }
+
+    /// Factor to the next trial after a rejected one: by the present error alone.
+    #[inline]
+    pub fn after_rejected(&self, error: f64) -> f64 {
+        if !error.is_finite() {
+            return self.shrink;
+        }
+        (self.safety * error.powf(-1.0 / self.order)).clamp(self.shrink, 0.9)
+    }
+}
+
+/// What an error is compared with: the tolerance times the largest speed and the largest travel so far, because it is the
+/// motion as a whole that must be right, not a passage through zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// Wanted relative accuracy.
+    pub tolerance: f64,
+    origin: f64,
+    travel: f64,
+    speed: f64,
+}
+
+impl Scale {
+    /// Starts at `state`.
+    pub fn new(tolerance: f64, state: &State) -> Self {
+        Self { tolerance, origin: state.coordinate, travel: 0.0, speed: state.speed.abs() }
+    }
+
+    /// Remembers how far and how fast the motion was.
+    #[inline]
+    pub fn extend(&mut self, state: &State) {
+        self.travel = self.travel.max((state.coordinate - self.origin).abs());
+        self.speed = self.speed.max(state.speed.abs());
+    }
+
+    /// Allowed errors of coordinate and speed at the end of a step.
+    #[inline]
+    pub fn allowed(&self, end: &State) -> [f64; 2] {
+        /// Roundings of the coordinate that no step can avoid.
+        const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+        let travel = self.travel.max((end.coordinate - self.origin).abs());
+        let speed = self.speed.max(end.speed.abs());
+        [
+            (self.tolerance * travel).max(ROUNDINGS * end.coordinate.abs()).max(f64::MIN_POSITIVE),
+            (self.tolerance.max(ROUNDINGS) * speed).max(f64::MIN_POSITIVE),
+        ]
+    }
+
+    /// Root mean square of the errors over what is allowed.
+    #[inline]
+    pub fn norm(&self, end: &State, coordinate: f64, speed: f64) -> f64 {
+        let [q, w] = self.allowed(end);
+        let (q, w) = (coordinate / q, speed / w);
+        (0.5 * (q * q + w * w)).sqrt()
+    }
+}

@@ -1,0 +1,89 @@
+//! The polynomial that a step leaves behind: the motion at any instant inside the step.
+
+use crate::{Node, State};
+
+/// Number of coefficients: degree 7, the dense output of dop853.
+pub const COEFFICIENTS: usize = 8;
+
+/// Motion inside one step, over θ = (t - `time`)/`step` in [0, 1], nested as
+/// r0 + θ (r1 + (1-θ) (r2 + θ (r3 + (1-θ) (r4 + ...)))) (Hairer, Norsett, Wanner I, II.6): the coefficients after
+/// the fourth don't change the ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dense {
+    /// Time at θ = 0, s.
+    pub time: f64,
+    /// Length of the step, s.
+    pub step: f64,
+    /// Coefficients of the coordinate.
+    pub coordinate: [f64; COEFFICIENTS],
+    /// Coefficients of the speed.
+    pub speed: [f64; COEFFICIENTS],
+}
+
+/// The nested polynomial at `theta`.
+#[inline]
+fn nested(r: &[f64; COEFFICIENTS], theta: f64) -> f64 {
+    let rest = 1.0 - theta;
+    let upper = r[4] + theta * (r[5] + rest * (r[6] + theta * r[7]));
+    r[0] + theta * (r[1] + rest * (r[2] + theta * (r[3] + rest * upper)))
+}
+
+impl Dense {
+    /// Rest, or motion at constant speed, from `from` for `step` seconds.
+    pub fn steady(from: &State, step: f64) -> Self {
+        let mut dense =
+            Self { time: from.time, step, coordinate: [0.0; COEFFICIENTS], speed: [0.0; COEFFICIENTS] };
+        dense.coordinate[0] = from.coordinate;
+        dense.coordinate[1] = from.speed * step;
+        dense.speed[0] = from.speed;
+        dense
+    }
+
+    /// Uniformly accelerated motion (D 3.12, 3.13).
+    pub fn parabola(from: &Node, step: f64) -> Self {
+        let mut dense = Self::steady(&from.state, step);
+        let half = 0.5 * from.acceleration * step * step;
+        // w0 h θ + a h²/2 θ² = θ (w0 h + a h²/2) - θ (1-θ) a h²/2
+        dense.coordinate[1] += half;
+        dense.coordinate[2] = -half;
+        dense.speed[1] = from.acceleration * step;
+        dense
+    }
+
+    /// Hermite polynomials through both ends: degree 5 for the coordinate (value, speed, acceleration), 3 for the speed.
+    pub fn hermite(from: &Node, to: &Node) -> Self {
+        let step = to.state.time - from.state.time;
+        let mut dense = Self::steady(&from.state, step);
+        let (q0, q1) = (from.state.coordinate, to.state.coordinate);
+        let (w0, w1) = (from.state.speed, to.state.speed);
+        cubic(&mut dense.coordinate, q0, q1, step * w0, step * w1);
+        cubic(&mut dense.speed, w0, w1, step * from.acceleration, step * to.acceleration);
+        let half = 0.5 * step * step;
+        let r = &mut dense.coordinate;
+        r[4] = half * from.acceleration + r[2] - r[3];
+        r[5] = half * to.acceleration + r[2] + 2.0 * r[3] - r[4];
+        dense
+    }
+
+    /// State at `theta`.
+    #[inline]
+    pub fn at(&self, theta: f64) -> State {
+        State {
+            time: self.time + theta * self.step,
+            coordinate: nested(&self.coordinate, theta),
+            speed: nested(&self.speed, theta),
+        }
+    }
+}
+
+/// First four coefficients: values and slopes (by θ) at both ends.
+pub fn cubic(r: &mut [f64; COEFFICIENTS], from: f64, to: f64, slope_from: f64, slope_to: f64) {
+    let rise = to - from;
+    r[0] = from;
+    r[1] = rise;
+    r[2] = slope_from - rise;
+    r[3] = rise - slope_to - r[2];
+}
+
+#[cfg(test)]
+mod tests;

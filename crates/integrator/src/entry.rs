@@ -1,0 +1,99 @@
+//! Which smooth piece comes next, and whether the motion goes on at all.
+
+use crate::{Equation, IntegrationError, Piece, State};
+
+/// How the motion goes on after an instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Entered {
+    /// In this piece, with this acceleration.
+    Moving(Piece, f64),
+    /// The speed stays: each side drives it back.
+    Held,
+}
+
+/// Enters the piece after `state`; `at_speed_bound` if the speed lies on a bound of the piece before.
+///
+/// At rest and at a bound of speed both sides are asked: a side is right if its own acceleration leads into it.
+///
+/// # Errors
+///
+/// [`IntegrationError::Equation`], [`IntegrationError::EmptyPiece`].
+pub fn enter(
+    equation: &mut Equation<'_>,
+    state: &State,
+    at_speed_bound: bool,
+) -> Result<Entered, IntegrationError> {
+    if state.speed != 0.0 && !at_speed_bound {
+        let piece = piece_ahead(equation, state, 0.0)?;
+        return Ok(Entered::Moving(piece, acceleration(equation, state)?));
+    }
+    for side in [1.0, -1.0] {
+        let piece = piece_ahead(equation, state, side)?;
+        let acceleration = acceleration(equation, state)?;
+        if acceleration * side > 0.0 {
+            return Ok(Entered::Moving(piece, acceleration));
+        }
+    }
+    Ok(Entered::Held)
+}
+
+fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, IntegrationError> {
+    equation
+        .acceleration(state.time, state.coordinate, state.speed)
+        .map_err(|source| IntegrationError::Equation { at: *state, source })
+}
+
+/// Asks for the piece, each time a little further ahead, until it has states ahead of `state`: a table that counts its
+/// cycles may find a row a rounding before or after the place where it said that the row is.
+fn piece_ahead(
+    equation: &mut Equation<'_>,
+    state: &State,
+    side: f64,
+) -> Result<Piece, IntegrationError> {
+    /// Up to 2^24 roundings, 4e-9: more is not a rounding.
+    const TRIALS: i32 = 12;
+    for trial in -1..TRIALS {
+        let roundings = if trial < 0 { 0.0 } else { f64::EPSILON * 4.0_f64.powi(trial) };
+        let asked = ahead(state, side, roundings);
+        let piece =
+            equation.enter(&asked).map_err(|source| IntegrationError::Equation { at: *state, source })?;
+        if has_states_ahead(&piece, state, asked.speed, side) {
+            return Ok(including(piece, state));
+        }
+    }
+    Err(IntegrationError::EmptyPiece { at: *state })
+}
+
+/// A state `roundings` ahead, on one side of its speed.
+fn ahead(state: &State, side: f64, roundings: f64) -> State {
+    let nudge = 2.0 * f64::EPSILON * state.speed.abs();
+    let speed = state.speed + side * nudge.max(f64::MIN_POSITIVE);
+    let size = state.coordinate.abs().max(1e-3);
+    State {
+        time: state.time + roundings * state.time.abs().max(1e-9),
+        coordinate: state.coordinate + speed.signum() * roundings * size,
+        speed,
+    }
+}
+
+fn has_states_ahead(piece: &Piece, state: &State, speed: f64, side: f64) -> bool {
+    let coordinate = if speed > 0.0 {
+        piece.coordinate[1] > state.coordinate
+    } else {
+        piece.coordinate[0] < state.coordinate
+    };
+    let on_side = side == 0.0
+        || if side > 0.0 { piece.speed[1] > state.speed } else { piece.speed[0] < state.speed };
+    coordinate && on_side && piece.time[1] > state.time
+}
+
+/// The piece, widened by the roundings that separate it from the state itself.
+fn including(mut piece: Piece, state: &State) -> Piece {
+    let widen = |bounds: &mut [f64; 2], value: f64| {
+        bounds[0] = bounds[0].min(value);
+        bounds[1] = bounds[1].max(value);
+    };
+    widen(&mut piece.coordinate, state.coordinate);
+    widen(&mut piece.speed, state.speed);
+    piece
+}

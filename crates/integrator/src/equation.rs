@@ -1,0 +1,121 @@
+//! The equation with a counter in front of it: every evaluation of every method goes through here.
+
+use crate::{Motion, MotionError, Partials, Piece, State};
+
+/// The equation of motion as a step sees it.
+pub struct Equation<'a> {
+    motion: &'a mut dyn Motion,
+    evaluations: usize,
+    jacobians: usize,
+    pieces: usize,
+}
+
+impl std::fmt::Debug for Equation<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Equation").field("evaluations", &self.evaluations).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Equation<'a> {
+    /// Counts from zero.
+    pub fn new(motion: &'a mut dyn Motion) -> Self {
+        Self { motion, evaluations: 0, jacobians: 0, pieces: 0 }
+    }
+
+    /// Evaluations so far.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations
+    }
+
+    /// Jacobians so far.
+    pub fn jacobians(&self) -> usize {
+        self.jacobians
+    }
+
+    /// Pieces entered so far.
+    pub fn pieces(&self) -> usize {
+        self.pieces
+    }
+
+    /// The moment depends on time.
+    pub fn depends_on_time(&self) -> bool {
+        self.motion.dependence().moment_on_time
+    }
+
+    /// Enters the piece just after `state`, see [`Motion::enter`].
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
+        self.pieces += 1;
+        self.motion.enter(state)
+    }
+
+    /// Acceleration at time `t`, coordinate `q` and speed `w`.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    #[inline]
+    pub fn acceleration(&mut self, t: f64, q: f64, w: f64) -> Result<f64, MotionError> {
+        self.evaluations += 1;
+        self.motion.acceleration(&State { time: t, coordinate: q, speed: w })
+    }
+
+    /// J and Q at a coordinate, for the energy form; counts as one evaluation.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation, or if J is not positive or either is not finite.
+    #[inline]
+    pub fn work(&mut self, state: &State) -> Result<(f64, f64), MotionError> {
+        self.evaluations += 1;
+        let reduced = self.motion.reduced(state)?;
+        reduced.acceleration(state.speed)?;
+        Ok((reduced.inertia, reduced.moment))
+    }
+
+    /// Partial derivatives of the acceleration: from the equation, else by forward differences from
+    /// `acceleration`, its value at `state`.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    pub fn partials(&mut self, state: &State, acceleration: f64) -> Result<Partials, MotionError> {
+        self.jacobians += 1;
+        if let Some(partials) = self.motion.partials(state)? {
+            return Ok(partials);
+        }
+        let State { time: t, coordinate: q, speed: w } = *state;
+        let (dq, dw) = (increment(q), increment(w));
+        let by_coordinate = (self.acceleration(t, q + dq, w)? - acceleration) / dq;
+        let by_speed = (self.acceleration(t, q, w + dw)? - acceleration) / dw;
+        Ok(Partials { by_coordinate, by_speed })
+    }
+
+    /// Largest modulus of the eigenvalues of the equation at a state, 1/s.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    pub fn eigenvalue(&mut self, state: &State) -> Result<f64, MotionError> {
+        let acceleration = self.acceleration(state.time, state.coordinate, state.speed)?;
+        let Partials { by_coordinate, by_speed } = self.partials(state, acceleration)?;
+        let discriminant = by_speed * by_speed + 4.0 * by_coordinate;
+        Ok(if discriminant < 0.0 {
+            (-by_coordinate).sqrt()
+        } else {
+            0.5 * (by_speed.abs() + discriminant.sqrt())
+        })
+    }
+}
+
+/// Increment of a forward difference: half of the digits of the value, which keeps both errors alike. It is made exact
+/// in binary by adding and subtracting.
+fn increment(value: f64) -> f64 {
+    /// Below this size a value counts as this size.
+    const SMALL: f64 = 1e-4;
+    let wanted = f64::EPSILON.sqrt() * value.abs().max(SMALL);
+    (value + wanted) - value
+}

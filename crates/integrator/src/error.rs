@@ -1,0 +1,81 @@
+//! Why an integration failed, and where it was then.
+
+use crate::{MotionError, State};
+
+/// Why there is no trajectory.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum IntegrationError {
+    /// The request itself is impossible.
+    #[error("bad request: {what}")]
+    Request {
+        /// What is wrong and what is allowed.
+        what: String,
+    },
+    /// The method can't treat this equation.
+    #[error("integrator `{integrator}` can't treat this equation: {reason}")]
+    Unsupported {
+        /// Name of the method.
+        integrator: &'static str,
+        /// Why not.
+        reason: String,
+    },
+    /// The accuracy would need steps below what the numbers resolve.
+    #[error("step too small: {step:e} s at {at}; loosen the tolerance, or look for a jump that is not in a table")]
+    StepTooSmall {
+        /// Place reached.
+        at: State,
+        /// The step, s.
+        step: f64,
+    },
+    /// The steps that were allowed are used up.
+    #[error("too many steps: {steps} end at {at}, the step there is {step:e} s{}", stiffness_words(*stiffness))]
+    TooManySteps {
+        /// Place reached.
+        at: State,
+        /// Steps taken, rejected ones included.
+        steps: usize,
+        /// Last step, s.
+        step: f64,
+        /// Step times the largest eigenvalue of the equation; `None` for an implicit method.
+        stiffness: Option<f64>,
+    },
+    /// The equation has no value, however small the step.
+    #[error("the equation of motion failed after {at}: {source}")]
+    Equation {
+        /// Place reached.
+        at: State,
+        /// What failed.
+        source: MotionError,
+    },
+    /// The end that was asked for doesn't come.
+    #[error("{goal} is never reached: the motion got to {at} and {why}")]
+    NotReached {
+        /// The end asked for, in words.
+        goal: String,
+        /// Place reached.
+        at: State,
+        /// What prevents it.
+        why: &'static str,
+    },
+    /// A smooth piece that the equation gave has no states in the direction of motion.
+    #[error("the equation of motion gave an empty piece at {at}: its bounds must lie ahead of the motion")]
+    EmptyPiece {
+        /// Place reached.
+        at: State,
+    },
+}
+
+/// Above this product of step and eigenvalue an explicit method is held by stability, not by accuracy: the
+/// bound of the real axis is 3.3 for dopri5 and 6.1 for dop853, 2.8 for rk4.
+const SUSPICIOUS: f64 = 1.5;
+
+fn stiffness_words(stiffness: Option<f64>) -> String {
+    match stiffness {
+        Some(product) if product > SUSPICIOUS => format!(
+            "; the equation is probably stiff (h*lambda = {product:.2}: stability, not accuracy, holds the step): use `radau5`"
+        ),
+        Some(product) => format!("; it does not look stiff (h*lambda = {product:.2}): allow more steps"),
+        None => String::new(),
+    }
+}

@@ -1,0 +1,55 @@
+//! The first step, and the fixed step where the user gives none.
+
+use crate::{Equation, MotionError, Node, Request, Until};
+
+/// Steps of a motion at a fixed step, where the request doesn't say.
+const FIXED_STEPS: f64 = 1000.0;
+
+/// Time in which a motion goes about as far as `distance`.
+fn time_for(distance: f64, node: &Node) -> f64 {
+    let (w, a) = (node.state.speed.abs(), node.acceleration.abs());
+    // w x + a x²/2 = d, without cancellation.
+    2.0 * distance / (w + (w * w + 2.0 * a * distance).sqrt())
+}
+
+/// The fixed step: as asked, else a thousandth of the duration, which for an end by coordinate or rest is what
+/// uniformly accelerated motion would take.
+pub(crate) fn fixed(request: &Request, node: &Node) -> f64 {
+    if let Some(step) = request.fixed_step {
+        return step;
+    }
+    let start = node.state.time;
+    let duration = match request.until {
+        Until::Time(end) => end - start,
+        Until::Coordinate(target) => time_for((target - node.state.coordinate).abs(), node),
+        Until::Rest if node.state.speed == 0.0 => time_for(1.0, node),
+        Until::Rest => (node.state.speed / node.acceleration).abs(),
+    };
+    let duration = duration.min(request.time_limit - start);
+    if duration.is_finite() { duration / FIXED_STEPS } else { time_for(1.0, node) / FIXED_STEPS }
+}
+
+/// First step of an adaptive method whose error estimate has that order: from the change of the acceleration along a
+/// short trial, so that the local error comes near to the tolerance.
+pub(crate) fn adaptive(
+    equation: &mut Equation<'_>,
+    node: &Node,
+    tolerance: f64,
+    order: f64,
+    longest: f64,
+) -> Result<f64, MotionError> {
+    /// Coordinate that a mechanism goes without changing much, rad (m).
+    const SHORT: f64 = 0.02;
+    let trial = time_for(SHORT, node).min(0.1 * longest);
+    let there = node.advanced(trial);
+    let there = equation.acceleration(there.time, there.coordinate, there.speed);
+    let change = match there {
+        Ok(acceleration) => (acceleration - node.acceleration).abs() / trial,
+        // Out of reach of the mechanism: a short step then.
+        Err(_) => return Ok(1e-3 * trial),
+    };
+    let size = node.acceleration.abs().max(node.state.speed.abs() / trial * 0.1);
+    let time = (size / change).min(50.0 * trial);
+    let time = if time.is_finite() { time } else { 50.0 * trial };
+    Ok((2.0 * time * tolerance.powf(1.0 / order)).min(longest))
+}

@@ -1,0 +1,49 @@
+//! The contract of an integrator, the equation of motion as integrators see it, the driver that they share, and
+//! the registry of plugins.
+//!
+//! The equation is that of a mechanism with one degree of freedom, J(q) w' + J'(q) w²/2 = Q(q, w, t), q' = w (D 3.11).
+//! This crate knows no mechanism, no scene and no concrete method. SI units.
+//!
+//! A method that goes in time steps implements [`Stepper`]: one step, its error and its dense output. [`drive`] does
+//! everything else. Other methods implement [`Integrator`] whole.
+//!
+//! # Existing crates, weighed before this one was written (2026-11)
+//!
+//! | crate | version | license | dense output | events | two states without allocation | verdict |
+//! | --- | --- | --- | --- | --- | --- | --- |
+//! | `ode_solvers` | 0.6.2 | Apache-2.0 | dopri5, dop853: equidistant only | none but a stop condition | states yes, but `integrate` allocates its stages | no: no implicit method, no failing equation, plain control in dop853, whose table holds c12 = 0 instead of 1 (a moment M(t) is taken at a wrong time) |
+//! | `diffsol` | 0.18.0 | MIT | yes | one root function, stop and restart | no: heap vectors and matrices (nalgebra, faer) | no: made for large stiff systems (BDF, SDIRK), brings faer and a compiler of equations; a yardstick |
+//! | `differential-equations` | 0.7.0 | Apache-2.0 | yes | yes, by sign change over accepted steps | explicit methods yes, radau5 allocates at start | the nearest; no: an event is found after a step whose stages have already crossed the jump, and the equation can't fail |
+//!
+//! What decides is not the formulas but the steps: a mechanism's equation consists of smooth pieces (rows of tables, stroke
+//! direction, dry friction), no step may have a jump inside, the speed zero asks which side accepts the motion, and a
+//! position may not exist. None of the three has a notion of a piece that a trial step may leave smoothly. So the
+//! methods are ours, with the published coefficients, and the order conditions are tests.
+
+mod choose;
+mod control;
+mod crossing;
+mod dense;
+mod driver;
+mod entry;
+mod equation;
+mod error;
+mod first_step;
+mod motion;
+mod plugin;
+mod recorder;
+mod request;
+mod stepper;
+
+pub use choose::{Choice, choose};
+pub use control::{Control, Scale};
+pub use dense::{COEFFICIENTS, Dense, cubic};
+pub use driver::drive;
+pub use entry::{Entered, enter};
+pub use equation::Equation;
+pub use error::IntegrationError;
+pub use inventory;
+pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
+pub use plugin::{IntegratorPlugin, RegistryError, find, integrators};
+pub use request::{Event, EventKind, Integrator, Request, Sample, Statistics, Trajectory, Until};
+pub use stepper::{Attempt, Node, Pace, Stepper};

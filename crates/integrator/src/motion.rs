@@ -1,0 +1,209 @@
+//! The equation of motion as an integrator sees it: J(q) w' + J'(q) w²/2 = Q(q, w, t), q' = w (D 3.11).
+
+use std::error::Error;
+use std::sync::Arc;
+
+/// What the reduced inertia J and the reduced moment Q depend on: D's classification (D 3.21).
+///
+/// A dependence on the *sign* of the speed alone (dry friction, loads against the motion) does not count as a
+/// dependence on the speed: inside a [`Piece`] bounded by w = 0 it is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "four independent questions that D asks of the equation")]
+pub struct Dependence {
+    /// J does not depend on the coordinate.
+    pub inertia_constant: bool,
+    /// Q depends on the coordinate.
+    pub moment_on_coordinate: bool,
+    /// Q depends on the size of the speed.
+    pub moment_on_speed: bool,
+    /// Q depends on time.
+    pub moment_on_time: bool,
+}
+
+impl Dependence {
+    /// D's case, 1 to 5 (D 3.21): 1 J and M constant; 2 J constant, M of one variable; 3 J(q), M(q) or constant;
+    /// 4 J constant, M of several variables; 5 everything else.
+    pub fn case(&self) -> u8 {
+        let variables = usize::from(self.moment_on_coordinate)
+            + usize::from(self.moment_on_speed)
+            + usize::from(self.moment_on_time);
+        match (self.inertia_constant, variables) {
+            (true, 0) => 1,
+            (true, 1) => 2,
+            (true, _) => 4,
+            (false, _) if self.moment_on_speed || self.moment_on_time => 5,
+            (false, _) => 3,
+        }
+    }
+
+    /// The kinetic energy follows from the work along the coordinate alone (E eq. 1 is one quadrature).
+    pub fn is_work_of_coordinate(&self) -> bool {
+        !self.moment_on_speed && !self.moment_on_time
+    }
+
+    /// The case in words, as `J(q), M(q, w)`.
+    pub fn words(&self) -> String {
+        let inertia = if self.inertia_constant { "J constant" } else { "J(q)" };
+        let names: Vec<&str> =
+            [(self.moment_on_coordinate, "q"), (self.moment_on_speed, "w"), (self.moment_on_time, "t")]
+                .iter()
+                .filter_map(|(depends, name)| depends.then_some(*name))
+                .collect();
+        match names.as_slice() {
+            [] => format!("{inertia}, M constant"),
+            names => format!("{inertia}, M({})", names.join(", ")),
+        }
+    }
+}
+
+/// A state of the motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct State {
+    /// Time t, s.
+    pub time: f64,
+    /// Input coordinate q, rad (m for a sliding input).
+    pub coordinate: f64,
+    /// Input speed w = dq/dt, rad/s (m/s).
+    pub speed: f64,
+}
+
+impl std::fmt::Display for State {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "t = {:.9} s, q = {:.9}, w = {:.9}", self.time, self.coordinate, self.speed)
+    }
+}
+
+/// The coefficients of the equation at one state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reduced {
+    /// J, kg m² (kg). Positive.
+    pub inertia: f64,
+    /// dJ/dq, kg m²/rad (kg/m).
+    pub inertia_derivative: f64,
+    /// Q, N m (N), positive along the coordinate.
+    pub moment: f64,
+}
+
+impl Reduced {
+    /// Acceleration e = (Q - J' w²/2)/J (D 3.11), rad/s².
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError::Inertia`] if J is not positive; [`MotionError::NotFinite`] if the result is no number.
+    #[inline]
+    pub fn acceleration(&self, speed: f64) -> Result<f64, MotionError> {
+        if self.inertia <= 0.0 {
+            return Err(MotionError::Inertia { inertia: self.inertia });
+        }
+        let acceleration = (self.moment - 0.5 * self.inertia_derivative * speed * speed) / self.inertia;
+        if acceleration.is_finite() { Ok(acceleration) } else { Err(MotionError::NotFinite { acceleration }) }
+    }
+}
+
+/// Partial derivatives of the acceleration, for implicit methods.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Partials {
+    /// de/dq, 1/s².
+    pub by_coordinate: f64,
+    /// de/dw, 1/s.
+    pub by_speed: f64,
+}
+
+/// The box of states in which the equation is one smooth formula: between the rows of tables, while the stroke
+/// keeps its direction, inside or outside a contact. Infinite where unbounded.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// Bounds of the coordinate, rad (m).
+    pub coordinate: [f64; 2],
+    /// Bounds of the speed, rad/s (m/s).
+    pub speed: [f64; 2],
+    /// Bounds of the time, s.
+    pub time: [f64; 2],
+}
+
+impl Piece {
+    /// No bounds: one formula everywhere.
+    pub const UNBOUNDED: Self = Self {
+        coordinate: [f64::NEG_INFINITY, f64::INFINITY],
+        speed: [f64::NEG_INFINITY, f64::INFINITY],
+        time: [f64::NEG_INFINITY, f64::INFINITY],
+    };
+}
+
+/// The equation of motion of a mechanism with one degree of freedom.
+///
+/// Required: what it depends on, its pieces, its coefficients.
+pub trait Motion {
+    /// What J and Q depend on, over all pieces.
+    fn dependence(&self) -> Dependence;
+
+    /// Chooses the smooth piece that holds the states just after `state` in the direction of motion, and returns
+    /// its bounds. Later calls of [`reduced`](Self::reduced) use the formulas of that piece, continued
+    /// smoothly beyond its bounds (a step tries states outside), until the next `enter`.
+    ///
+    /// The direction along the coordinate is the sign of the speed. The driver never asks at rest: it asks on
+    /// both sides, with the least positive and negative speed, and takes the side whose acceleration points
+    /// that way; neither means that the mechanism stays where it is (dry friction). The same at
+    /// a bound of speed. A bound that is a jump must be given as a bound of the piece; a mere kink should be.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if the state is impossible.
+    fn enter(&mut self, state: &State) -> Result<Piece, MotionError>;
+
+    /// J, dJ/dq and Q at `state`.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if the mechanism has no such position.
+    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
+
+    /// Acceleration e at `state`, rad/s² (m/s²). Follows from [`reduced`](Self::reduced).
+    ///
+    /// # Errors
+    ///
+    /// As [`reduced`](Self::reduced) and [`Reduced::acceleration`].
+    #[inline]
+    fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
+        self.reduced(state)?.acceleration(state.speed)
+    }
+
+    /// Partial derivatives of the acceleration where the equation knows them; `None` (the default): an implicit method takes
+    /// differences.
+    ///
+    /// # Errors
+    ///
+    /// As [`reduced`](Self::reduced).
+    fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {
+        let _ = state;
+        Ok(None)
+    }
+}
+
+/// Why the equation has no value at a state.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// The reduced inertia is zero or negative.
+    #[error("the reduced inertia is {inertia:e}: it must be positive (give some moving link a mass)")]
+    Inertia {
+        /// The reduced inertia, kg m².
+        inertia: f64,
+    },
+    /// The acceleration is not a number.
+    #[error("the acceleration is {acceleration}")]
+    NotFinite {
+        /// What came out.
+        acceleration: f64,
+    },
+    /// The mechanism behind the equation failed: no assembly, singular position.
+    #[error("{0}")]
+    Mechanism(Arc<dyn Error + Send + Sync>),
+}
+
+impl MotionError {
+    /// Wraps an error of the layer that holds the mechanism.
+    pub fn mechanism(error: impl Error + Send + Sync + 'static) -> Self {
+        Self::Mechanism(Arc::new(error))
+    }
+}

@@ -1,0 +1,185 @@
+//! What is asked of an integrator, and what it answers.
+
+use crate::{Dependence, IntegrationError, State};
+
+/// When the motion ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Until {
+    /// At this time, s (absolute, as [`State::time`]).
+    Time(f64),
+    /// At this coordinate, rad or m (absolute, as [`State::coordinate`]), from whichever side it is reached.
+    Coordinate(f64),
+    /// At the first instant of zero speed after the start (a reversal is one).
+    Rest,
+}
+
+/// What is asked: from where, until when, how exactly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Initial state.
+    pub initial: State,
+    /// When the motion ends.
+    pub until: Until,
+    /// Equally spaced output instants after the first. At least 1.
+    pub samples: usize,
+    /// Wanted relative accuracy of speed and travelled coordinate; methods at a fixed step ignore it.
+    pub tolerance: f64,
+    /// Most steps, accepted and rejected.
+    pub max_steps: usize,
+    /// Step of `uniform` and `rk4`, s. `None`: a thousandth of the (estimated) duration.
+    pub fixed_step: Option<f64>,
+    /// Latest time, s, for an end by coordinate or rest: past it the answer is an error. May be infinite.
+    pub time_limit: f64,
+}
+
+impl Request {
+    /// A request with the defaults: 100 samples, tolerance 1e-9, 100 000 steps, no limit of time.
+    pub fn new(initial: State, until: Until) -> Self {
+        Self {
+            initial,
+            until,
+            samples: 100,
+            tolerance: 1e-9,
+            max_steps: 100_000,
+            fixed_step: None,
+            time_limit: f64::INFINITY,
+        }
+    }
+
+    /// Refuses what no method could answer.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::Request`] with what is wrong and what is allowed.
+    pub fn check(&self) -> Result<(), IntegrationError> {
+        let State { time, coordinate, speed } = self.initial;
+        let refuse = |what: String| Err(IntegrationError::Request { what });
+        if !(time.is_finite() && coordinate.is_finite() && speed.is_finite()) {
+            return refuse(format!("the initial state ({}) is not finite", self.initial));
+        }
+        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
+            return refuse(format!("tolerance {:e}: must lie between 0 and 1", self.tolerance));
+        }
+        if self.samples == 0 || self.max_steps == 0 {
+            return refuse("samples and max_steps must be at least 1".to_owned());
+        }
+        if let Some(step) = self.fixed_step.filter(|step| !(*step > 0.0 && step.is_finite())) {
+            return refuse(format!("fixed step {step:e} s: must be positive"));
+        }
+        match self.until {
+            Until::Time(end) if !(end > time && end.is_finite()) => {
+                refuse(format!("end at {end} s: must be after the start at {time} s"))
+            }
+            Until::Coordinate(end) if !end.is_finite() => refuse(format!("end at coordinate {end}")),
+            _ if self.time_limit.is_nan() || self.time_limit <= time => {
+                refuse(format!("time limit {} s: must be after the start at {time} s", self.time_limit))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The time that no step may pass: the end, where it is a time, else the limit.
+    pub fn latest(&self) -> f64 {
+        match self.until {
+            Until::Time(end) => end,
+            Until::Coordinate(_) | Until::Rest => self.time_limit,
+        }
+    }
+}
+
+/// The motion at one output instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sample {
+    /// Time, s.
+    pub time: f64,
+    /// Coordinate, rad (m).
+    pub coordinate: f64,
+    /// Speed, rad/s (m/s).
+    pub speed: f64,
+    /// Acceleration from the equation itself, rad/s² (m/s²); at a jump, its value before the jump.
+    pub acceleration: f64,
+}
+
+/// What happened at an instant between smooth stretches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EventKind {
+    /// A bound of a piece along the coordinate was reached: a row of a table, a contact.
+    Coordinate,
+    /// A bound of a piece in speed other than zero was reached.
+    Speed,
+    /// A bound of a piece in time was reached.
+    Time,
+    /// The speed passed through zero and changed its sign.
+    Reversal,
+    /// The speed became zero and stays zero: nothing can restart the motion, or not yet.
+    Rest,
+    /// The speed stays at a jump of the moment over speed: each side drives it back to it.
+    Held,
+    /// A motion that rested or was held goes on.
+    Release,
+}
+
+/// An event and the state at which it happened.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// State at the event.
+    pub state: State,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// What the solution cost.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Statistics {
+    /// Accepted steps (panels, for the energy form).
+    pub steps: usize,
+    /// Rejected steps, and steps redone to land on an event.
+    pub rejected: usize,
+    /// Evaluations of the equation, those for samples, events and Jacobians included.
+    pub evaluations: usize,
+    /// Jacobians of an implicit method.
+    pub jacobians: usize,
+    /// Smooth pieces entered.
+    pub pieces: usize,
+    /// Step times the largest eigenvalue of the equation, at the end of a run that took more than a thousand
+    /// steps; an explicit method is slow by stiffness where it lies near 3 or above.
+    pub stiffness: Option<f64>,
+}
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Trajectory {
+    /// The initial instant and `samples` equally spaced ones after it, the last at the end.
+    pub samples: Vec<Sample>,
+    /// What happened between, in order of time.
+    pub events: Vec<Event>,
+    /// What it cost.
+    pub statistics: Statistics,
+    /// The state in which the motion ended.
+    pub end: State,
+}
+
+/// A method for the equation of motion.
+pub trait Integrator: std::fmt::Debug + Send + Sync {
+    /// The name it is registered under.
+    fn name(&self) -> &'static str;
+
+    /// Whether the method can treat such an equation.
+    ///
+    /// # Errors
+    ///
+    /// Why not, as a sentence.
+    fn supports(&self, dependence: &Dependence) -> Result<(), String>;
+
+    /// Solves the equation from the initial state to the end.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError`] with the place that was reached.
+    fn solve(
+        &self,
+        motion: &mut dyn crate::Motion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError>;
+}

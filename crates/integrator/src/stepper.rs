@@ -1,0 +1,91 @@
+//! What a one-step method must give to the driver.
+
+use crate::{Control, Dense, Equation, MotionError, Scale, State};
+
+/// A state and the acceleration there.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Node {
+    /// State.
+    pub state: State,
+    /// Acceleration by the formulas of the present piece, rad/s² (m/s²).
+    pub acceleration: f64,
+}
+
+impl Node {
+    /// Where uniformly accelerated motion leads in `step` seconds.
+    pub fn advanced(&self, step: f64) -> State {
+        let State { time, coordinate, speed } = self.state;
+        State {
+            time: time + step,
+            coordinate: coordinate + step * (speed + 0.5 * step * self.acceleration),
+            speed: speed + step * self.acceleration,
+        }
+    }
+}
+
+/// Who decides the length of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pace {
+    /// The request: a fixed step.
+    Fixed,
+    /// The error estimate.
+    Adaptive(Control),
+    /// Nobody: a step is exact however long.
+    Unlimited,
+}
+
+/// A tried step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attempt {
+    /// State at the end of the step.
+    pub end: State,
+    /// Estimated error over the tolerance (1 is just right); infinite if the step could not be made.
+    pub error: f64,
+}
+
+/// A one-step method. The driver does the rest: pieces, events, ends, samples, size of steps.
+///
+/// The order of calls for a step: [`attempt`](Self::attempt); if its error passes, [`finish`](Self::finish);
+/// then, only where a sample or an event needs the inside of the step, [`dense`](Self::dense).
+pub trait Stepper {
+    /// A step is a parabola in time, and its dense output is exact at each instant.
+    const PARABOLIC: bool = false;
+
+    /// The method is implicit: stiffness does not slow it down.
+    const IMPLICIT: bool = false;
+
+    /// Who decides the length of a step.
+    fn pace(&self) -> Pace;
+
+    /// Tries a step of `h` seconds from `from`.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if the equation fails at a stage; the driver tries a shorter step.
+    fn attempt(
+        &mut self,
+        equation: &mut Equation<'_>,
+        from: &Node,
+        h: f64,
+        scale: &Scale,
+    ) -> Result<Attempt, MotionError>;
+
+    /// Acceleration at the end of the last attempt.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if the equation fails there.
+    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError>;
+
+    /// The inside of the last step, from `from` to `to`.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if an extra stage fails.
+    fn dense(
+        &mut self,
+        equation: &mut Equation<'_>,
+        from: &Node,
+        to: &Node,
+    ) -> Result<Dense, MotionError>;
+}
