@@ -45,7 +45,7 @@ fn starting_torque_is_the_printed_one_if_there_is_one() {
 fn root_mean_square_of_a_shaping_cycle() {
     // 3 N m for 1 s, -4 N m for 1 s: sqrt((9 + 16)/2)
     assert_relative_eq!(rms_torque([(3.0, 1.0), (-4.0, 1.0)]), 12.5f64.sqrt(), max_relative = 1e-15);
-    assert_relative_eq!(rms_torque([(6.0, 1.0), (0.0, 3.0)]), 3.0, max_relative = 1e-15);
+    assert_relative_eq!(rms_torque([(6.0, 2.0), (0.0, 6.0)]), 3.0, max_relative = 1e-15);
     assert_eq!(rms_torque([]), 0.0);
     let c = kloss();
     assert_eq!(check_rms(&c, c.rated_torque()), None);
