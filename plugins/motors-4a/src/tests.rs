@@ -41,7 +41,7 @@ fn every_row_is_found_by_each_way_of_writing_it() {
 
 #[test]
 fn the_motor_of_the_scene_format() {
-    // The type and rating that the scene format names as its example.
+    // The type that the scene format takes as its example; the rating is that of the table.
     for text in ["4A100L4", "4А100L4", "4А100L4У3", "4a 100l4 y3"] {
         let motor = find_motor(Some("4A"), text).unwrap();
         assert_eq!((motor.rated_power, motor.poles), (4000.0, 4));
