@@ -4,3 +4,6 @@
 //! `use assur_all as _;`.
 
 use assur_group_rrr as _;
+use assur_motors_4a as _;
+use assur_motors_air as _;
+use assur_motors_iec as _;
