@@ -31,6 +31,7 @@ mod error;
 mod first_step;
 mod motion;
 mod plugin;
+pub mod problems;
 mod recorder;
 mod request;
 mod stepper;
