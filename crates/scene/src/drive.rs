@@ -74,11 +74,9 @@ fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
             entry.fault("the flywheel is on the motor, and the drive has none", "flywheel_on = \"crank\"");
         }
     }
-    if section.get("flywheel").is_none() {
-        if let Some(entry) = section.get("flywheel_on") {
-            let fault = Fault::new(entry.key, "`flywheel_on` without `flywheel`");
-            section.faults.push(fault.label("add `flywheel = \"solve\"` or a moment of inertia"));
-        }
+    if let (None, Some(entry)) = (section.get("flywheel"), section.get("flywheel_on")) {
+        let fault = Fault::new(entry.key, "`flywheel_on` without `flywheel`");
+        section.faults.push(fault.label("add `flywheel = \"solve\"` or a moment of inertia"));
     }
     if context.coordinate() == Some(Dimension::Length) {
         for entry in ["motor", "flywheel"].iter().filter_map(|key| section.get(key)) {
@@ -195,10 +193,10 @@ fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
     let power = need("power", Dimension::Power);
     let synchronous = need("synchronous_speed", Dimension::AngularSpeed);
     let rated = need("rated_speed", Dimension::AngularSpeed);
-    if let (Some(synchronous), Some(rated), Some(entry)) = (synchronous, rated, section.get("rated_speed")) {
-        if rated >= synchronous {
-            entry.fault("`rated_speed` must be less than `synchronous_speed`", "an asynchronous motor slips");
-        }
+    if let (Some(synchronous), Some(rated), Some(entry)) = (synchronous, rated, section.get("rated_speed"))
+        && rated >= synchronous
+    {
+        entry.fault("`rated_speed` must be less than `synchronous_speed`", "an asynchronous motor slips");
     }
     let breakdown = section.get("max_torque_ratio").and_then(|entry| {
         let value = entry.bounded(Dimension::Number, Bound::Any)?;

@@ -3,7 +3,7 @@
 use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring};
 
 use crate::context::Context;
-use crate::linkage::pair;
+use crate::linkage::{Linkage, pair};
 use crate::names::LoadNames;
 use crate::numbers::Bound;
 use crate::text::{row, shown};
@@ -69,11 +69,11 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         return linkage.points[id].places.first().map(|place| (id, *place));
     };
     let Some(link) = linkage.links.iter().position(|known| known.name == link) else {
-        linkage.unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
+        Linkage::unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
         return None;
     };
     let Some(id) = linkage.point_named(point) else {
-        linkage.unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
+        Linkage::unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
         return None;
     };
     let places = &linkage.points[id].places;

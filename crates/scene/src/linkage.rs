@@ -21,7 +21,7 @@ impl Linkage {
         let name = entry.text("the name of a link")?;
         let found = self.links.iter().position(|link| link.name == name);
         if found.is_none() {
-            self.unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
+            Self::unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
         }
         found
     }
@@ -41,7 +41,7 @@ impl Linkage {
         let name = entry.text("the name of a point")?;
         let found = self.point_named(name);
         if found.is_none() {
-            self.unknown(entry, "point", name, self.points.iter().map(|point| point.name.as_str()));
+            Self::unknown(entry, "point", name, self.points.iter().map(|point| point.name.as_str()));
         }
         found
     }
@@ -53,7 +53,6 @@ impl Linkage {
 
     /// Notes an unknown name, with the nearest known one.
     pub(crate) fn unknown<'n>(
-        &self,
         entry: &Entry<'_>,
         what: &str,
         name: &str,

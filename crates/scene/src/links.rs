@@ -16,16 +16,14 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
     linkage.links.push(massless("ground"));
     let mut firsts = vec![[0.0; 2]];
-    if let Some(ground) = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS)) {
-        if let Some(points) = ground.get("points") {
-            firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
-        }
+    let ground = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS));
+    if let Some(points) = ground.and_then(|ground| ground.get("points")) {
+        firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }
-    let links = root
-        .get("link")
-        .map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"))
-        .unwrap_or_default();
-    if links.is_empty() {
+    let entry = root.get("link");
+    let links = entry.as_ref().map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"));
+    let links = links.unwrap_or_default();
+    if links.is_empty() && entry.is_none_or(|entry| entry.value.is_table()) {
         root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
     }
     // All the points before the masses: a center may be named by a point.

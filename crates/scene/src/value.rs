@@ -66,15 +66,12 @@ pub(crate) fn read(
 /// What the table is over; where that is not said, the keys are checked against all.
 fn kind(entry: &Entry<'_>) -> Option<Kind> {
     let mut over = entry.named("a table", "").into_iter().filter(|key| key.name == "over");
-    match over.next() {
-        Some(over) => over.choice(OVER),
-        None => {
-            entry
-                .section("a table of a load", ALL_KEYS)?
-                .missing("over", "over = \"angle\", \"time\", \"speed\" or \"stroke\"");
-            None
-        }
+    if let Some(over) = over.next() {
+        return over.choice(OVER);
     }
+    let section = entry.section("a table of a load", ALL_KEYS)?;
+    section.missing("over", "over = \"angle\", \"time\", \"speed\" or \"stroke\"");
+    None
 }
 
 fn plain(
@@ -147,8 +144,8 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
     }
     let rows = rows(entry, Dimension::Number, dimension)?;
     let ends = [rows.first(), rows.last()];
-    if let Some(outside) = ends.into_iter().flatten().find(|row| !(0.0..=1.0).contains(&row[0])) {
-        entry.fault(format!("`{}` has a row at {}: a stroke runs from 0 to 1", entry.name, outside[0]), "");
+    if let Some([at, _]) = ends.into_iter().flatten().find(|row| !(0.0..=1.0).contains(&row[0])) {
+        entry.fault(format!("`{}` has a row at {at}: a stroke runs from 0 to 1", entry.name), "");
         return None;
     }
     Some(Table { rows, shape })

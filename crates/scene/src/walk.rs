@@ -113,13 +113,11 @@ impl<'a> Entry<'a> {
 
     /// A table whose keys are names of the user's.
     pub(crate) fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
-        match self.value {
-            DeValue::Table(table) => entries(table, self.faults),
-            _ => {
-                self.wrong(wanted, label);
-                Vec::new()
-            }
+        if let DeValue::Table(table) = self.value {
+            return entries(table, self.faults);
         }
+        self.wrong(wanted, label);
+        Vec::new()
     }
 
     /// A table with these keys.

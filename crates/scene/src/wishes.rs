@@ -23,7 +23,12 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [
 fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
     let Some(id) = linkage.point_named(&hint.name) else {
         let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
-        linkage.unknown(&at_key, "point", &hint.name, linkage.points.iter().map(|point| point.name.as_str()));
+        Linkage::unknown(
+            &at_key,
+            "point",
+            &hint.name,
+            linkage.points.iter().map(|point| point.name.as_str()),
+        );
         return None;
     };
     if linkage.points[id].places.iter().any(|place| place.link == GROUND) {
@@ -77,7 +82,7 @@ fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
     let name = entry.text("the name of a slide")?;
     let found = linkage.slides.iter().position(|slide| slide.name == name);
     if found.is_none() {
-        linkage.unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
+        Linkage::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
     }
     found
 }
@@ -97,7 +102,7 @@ fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
         }
         None => {
             let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
-            linkage.unknown(entry, "pin or slide", name, pins.chain(slides));
+            Linkage::unknown(entry, "pin or slide", name, pins.chain(slides));
             None
         }
     }
