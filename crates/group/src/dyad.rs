@@ -1,6 +1,6 @@
 //! A group of class II as its closed forms want it: every pair read from the link of the group.
 
-use crate::{GroupFrame, Pair, PairGeometry};
+use crate::{BuildError, GroupFrame, Pair, PairGeometry};
 
 /// Two links, three pairs, in the order outer - inner - outer.
 ///
@@ -95,6 +95,19 @@ impl Dyad {
         }
         let reversed = dyad.reversed();
         reversed.is(slides).then_some(reversed)
+    }
+
+    /// As [`of_pattern`](Self::of_pattern), for the builder of a kind.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] where the group has another pattern.
+    pub fn built(frame: &GroupFrame, slides: [bool; 3]) -> Result<Self, BuildError> {
+        let fault = || {
+            let letters = slides.map(|slide| if slide { 'P' } else { 'R' });
+            BuildError::new(format!("the pairs are not {}-{}-{}", letters[0], letters[1], letters[2]))
+        };
+        Self::of_pattern(frame, slides).ok_or_else(fault)
     }
 }
 

@@ -43,7 +43,11 @@ impl GroupError {
     #[inline]
     pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
         let least = health.least();
-        if least >= LEAST_HEALTH { Ok(()) } else { Err(Self::Singular { health: least }) }
+        if least >= LEAST_HEALTH.max(4.0 * T::EPSILON) {
+            Ok(())
+        } else {
+            Err(Self::Singular { health: least })
+        }
     }
 
     /// Refuses a result that is no number, in any lane.

@@ -3,7 +3,7 @@
 use assur_number::Real;
 
 use crate::plane::{cross, direction, minus, opposite, times, vector};
-use crate::{Body, Pair, PairGeometry, Wrench};
+use crate::{Body, BuildError, Pair, PairGeometry, Wrench};
 
 /// A pin seen from a link of the group.
 #[derive(Debug, Clone, Copy)]
@@ -21,13 +21,19 @@ pub struct PinJoint<T> {
 }
 
 impl<T: Real> PinJoint<T> {
-    /// The pair as a pin seen from its body `a`; `None` for a slide.
-    pub fn new(seen: &Pair, turned: bool) -> Option<Self> {
+    /// The pair as a pin seen from its body `a`.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for a slide.
+    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
         match seen.geometry {
             PairGeometry::Pin { at_a, at_b } => {
-                Some(Self { id: seen.id, body: seen.b, own: vector(at_a), at: vector(at_b), turned })
+                Ok(Self { id: seen.id, body: seen.b, own: vector(at_a), at: vector(at_b), turned })
             }
-            PairGeometry::Slide { .. } => None,
+            PairGeometry::Slide { .. } => {
+                Err(BuildError::new(format!("pair {} is a slide, not a pin", seen.id)))
+            }
         }
     }
 
@@ -76,11 +82,17 @@ pub struct SlideJoint<T> {
 }
 
 impl<T: Real> SlideJoint<T> {
-    /// The pair as a slide seen from its body `a`; `None` for a pin.
-    pub fn new(seen: &Pair, turned: bool) -> Option<Self> {
-        let PairGeometry::Slide { point, through, angle, tilt } = seen.geometry else { return None };
+    /// The pair as a slide seen from its body `a`.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for a pin.
+    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
+        let PairGeometry::Slide { point, through, angle, tilt } = seen.geometry else {
+            return Err(BuildError::new(format!("pair {} is a pin, not a slide", seen.id)));
+        };
         let (along, tilt) = (direction(angle), direction(tilt));
-        Some(Self {
+        Ok(Self {
             id: seen.id,
             link: seen.a,
             body: seen.b,

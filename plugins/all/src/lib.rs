@@ -3,6 +3,10 @@
 //! `inventory` drops, without a word, a crate that no code names; so every program and test that wants plugins says
 //! `use assur_all as _;`.
 
+use assur_group_prp as _;
+use assur_group_rpp as _;
+use assur_group_rpr as _;
+use assur_group_rrp as _;
 use assur_group_rrr as _;
 use assur_motors_4a as _;
 use assur_motors_air as _;

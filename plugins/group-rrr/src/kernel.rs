@@ -53,11 +53,10 @@ impl<T: Real> Rrr<T> {
     ///
     /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins lie in one place.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad =
-            Dyad::of_pattern(frame, SLIDES).ok_or_else(|| BuildError::new("the pairs are not R-R-R"))?;
-        let pin = |pair, turned| PinJoint::<T>::new(pair, turned).ok_or_else(|| BuildError::new("not a pin"));
-        let ends = [pin(&dyad.first, dyad.turned[0])?, pin(&dyad.second, dyad.turned[2])?];
-        let inner = pin(&dyad.inner, dyad.turned[1])?;
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let ends =
+            [PinJoint::<T>::new(&dyad.first, dyad.turned[0])?, PinJoint::new(&dyad.second, dyad.turned[2])?];
+        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
         let rods = [minus(inner.own, ends[0].own), minus(inner.at, ends[1].own)];
         let squares = rods.map(|rod| dot(rod, rod));
         let [l1, l2] = squares.map(Real::sqrt);
@@ -135,8 +134,8 @@ impl<T: Real> Rrr<T> {
         if open {
             GroupError::NoAssembly { gap_m: too_far.max(too_near) }
         } else {
-            // Equal links folded upon each other may point anywhere.
-            GroupError::Singular { health: square.least() * 0.0 }
+            // Equal links folded upon each other may point anywhere; or a number is NaN.
+            GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
         }
     }
 

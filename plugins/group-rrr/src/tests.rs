@@ -24,6 +24,11 @@ fn close(a: f64, b: f64) -> bool {
 }
 
 #[test]
+fn passes_the_conformance_suite() {
+    assur_testkit::conformance("rrr");
+}
+
+#[test]
 fn triangle_3_4_5() {
     let group = Rrr::new(&frame(3.0, 4.0)).unwrap();
     let mut bodies = bodies();

@@ -1,0 +1,118 @@
+//! One sample with the kernel that is held to it.
+
+use assur_group::{AssurGroup, Body, GroupError, GroupPlugin, Number, Order, PairGeometry, kernel_of};
+use assur_number::Real;
+
+use crate::Sample;
+
+/// What a kind did wrong.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{check} (seed {seed}): {what}")]
+pub struct Fault {
+    /// The check.
+    pub check: &'static str,
+    /// The sample.
+    pub seed: u64,
+    /// The numbers.
+    pub what: String,
+}
+
+/// A sample and the kernel of it in f64.
+#[derive(Debug)]
+pub struct Case {
+    /// The kind.
+    pub plugin: &'static GroupPlugin,
+    /// The group.
+    pub sample: Sample,
+    /// Its kernel.
+    pub kernel: Box<dyn AssurGroup>,
+    /// For the message.
+    pub seed: u64,
+}
+
+impl Case {
+    /// Builds the kernel.
+    ///
+    /// # Errors
+    ///
+    /// [`Fault`] where the kind refuses the group.
+    pub fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
+        let fault = |what| Fault { check: "build", seed, what };
+        if !(plugin.matches)(&sample.frame) {
+            return Err(fault("does not match a group of its own kind".into()));
+        }
+        let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;
+        Ok(Self { plugin, sample, kernel, seed })
+    }
+
+    /// A fault of this case.
+    pub(crate) fn fault(&self, check: &'static str, what: impl Into<String>) -> Fault {
+        Fault { check, seed: self.seed, what: what.into() }
+    }
+
+    /// A failed call as a fault.
+    pub(crate) fn called<R>(&self, check: &'static str, result: Result<R, GroupError>) -> Result<R, Fault> {
+        result.map_err(|error| self.fault(check, error.to_string()))
+    }
+
+    /// Requires |difference| <= limit; a NaN fails.
+    pub(crate) fn within(
+        &self,
+        check: &'static str,
+        what: &str,
+        difference: f64,
+        limit: f64,
+    ) -> Result<(), Fault> {
+        if difference.abs() <= limit {
+            return Ok(());
+        }
+        Err(self.fault(check, format!("{what} differs by {difference:.3e}, allowed {limit:.1e}")))
+    }
+
+    /// The kernel in another number.
+    pub(crate) fn kernel_in<T: Number>(&self) -> Result<Box<dyn AssurGroup<T>>, Fault> {
+        kernel_of::<T>(self.plugin, &self.sample.frame)
+            .map_err(|error| self.fault("build", error.to_string()))
+    }
+
+    /// All bodies at q, solved in this way.
+    pub(crate) fn solved<T: Number>(
+        &self,
+        kernel: &dyn AssurGroup<T>,
+        q: T,
+        way: usize,
+    ) -> Result<Vec<Body<T>>, GroupError> {
+        let mut bodies = self.sample.bodies(q);
+        kernel.place(&mut bodies, way)?;
+        kernel.derive(&mut bodies, Order::Second)?;
+        Ok(bodies)
+    }
+
+    /// Greatest violation of a pair: lengths in m, angles as sines.
+    pub(crate) fn residual<T: Real>(&self, bodies: &[Body<T>]) -> f64 {
+        let vector = |of: [f64; 2]| of.map(T::from_f64);
+        let mut worst = 0.0_f64;
+        for pair in self.sample.frame.pairs() {
+            let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
+            let (one, two) = match pair.geometry {
+                PairGeometry::Pin { at_a, at_b } => {
+                    let (p, q) = (a.point(vector(at_a)), b.point(vector(at_b)));
+                    (p[0] - q[0], p[1] - q[1])
+                }
+                PairGeometry::Slide { point, through, angle, tilt } => {
+                    let (p, q) = (a.point(vector(point)), b.point(vector(through)));
+                    let (s, c) = T::from_f64(angle).sin_cos();
+                    let t = b.turned([c, s]);
+                    let (s, c) = (T::from_f64(angle) + T::from_f64(tilt)).sin_cos();
+                    let x = b.turned([c, s]);
+                    (t[0] * (p[1] - q[1]) - t[1] * (p[0] - q[0]), x[0] * a.s - x[1] * a.c)
+                }
+            };
+            for part in [one, two] {
+                let size = part.abs().greatest();
+                worst = if size.is_nan() { f64::INFINITY } else { worst.max(size) };
+            }
+        }
+        worst
+    }
+}

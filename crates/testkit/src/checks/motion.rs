@@ -1,0 +1,81 @@
+//! Derivatives.
+
+use assur_group::{Body, Order, derive_generally};
+use assur_number::{Dd, Real};
+
+use crate::{Case, Fault};
+
+/// Step of the differences in 32 digits: truncation 1e-20, rounding 1e-22.
+const STEP: f64 = 1e-10;
+
+/// PF1 and PF2 of a body.
+fn derivatives(body: &Body<f64>) -> [[f64; 3]; 2] {
+    [[body.x1, body.y1, body.w1], [body.x2, body.y2, body.w2]]
+}
+
+/// Greatest difference of PF1 and of PF2 of the group's links, each relative to its greatest size (at least 1).
+pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> [f64; 2] {
+    [0, 1].map(|order| {
+        let (mut worst, mut size) = (0.0_f64, 1.0_f64);
+        for &i in &case.sample.frame.links {
+            let (a, b) = (derivatives(&one[i])[order], derivatives(&two[i])[order]);
+            for (a, b) in a.into_iter().zip(b) {
+                worst = if (a - b).is_nan() { f64::INFINITY } else { worst.max((a - b).abs()) };
+                size = size.max(b.abs());
+            }
+        }
+        worst / size
+    })
+}
+
+pub(crate) fn agrees_with_the_general_solution(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
+    let closed = case.called("derive", case.solved(&*case.kernel, 0.0, way))?;
+    let mut general = closed.clone();
+    case.called("derive", derive_generally(&case.sample.frame, &mut general, Order::Second))?;
+    let [first, second] = apart(case, &closed, &general);
+    case.within("general", "PF1", first, 1e-14 / health)?;
+    case.within("general", "PF2", second, 1e-14 / (health * health))
+}
+
+pub(crate) fn solve_is_place_and_derive(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
+    let apart_calls = case.called("derive", case.solved(&*case.kernel, 0.0, way))?;
+    let mut bodies = case.sample.bodies(0.0);
+    let told = case.called("solve", case.kernel.solve(&mut bodies, way, Order::Second))?;
+    case.within("solve", "health", told - health, 0.0)?;
+    case.within("solve", "a place", super::places::apart(case, &bodies, &apart_calls), 0.0)?;
+    let [first, second] = apart(case, &bodies, &apart_calls);
+    case.within("solve", "PF1", first, 1e-14 / (health * health))?;
+    case.within("solve", "PF2", second, 1e-14 / health.powi(4))?;
+    let mut once = case.sample.bodies(0.0);
+    case.called("solve", case.kernel.solve(&mut once, way, Order::First))?;
+    case.within("solve", "PF1 alone", apart(case, &once, &bodies)[0], 0.0)
+}
+
+/// Rate of a link from its places (or first derivatives) on both sides.
+fn rates(before: &Body<Dd>, after: &Body<Dd>) -> [[f64; 3]; 2] {
+    let rate = |a: Dd, b: Dd| ((b - a) * Dd::ratio(0.5, STEP)).to_f64();
+    // The sine of the small angle between the directions is the angle, to STEP³.
+    let turn = before.c * after.s - before.s * after.c;
+    [
+        [rate(before.x, after.x), rate(before.y, after.y), rate(Dd::ZERO, turn)],
+        [rate(before.x1, after.x1), rate(before.y1, after.y1), rate(before.w1, after.w1)],
+    ]
+}
+
+/// Central differences in double-double along the motion of the outer bodies.
+pub(crate) fn agrees_with_differences(case: &Case, way: usize) -> Result<(), Fault> {
+    let kernel = case.kernel_in::<Dd>()?;
+    let at = |q: f64| case.called("differences", case.solved(&*kernel, Dd::from_f64(q), way));
+    let (before, now, after) = (at(-STEP)?, at(0.0)?, at(STEP)?);
+    for &i in &case.sample.frame.links {
+        let body = &now[i];
+        let told = [[body.x1, body.y1, body.w1], [body.x2, body.y2, body.w2]];
+        for (told, seen) in told.into_iter().zip(rates(&before[i], &after[i])) {
+            for (told, seen) in told.into_iter().zip(seen) {
+                let size = seen.abs().max(1.0);
+                case.within("differences", "a derivative", (told.to_f64() - seen) / size, 1e-13)?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! What a kind must refuse.
+
+use assur_group::{Body, GroupError, Order};
+
+use crate::{Case, Dice, Fault};
+
+/// Directions that are tried to close a gap: the nearest of them wastes less than 1e-6 of it.
+const DIRECTIONS: u32 = 3600;
+
+/// A NaN in any number of an outer body leads to an error, never to a result.
+pub(crate) fn not_a_number(case: &Case, way: usize) -> Result<(), Fault> {
+    type Field = fn(&mut Body<f64>) -> &mut f64;
+    let fields: [Field; 10] = [
+        |b| &mut b.x,
+        |b| &mut b.y,
+        |b| &mut b.c,
+        |b| &mut b.s,
+        |b| &mut b.x1,
+        |b| &mut b.y1,
+        |b| &mut b.w1,
+        |b| &mut b.x2,
+        |b| &mut b.y2,
+        |b| &mut b.w2,
+    ];
+    for outer in case.sample.outer() {
+        for (k, field) in fields.iter().enumerate() {
+            let mut bodies = case.sample.bodies(0.0);
+            *field(&mut bodies[outer]) = f64::NAN;
+            if case.kernel.solve(&mut bodies, way, Order::Second).is_ok() {
+                return Err(
+                    case.fault("NaN", format!("number {k} of body {outer} is NaN, and no error came"))
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The gap of a group with one outer body moved by a vector; `None` if it can be assembled.
+fn gap(case: &Case, outer: usize, by: [f64; 2]) -> Result<Option<f64>, Fault> {
+    let mut bodies = case.sample.bodies(0.0);
+    bodies[outer].x += by[0];
+    bodies[outer].y += by[1];
+    match case.kernel.place(&mut bodies, 0) {
+        Ok(_) => Ok(None),
+        Err(GroupError::NoAssembly { gap_m }) if gap_m > 0.0 && gap_m.is_finite() => Ok(Some(gap_m)),
+        Err(error) => Err(case.fault("gap", error.to_string())),
+    }
+}
+
+/// Moves an outer body until the group is open; then a move by the gap, in the best direction, closes it, and a move
+/// by less does not. How often it was open.
+pub(crate) fn gap_closes(case: &Case, dice: &mut Dice) -> Result<usize, Fault> {
+    let mut open = 0;
+    let outer = case.sample.outer();
+    let [.., moved] = outer[..] else { return Ok(0) };
+    if outer.len() < 2 {
+        return Ok(0);
+    }
+    for size in [0.3, 1.0, 2.0, 6.0] {
+        let [x, y] = dice.vector();
+        let by = [size * x, size * y];
+        let Some(miss) = gap(case, moved, by)? else { continue };
+        open += 1;
+        let (mut closed, mut too_early) = (false, false);
+        for step in 0..DIRECTIONS {
+            let (s, c) = (f64::from(step) * std::f64::consts::TAU / f64::from(DIRECTIONS)).sin_cos();
+            let after = |part: f64| gap(case, moved, [by[0] + part * miss * c, by[1] + part * miss * s]);
+            closed |= after(1.0 + 1e-5)?.is_none();
+            too_early |= after(1.0 - 1e-5)?.is_none();
+        }
+        if !closed || too_early {
+            return Err(case.fault("gap", format!("{miss:.6} m: closed {closed}, by less {too_early}")));
+        }
+    }
+    Ok(open)
+}

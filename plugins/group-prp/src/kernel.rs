@@ -1,0 +1,184 @@
+//! The closed forms of type 4.
+
+use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
+use assur_group::{
+    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+};
+use assur_number::Real;
+
+use crate::SLIDES;
+
+/// One group PRP, its lengths in the number `T`.
+#[derive(Debug, Clone)]
+pub struct Prp<T> {
+    frame: GroupFrame,
+    links: [usize; 2],
+    slides: [SlideJoint<T>; 2],
+    inner: PinJoint<T>,
+    /// The inner pin in the frame of each link, m.
+    pin: [[T; 2]; 2],
+    /// Height of the inner pin's lines over the origins of the bodies with the guides, m.
+    heights: [T; 2],
+}
+
+/// The crossing of the two lines at one position.
+struct Crossing<T> {
+    c: [T; 2],
+    /// Arms of the inner pin on the links.
+    arms: [[T; 2]; 2],
+    /// Directions of the guides, and the sine of the angle between them.
+    t: [[T; 2]; 2],
+    d: T,
+}
+
+/// The vector whose components along the normals of two directions are given.
+#[inline]
+fn meet<T: Real>(t: &[[T; 2]; 2], b: [T; 2], inverse: T) -> [T; 2] {
+    scaled(inverse, minus(scaled(b[0], t[1]), scaled(b[1], t[0])))
+}
+
+impl<T: Real> Prp<T> {
+    /// Compiles a group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for pairs that are not P-R-P.
+    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let slides = [
+            SlideJoint::<T>::new(&dyad.first, dyad.turned[0])?,
+            SlideJoint::new(&dyad.second, dyad.turned[2])?,
+        ];
+        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let pin = [inner.own, inner.at];
+        let heights = [0, 1].map(|i| slides[i].height() + slides[i].offset(pin[i]));
+        Ok(Self { frame: frame.clone(), links: dyad.links, slides, inner, pin, heights })
+    }
+
+    /// Directions of the guides, and the sine of the angle between them.
+    #[inline]
+    fn guides(&self, bodies: &[Body<T>]) -> ([[T; 2]; 2], T) {
+        let t = self.slides.each_ref().map(|slide| bodies[slide.body].turned(slide.along));
+        (t, cross(t[0], t[1]))
+    }
+
+    /// Places both links; the crossing and the health.
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>]) -> Result<(Crossing<T>, T), GroupError> {
+        let (t, d) = self.guides(bodies);
+        let health = d.abs();
+        GroupError::if_singular(health)?;
+        let carriers = self.slides.each_ref().map(|slide| &bodies[slide.body]);
+        let o = carriers.map(|body| [body.x, body.y]);
+        let b = [self.heights[0], self.heights[1] + dot(perp(t[1]), minus(o[1], o[0]))];
+        let c = plus(o[0], meet(&t, b, T::ONE / d));
+        GroupError::if_nan(c[0] + c[1])?;
+        let directions = [0, 1].map(|i| carriers[i].turned(self.slides[i].turn));
+        let mut arms = [[T::ZERO; 2]; 2];
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            [link.c, link.s] = directions[i];
+            arms[i] = link.arm(self.pin[i]);
+            link.hang_place(arms[i], c);
+        }
+        Ok((Crossing { c, arms, t, d }, health))
+    }
+
+    /// The crossing of links that are placed already.
+    #[inline]
+    fn read(&self, bodies: &[Body<T>]) -> Crossing<T> {
+        let (t, d) = self.guides(bodies);
+        let arms = [0, 1].map(|i| bodies[self.links[i]].arm(self.pin[i]));
+        let one = &bodies[self.links[0]];
+        Crossing { c: plus([one.x, one.y], arms[0]), arms, t, d }
+    }
+
+    #[inline]
+    fn differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        crossing: &Crossing<T>,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        let Crossing { c, arms, t, d } = crossing;
+        GroupError::if_singular(d.abs())?;
+        let inverse = T::ONE / *d;
+        let n = t.map(perp);
+        let carriers = self.slides.each_ref().map(|slide| bodies[slide.body]);
+        let under = carriers.each_ref().map(|body| minus(*c, [body.x, body.y]));
+        let v = [0, 1].map(|i| carriers[i].first(under[i]));
+        let c1 = meet(t, [0, 1].map(|i| dot(n[i], v[i])), inverse);
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w1 = carriers[i].w1;
+            link.hang_first(arms[i], c1);
+        }
+        if order < Order::Second {
+            return GroupError::if_nan(c1[0] + c1[1]);
+        }
+        let b = [0, 1].map(|i| {
+            let coriolis = (carriers[i].w1 * dot(t[i], minus(c1, v[i]))).twice();
+            dot(n[i], carriers[i].second(under[i])) + coriolis
+        });
+        let c2 = meet(t, b, inverse);
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w2 = carriers[i].w2;
+            link.hang_second(arms[i], c2);
+        }
+        GroupError::if_nan(c2[0] + c2[1])
+    }
+}
+
+impl<T: Real> AssurGroup<T> for Prp<T> {
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
+        self.close(bodies).map(|(_, health)| health)
+    }
+
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        self.differentiate(bodies, &self.read(bodies), order)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], _: usize, order: Order) -> Result<T, GroupError> {
+        let (crossing, health) = self.close(bodies)?;
+        if order > Order::Place {
+            self.differentiate(bodies, &crossing, order)?;
+        }
+        Ok(health)
+    }
+
+    fn health(&self, bodies: &[Body<T>]) -> f64 {
+        self.guides(bodies).1.abs().least()
+    }
+
+    fn reactions(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        let Crossing { arms, t, d, .. } = self.read(bodies);
+        GroupError::if_singular(d.abs())?;
+        let n = t.map(perp);
+        let given = self.links.map(|i| loads[i]);
+        // Along its guide each link leaves its load to the inner pin.
+        let (one, two) = (dot(t[0], given[0].force()), dot(t[1], given[1].force()));
+        let force = scaled(T::ONE / d, plus(scaled(two, n[0]), scaled(one, n[1])));
+        self.inner.store(force, reactions);
+        for (i, at_pin) in [(0, force), (1, opposite(force))] {
+            let mut rest = given[i];
+            rest.add_at(arms[i], at_pin, T::ZERO);
+            let normal = -dot(n[i], rest.force());
+            let on_line = bodies[self.links[i]].arm(self.slides[i].own);
+            self.slides[i].hand_on(bodies, scaled(normal, n[i]), -rest.about(on_line), loads, reactions);
+        }
+        GroupError::if_nan(force[0] + force[1])
+    }
+}

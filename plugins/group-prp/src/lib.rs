@@ -1,0 +1,45 @@
+//! Type 4: two links that slide on outer bodies and share a pin (PRP).
+//!
+//! Both angles are those of the outer bodies. The inner pin C lies on a parallel to each guide, at the height h over the
+//! origin O of its carrier: n1 (C - O1) = h1, n2 (C - O2) = h2. With b1, b2 for the right sides and D = t1 x t2, the sine
+//! of the angle between the guides, C = (b1 t2 - b2 t1) / D. The derivatives follow in the same way from the velocities
+//! and accelerations of the points under C, with Coriolis' terms 2 w t (C' - V).
+
+mod kernel;
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+
+pub use kernel::Prp;
+
+const SLIDES: [bool; 3] = [true, false, true];
+
+/// The kind PRP.
+#[derive(Debug, Clone, Copy)]
+pub struct PrpKind;
+
+impl GroupKind for PrpKind {
+    type Kernel<T: Number> = Prp<T>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Prp<T>, BuildError> {
+        Prp::new(frame)
+    }
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "prp",
+        kind: "PRP",
+        class: 2,
+        number: 4,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "two links that slide on outer bodies and share a pin",
+        ways: "one",
+        singular: "the guides parallel",
+        source: "S stage 2; theory of two lines",
+        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
+        builders: Builders::of::<PrpKind>(),
+    }
+}

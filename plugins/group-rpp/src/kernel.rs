@@ -1,0 +1,198 @@
+//! The closed forms of type 5.
+
+use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
+use assur_group::{
+    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+};
+use assur_number::Real;
+
+use crate::SLIDES;
+
+/// One group RPP, its lengths in the number `T`.
+#[derive(Debug, Clone)]
+pub struct Rpp<T> {
+    frame: GroupFrame,
+    /// The link with the pin, and the link between the guides.
+    links: [usize; 2],
+    end: PinJoint<T>,
+    inner: SlideJoint<T>,
+    outer: SlideJoint<T>,
+    /// Direction of the inner guide in the frame of the outer body with the guide.
+    inner_along: [T; 2],
+    /// Turn of link 1 from that body.
+    turn: [T; 2],
+    /// Distance of the point of link 2 from the outer pin across the inner guide, m.
+    across: T,
+    /// Height of the outer guide over the origin of its carrier, m.
+    height: T,
+    /// Sine of the angle between the guides: it never changes.
+    d: T,
+    inverse: T,
+}
+
+/// What the closed forms know of one position.
+struct Lines<T> {
+    /// A, and P of link 2.
+    points: [[T; 2]; 2],
+    /// Their arms on their links.
+    arms: [[T; 2]; 2],
+    /// Directions of the inner and the outer guide.
+    t: [[T; 2]; 2],
+}
+
+impl<T: Real> Rpp<T> {
+    /// Compiles a group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for pairs that are not R-P-P.
+    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let end = PinJoint::<T>::new(&dyad.first, dyad.turned[0])?;
+        let inner = SlideJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let outer = SlideJoint::<T>::new(&dyad.second, dyad.turned[2])?;
+        let inner_along = times(outer.turn, inner.along);
+        let d = cross(inner_along, outer.along);
+        Ok(Self {
+            frame: frame.clone(),
+            links: dyad.links,
+            end,
+            inner,
+            outer,
+            inner_along,
+            turn: times(outer.turn, inner.turn),
+            across: -(cross(inner.along, minus(inner.through, outer.own)) + inner.offset(end.own)),
+            height: outer.height(),
+            d,
+            inverse: T::ONE / d,
+        })
+    }
+
+    #[inline]
+    fn guides(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+        let carrier = &bodies[self.outer.body];
+        [carrier.turned(self.inner_along), carrier.turned(self.outer.along)]
+    }
+
+    /// Places both links.
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>]) -> Result<Lines<T>, GroupError> {
+        GroupError::if_singular(self.d.abs())?;
+        let carrier = bodies[self.outer.body];
+        let t = self.guides(bodies);
+        let a = bodies[self.end.body].point(self.end.at);
+        let b = self.height + dot(perp(t[1]), minus([carrier.x, carrier.y], a));
+        let p = plus(a, scaled(self.inverse, minus(scaled(self.across, t[1]), scaled(b, t[0]))));
+        GroupError::if_nan(p[0] + p[1])?;
+        let [one, two] = self.links;
+        [bodies[one].c, bodies[one].s] = carrier.turned(self.turn);
+        [bodies[two].c, bodies[two].s] = carrier.turned(self.outer.turn);
+        let arms = [bodies[one].arm(self.end.own), bodies[two].arm(self.outer.own)];
+        bodies[one].hang_place(arms[0], a);
+        bodies[two].hang_place(arms[1], p);
+        Ok(Lines { points: [a, p], arms, t })
+    }
+
+    /// The lines of links that are placed already.
+    #[inline]
+    fn read(&self, bodies: &[Body<T>]) -> Lines<T> {
+        let [one, two] = self.links.map(|i| &bodies[i]);
+        let arms = [one.arm(self.end.own), two.arm(self.outer.own)];
+        let points = [plus([one.x, one.y], arms[0]), plus([two.x, two.y], arms[1])];
+        Lines { points, arms, t: self.guides(bodies) }
+    }
+
+    #[inline]
+    fn differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        lines: &Lines<T>,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        GroupError::if_singular(self.d.abs())?;
+        let Lines { points, arms, t } = lines;
+        let (base, carrier) = (bodies[self.end.body], bodies[self.outer.body]);
+        let on_base = minus(points[0], [base.x, base.y]);
+        let under = points.map(|point| minus(point, [carrier.x, carrier.y]));
+        // Seen from the carrier, A moves with `v`, and P along the outer guide such that both keep their distance
+        // across the inner guide.
+        let n = scaled(self.inverse, perp(t[0]));
+        let a1 = base.first(on_base);
+        let v = minus(a1, carrier.first(under[0]));
+        let relative = scaled(dot(n, v), t[1]);
+        let p1 = plus(carrier.first(under[1]), relative);
+        for (i, first) in [a1, p1].into_iter().enumerate() {
+            let link = &mut bodies[self.links[i]];
+            link.w1 = carrier.w1;
+            link.hang_first(arms[i], first);
+        }
+        if order < Order::Second {
+            return GroupError::if_nan(p1[0] + p1[1]);
+        }
+        let coriolis = carrier.w1.twice();
+        let a2 = base.second(on_base);
+        let a = minus(minus(a2, carrier.second(under[0])), scaled(coriolis, perp(v)));
+        let turning = plus(carrier.second(under[1]), scaled(coriolis, perp(relative)));
+        let p2 = plus(turning, scaled(dot(n, a), t[1]));
+        for (i, second) in [a2, p2].into_iter().enumerate() {
+            let link = &mut bodies[self.links[i]];
+            link.w2 = carrier.w2;
+            link.hang_second(arms[i], second);
+        }
+        GroupError::if_nan(p2[0] + p2[1])
+    }
+}
+
+impl<T: Real> AssurGroup<T> for Rpp<T> {
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
+        self.close(bodies).map(|_| self.d.abs())
+    }
+
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        self.differentiate(bodies, &self.read(bodies), order)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], _: usize, order: Order) -> Result<T, GroupError> {
+        let lines = self.close(bodies)?;
+        if order > Order::Place {
+            self.differentiate(bodies, &lines, order)?;
+        }
+        Ok(self.d.abs())
+    }
+
+    fn health(&self, _: &[Body<T>]) -> f64 {
+        self.d.abs().least()
+    }
+
+    fn reactions(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        GroupError::if_singular(self.d.abs())?;
+        let Lines { arms, t, .. } = self.read(bodies);
+        let [one, two] = self.links.map(|i| &bodies[i]);
+        let (mut first, mut second) = (loads[self.links[0]], loads[self.links[1]]);
+        // Along the outer guide link 2 leaves its load to the inner one.
+        let inner = scaled(dot(t[1], second.force()) * self.inverse, perp(t[0]));
+        let at_point = one.arm(self.inner.own);
+        first.add_at(at_point, inner, T::ZERO);
+        let moment = -first.about(arms[0]);
+        self.inner.store(bodies, inner, moment, reactions);
+        self.end.hand_on(bodies, opposite(first.force()), loads, reactions);
+        // The same force and moment, turned round, act on link 2 at the point of link 1.
+        second.add_at(minus(one.point(self.inner.own), [two.x, two.y]), opposite(inner), -moment);
+        let n = perp(t[1]);
+        let normal = -dot(n, second.force());
+        self.outer.hand_on(bodies, scaled(normal, n), -second.about(arms[1]), loads, reactions);
+        GroupError::if_nan(normal + moment)
+    }
+}

@@ -1,0 +1,44 @@
+//! Type 5: a link with an outer pin slides on a link that slides on the other outer body (RPP).
+//!
+//! All angles are those of the second outer body g. With A the outer pin, P the point of link 2 on the guide of g (t2,
+//! n2), and t1, n1 the guide between the links: n1 (P - A) = k, n2 (P - O) = h; so P - A = (b1 t2 - b2 t1) / D with
+//! D = t1 x t2. Seen from g, A moves with v and a, and P with (n1 v / D) t2 and (n1 a / D) t2.
+
+mod kernel;
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+
+pub use kernel::Rpp;
+
+const SLIDES: [bool; 3] = [false, true, true];
+
+/// The kind RPP.
+#[derive(Debug, Clone, Copy)]
+pub struct RppKind;
+
+impl GroupKind for RppKind {
+    type Kernel<T: Number> = Rpp<T>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Rpp<T>, BuildError> {
+        Rpp::new(frame)
+    }
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "rpp",
+        kind: "RPP",
+        class: 2,
+        number: 5,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "two links, an outer pin, a slide between them and an outer slide",
+        ways: "one",
+        singular: "the guides parallel",
+        source: "S stage 2; theory of two lines",
+        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
+        builders: Builders::of::<RppKind>(),
+    }
+}

@@ -1,0 +1,218 @@
+//! The closed forms of type 3.
+
+use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
+use assur_group::{
+    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+};
+use assur_number::Real;
+
+use crate::SLIDES;
+
+/// Rounding that a length is allowed before the group counts as open, in units of the last place.
+const SLACK: f64 = 8.0;
+
+/// One group RPR, its lengths in the number `T`.
+///
+/// Its health is |s| / sqrt(D² + scale²): the part of the pins' distance along the guide, against the size of the
+/// mechanism or the distance itself, whichever is greater.
+#[derive(Debug, Clone)]
+pub struct Rpr<T> {
+    frame: GroupFrame,
+    /// The sliding link, and the link with the guide.
+    links: [usize; 2],
+    ends: [PinJoint<T>; 2],
+    inner: SlideJoint<T>,
+    /// From the outer pin of the sliding link to its point on the guide, in the directions of the guide, m.
+    reach: [T; 2],
+    /// Offset of the outer pins across the guide, m.
+    e: T,
+    /// scale², m².
+    scale: T,
+    /// Rounding of a squared distance near e², m².
+    slack: f64,
+}
+
+/// The right triangle of outer pins and guide at one position.
+struct Triangle<T> {
+    pins: [[T; 2]; 2],
+    /// Arms of the pins on their links.
+    arms: [[T; 2]; 2],
+    /// Direction of the guide.
+    t: [T; 2],
+    /// Distance of the pins along the guide.
+    s: T,
+}
+
+impl<T: Real> Rpr<T> {
+    /// Compiles a group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for pairs that are not R-P-R.
+    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let ends =
+            [PinJoint::<T>::new(&dyad.first, dyad.turned[0])?, PinJoint::new(&dyad.second, dyad.turned[2])?];
+        let inner = SlideJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let reach = times(inner.tilt, minus(inner.own, ends[0].own));
+        let line = cross(inner.along, minus(inner.through, ends[1].own));
+        let e = line - reach[1];
+        let rounding = SLACK * T::EPSILON * frame.scale.max(e.abs().to_f64());
+        Ok(Self {
+            frame: frame.clone(),
+            links: dyad.links,
+            ends,
+            inner,
+            reach,
+            e,
+            scale: T::from_f64(frame.scale * frame.scale),
+            slack: rounding * (e.abs().to_f64() + rounding),
+        })
+    }
+
+    #[inline]
+    fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+        self.ends.each_ref().map(|end| bodies[end.body].point(end.at))
+    }
+
+    /// Places both links; the triangle and the health.
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+        let pins = self.pins(bodies);
+        let d = minus(pins[0], pins[1]);
+        let square = dot(d, d);
+        let rest = square - self.e * self.e;
+        if !(rest.least() >= -self.slack && square.least() > self.slack) {
+            return Err(self.refusal(square, rest));
+        }
+        let s = rest.clamp_negative().sqrt();
+        let health = s / (square + self.scale).sqrt();
+        let s = if way == 0 { s } else { -s };
+        // t = D / (s + i e), and |s + i e|² = D².
+        let t = scaled(T::ONE / square, times(d, [s, -self.e]));
+        let [slider, guide] = self.links;
+        [bodies[slider].c, bodies[slider].s] = times(t, self.inner.tilt);
+        [bodies[guide].c, bodies[guide].s] = times(t, mirrored(self.inner.along));
+        let arms = [bodies[slider].arm(self.ends[0].own), bodies[guide].arm(self.ends[1].own)];
+        bodies[slider].hang_place(arms[0], pins[0]);
+        bodies[guide].hang_place(arms[1], pins[1]);
+        Ok((Triangle { pins, arms, t, s }, health))
+    }
+
+    #[cold]
+    fn refusal(&self, square: T, rest: T) -> GroupError {
+        if rest.least() < -self.slack {
+            return GroupError::NoAssembly { gap_m: self.e.abs().to_f64() - square.least().sqrt() };
+        }
+        // The pins lie upon each other and on the guide, which may point anywhere; or a number is NaN.
+        GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
+    }
+
+    /// The triangle of links that are placed already.
+    #[inline]
+    fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
+        let [slider, guide] = self.links.map(|i| &bodies[i]);
+        let pins = self.pins(bodies);
+        let t = guide.turned(self.inner.along);
+        let arms = [slider.arm(self.ends[0].own), guide.arm(self.ends[1].own)];
+        Triangle { s: dot(t, minus(pins[0], pins[1])), pins, arms, t }
+    }
+
+    #[inline]
+    fn health_of(&self, s: T) -> T {
+        let square = s * s + self.e * self.e;
+        s.abs() / (square + self.scale).sqrt()
+    }
+
+    #[inline]
+    fn differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        triangle: &Triangle<T>,
+        health: T,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        let Triangle { pins, arms, t, s } = triangle;
+        GroupError::if_singular(health)?;
+        let n = perp(*t);
+        let inverse = T::ONE / *s;
+        let outer = [0, 1].map(|i| {
+            let body = &bodies[self.ends[i].body];
+            let arm = minus(pins[i], [body.x, body.y]);
+            [body.first(arm), body.second(arm)]
+        });
+        let d1 = minus(outer[0][0], outer[1][0]);
+        let w = dot(n, d1) * inverse;
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w1 = w;
+            link.hang_first(arms[i], outer[i][0]);
+        }
+        if order < Order::Second {
+            return GroupError::if_nan(w);
+        }
+        let d2 = minus(outer[0][1], outer[1][1]);
+        let s1 = dot(*t, d1) + self.e * w;
+        let e = (dot(n, d2) - (s1 * w).twice() + self.e * w * w) * inverse;
+        for i in 0..2 {
+            let link = &mut bodies[self.links[i]];
+            link.w2 = e;
+            link.hang_second(arms[i], outer[i][1]);
+        }
+        GroupError::if_nan(e)
+    }
+}
+
+impl<T: Real> AssurGroup<T> for Rpr<T> {
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    fn ways(&self) -> usize {
+        2
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        self.close(bodies, way).map(|(_, health)| health)
+    }
+
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        let triangle = self.read(bodies);
+        let health = self.health_of(triangle.s);
+        self.differentiate(bodies, &triangle, health, order)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
+        let (triangle, health) = self.close(bodies, way)?;
+        if order > Order::Place {
+            self.differentiate(bodies, &triangle, health, order)?;
+        }
+        Ok(health)
+    }
+
+    fn health(&self, bodies: &[Body<T>]) -> f64 {
+        self.health_of(self.read(bodies).s).least()
+    }
+
+    fn reactions(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        let Triangle { arms, t, s, .. } = self.read(bodies);
+        GroupError::if_singular(self.health_of(s))?;
+        let [one, two] = self.links.map(|i| loads[i]);
+        // The moments of both links about their pins know the normal force only: its arm between the pins is s.
+        let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
+        let normal = (m1 + m2) / s;
+        let force = scaled(normal, perp(t));
+        self.inner.store(bodies, force, -(m1 + normal * self.reach[0]), reactions);
+        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
+        self.ends[1].hand_on(bodies, minus(force, two.force()), loads, reactions);
+        GroupError::if_nan(normal)
+    }
+}

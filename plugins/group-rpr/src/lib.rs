@@ -1,0 +1,49 @@
+//! Type 3: two links with outer pins that slide on each other (RPR).
+//!
+//! ```text
+//!   A      A, B  outer pins (given), D = A - B
+//!   |\     t, n  direction and normal of the guide, carried by link 2
+//! e |  \   n D = e is fixed by the links; t D = s = ± sqrt(D² - e²)
+//!   B---   t = D / (s + i e)
+//! ```
+//!
+//! w = n D' / s for both links, s' = t D' + e w, w' = (n D'' - 2 s' w + e w²) / s.
+
+mod kernel;
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+
+pub use kernel::Rpr;
+
+const SLIDES: [bool; 3] = [false, true, false];
+
+/// The kind RPR.
+#[derive(Debug, Clone, Copy)]
+pub struct RprKind;
+
+impl GroupKind for RprKind {
+    type Kernel<T: Number> = Rpr<T>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Rpr<T>, BuildError> {
+        Rpr::new(frame)
+    }
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "rpr",
+        kind: "RPR",
+        class: 2,
+        number: 3,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "two links with outer pins and a slide between them",
+        ways: "0: the outer pin of the sliding link ahead of that of the link with the guide, in the direction of the guide; 1: behind it",
+        singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
+        source: "S stage 2; theory of the right triangle",
+        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
+        builders: Builders::of::<RprKind>(),
+    }
+}

@@ -1,0 +1,4 @@
+#[test]
+fn passes_the_conformance_suite() {
+    assur_testkit::conformance("rpr");
+}

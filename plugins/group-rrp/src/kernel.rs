@@ -1,0 +1,226 @@
+//! The closed forms of type 2.
+
+use assur_group::plane::{dot, minus, mirrored, opposite, perp, plus, scaled, times};
+use assur_group::{
+    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+};
+use assur_number::Real;
+
+use crate::SLIDES;
+
+/// Rounding that a length is allowed before the group counts as open, in units of the last place.
+const SLACK: f64 = 8.0;
+
+/// One group RRP, its lengths in the number `T`.
+#[derive(Debug, Clone)]
+pub struct Rrp<T> {
+    frame: GroupFrame,
+    /// The rod, and the sliding link.
+    links: [usize; 2],
+    end: PinJoint<T>,
+    inner: PinJoint<T>,
+    slide: SlideJoint<T>,
+    /// From the outer to the inner pin, in the frame of the rod, m.
+    rod: [T; 2],
+    /// What turns such a vector, placed, into the direction of the rod: mirrored rod / length².
+    unrod: [T; 2],
+    length: T,
+    inverse_length: T,
+    /// Height of the inner pin's line over the origin of the body with the guide, m.
+    height: T,
+    /// Rounding of a length, m.
+    slack: f64,
+}
+
+/// The right triangle of rod and guide at one position.
+struct Triangle<T> {
+    /// A and C.
+    pins: [[T; 2]; 2],
+    /// Arm of A on the rod, and of C on the sliding link.
+    arms: [[T; 2]; 2],
+    /// Directions along and across the guide.
+    t: [T; 2],
+    n: [T; 2],
+    /// C - A.
+    r: [T; 2],
+    /// Its components across and along the guide.
+    delta: T,
+    sigma: T,
+}
+
+impl<T: Real> Rrp<T> {
+    /// Compiles a group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for pairs that are not R-R-P, and for a rod whose two pins lie in one place.
+    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let end = PinJoint::<T>::new(&dyad.first, dyad.turned[0])?;
+        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let slide = SlideJoint::<T>::new(&dyad.second, dyad.turned[2])?;
+        let rod = minus(inner.own, end.own);
+        let square = dot(rod, rod);
+        let length = square.sqrt();
+        if length.to_f64().is_nan() || length.to_f64() <= 0.0 {
+            return Err(BuildError::new(
+                "the rod of a group RRP needs its two pins apart; their distance is 0",
+            ));
+        }
+        Ok(Self {
+            frame: frame.clone(),
+            links: dyad.links,
+            end,
+            inner,
+            slide,
+            rod,
+            unrod: scaled(T::ONE / square, mirrored(rod)),
+            length,
+            inverse_length: T::ONE / length,
+            height: slide.height() + slide.offset(inner.at),
+            slack: SLACK * T::EPSILON * frame.scale.max(length.to_f64()),
+        })
+    }
+
+    /// Directions along and across the guide.
+    #[inline]
+    fn guide(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+        let t = bodies[self.slide.body].turned(self.slide.along);
+        [t, perp(t)]
+    }
+
+    /// Places both links; the triangle and the health.
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+        let carrier = &bodies[self.slide.body];
+        let [t, n] = self.guide(bodies);
+        let a = bodies[self.end.body].point(self.end.at);
+        let delta = dot(n, minus([carrier.x, carrier.y], a)) + self.height;
+        let (ahead, behind) = (self.length - delta, self.length + delta);
+        if !(ahead.least() >= -self.slack && behind.least() >= -self.slack) {
+            return Err(self.refusal(delta));
+        }
+        let sigma = (ahead * behind).clamp_negative().sqrt();
+        let health = sigma * self.inverse_length;
+        let sigma = if way == 0 { sigma } else { -sigma };
+        let r = plus(scaled(delta, n), scaled(sigma, t));
+        let c = plus(a, r);
+        let direction = carrier.turned(self.slide.turn);
+        let [rod, slider] = self.links;
+        [bodies[rod].c, bodies[rod].s] = times(r, self.unrod);
+        [bodies[slider].c, bodies[slider].s] = direction;
+        let arms = [bodies[rod].arm(self.end.own), bodies[slider].arm(self.inner.at)];
+        bodies[rod].hang_place(arms[0], a);
+        bodies[slider].hang_place(arms[1], c);
+        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
+    }
+
+    #[cold]
+    fn refusal(&self, delta: T) -> GroupError {
+        let gap_m = delta.abs().greatest() - self.length.to_f64();
+        if gap_m.is_nan() { GroupError::Singular { health: gap_m } } else { GroupError::NoAssembly { gap_m } }
+    }
+
+    /// The triangle of links that are placed already.
+    #[inline]
+    fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
+        let [t, n] = self.guide(bodies);
+        let [rod, slider] = self.links.map(|i| &bodies[i]);
+        let a = bodies[self.end.body].point(self.end.at);
+        let r = rod.arm(self.rod);
+        let arms = [rod.arm(self.end.own), slider.arm(self.inner.at)];
+        Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma: dot(t, r) }
+    }
+
+    #[inline]
+    fn differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        triangle: &Triangle<T>,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        let Triangle { pins, arms, t, n, r, delta, sigma } = triangle;
+        GroupError::if_singular((*sigma * self.inverse_length).abs())?;
+        let inverse = T::ONE / *sigma;
+        let [rod, slider] = self.links;
+        let (base, carrier) = (bodies[self.end.body], bodies[self.slide.body]);
+        let on_base = minus(pins[0], [base.x, base.y]);
+        let under = minus(pins[1], [carrier.x, carrier.y]);
+        let (a1, v) = (base.first(on_base), carrier.first(under));
+        let w = dot(*n, minus(v, a1)) * inverse;
+        let c1 = plus(a1, scaled(w, perp(*r)));
+        bodies[rod].w1 = w;
+        bodies[rod].hang_first(arms[0], a1);
+        bodies[slider].w1 = carrier.w1;
+        bodies[slider].hang_first(arms[1], c1);
+        if order < Order::Second {
+            return GroupError::if_nan(w);
+        }
+        let (a2, square) = (base.second(on_base), w * w);
+        let coriolis = (carrier.w1 * dot(*t, minus(c1, v))).twice();
+        let e = (dot(*n, minus(carrier.second(under), a2)) + coriolis + square * *delta) * inverse;
+        let c2 = minus(plus(a2, scaled(e, perp(*r))), scaled(square, *r));
+        bodies[rod].w2 = e;
+        bodies[rod].hang_second(arms[0], a2);
+        bodies[slider].w2 = carrier.w2;
+        bodies[slider].hang_second(arms[1], c2);
+        GroupError::if_nan(e)
+    }
+}
+
+impl<T: Real> AssurGroup<T> for Rrp<T> {
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    fn ways(&self) -> usize {
+        2
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        self.close(bodies, way).map(|(_, health)| health)
+    }
+
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        self.differentiate(bodies, &self.read(bodies), order)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
+        let (triangle, health) = self.close(bodies, way)?;
+        if order > Order::Place {
+            self.differentiate(bodies, &triangle, order)?;
+        }
+        Ok(health)
+    }
+
+    fn health(&self, bodies: &[Body<T>]) -> f64 {
+        (self.read(bodies).sigma * self.inverse_length).abs().least()
+    }
+
+    fn reactions(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        let Triangle { arms, t, n, delta, sigma, .. } = self.read(bodies);
+        GroupError::if_singular((sigma * self.inverse_length).abs())?;
+        let [one, two] = self.links.map(|i| loads[i]);
+        // Along the guide link 2 gives the inner reaction; the moment about A then gives its part across.
+        let along = dot(t, two.force());
+        let across = (delta * along - one.about(arms[0])) / sigma;
+        let force = plus(scaled(along, t), scaled(across, n));
+        self.inner.store(force, reactions);
+        self.end.hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
+        // What is left on link 2: the guide carries it.
+        let normal = across - dot(n, two.force());
+        let on_line = bodies[self.links[1]].arm(self.slide.own);
+        let mut rest = two;
+        rest.add_at(arms[1], opposite(force), T::ZERO);
+        self.slide.hand_on(bodies, scaled(normal, n), -rest.about(on_line), loads, reactions);
+        GroupError::if_nan(across + normal)
+    }
+}

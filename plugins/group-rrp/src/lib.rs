@@ -1,0 +1,49 @@
+//! Type 2: a rod with two pins, and a link that slides on the other outer body (RRP).
+//!
+//! ```text
+//!      C ------ t    A   outer pin (given); t, n  direction and normal of the guide, turned with its carrier g
+//!  l1 /              C   inner pin, on a parallel to the guide at the height h over the origin O of g
+//!    A               C = A + delta n + sigma t,  delta = n (O - A) + h,  sigma = ± sqrt((l1 - delta)(l1 + delta))
+//! ```
+//!
+//! w1 = n (V - A') / sigma, with V the velocity of the point of g under C. The second order adds Coriolis' term
+//! 2 w t (C' - V) and the centripetal w1² delta.
+
+mod kernel;
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+
+pub use kernel::Rrp;
+
+const SLIDES: [bool; 3] = [false, false, true];
+
+/// The kind RRP.
+#[derive(Debug, Clone, Copy)]
+pub struct RrpKind;
+
+impl GroupKind for RrpKind {
+    type Kernel<T: Number> = Rrp<T>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Rrp<T>, BuildError> {
+        Rrp::new(frame)
+    }
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "rrp",
+        kind: "RRP",
+        class: 2,
+        number: 2,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "two links, two pins and an outer slide",
+        ways: "0: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 1: behind it",
+        singular: "the rod perpendicular to the guide",
+        source: "S stage 2; theory of circle and line",
+        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
+        builders: Builders::of::<RrpKind>(),
+    }
+}
