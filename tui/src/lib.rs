@@ -1,0 +1,3 @@
+//! The program `assur`: command line and terminal UI. Nothing here calculates.
+
+pub mod screen;
