@@ -1,0 +1,96 @@
+//! The whole result.
+
+use serde::Serialize;
+
+use crate::{Derivatives, Dynamics, Named, PositionResult, StructureReport};
+
+/// Everything that one calculation of a scene found. Sections that don't apply are absent.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Analysis {
+    /// Version of the form of the results: 1.
+    pub format: u32,
+    /// Title of the scene; may be empty.
+    pub title: String,
+    /// The input link and its coordinate.
+    pub input: InputReport,
+    /// Mobility, groups, formula.
+    pub structure: StructureReport,
+    /// The positions that exist, in order; their `index` tells which are missing.
+    pub positions: Vec<PositionResult>,
+    /// Positions that have no solution.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub failures: Vec<Failure>,
+    /// Transient and steady motion: the course over time.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub trajectory: Vec<Trajectory>,
+    /// Periodic regime, drive, flywheel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dynamics: Option<Dynamics>,
+    /// Checks of the numbers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub checks: Vec<CheckRow>,
+}
+
+impl Analysis {
+    /// The version of the form that is written.
+    pub const FORMAT: u32 = 1;
+
+    /// Whether a position, or a check, failed.
+    pub fn failed(&self) -> bool {
+        !self.failures.is_empty() || self.checks.iter().any(|check| !check.ok)
+    }
+}
+
+/// The input link and its coordinate.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct InputReport {
+    /// Name of the link.
+    pub link: String,
+    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
+    pub angular: bool,
+}
+
+/// A position that has no solution, or only a part of one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Failure {
+    /// Number of the position.
+    pub index: usize,
+    /// Its coordinate, rad or m.
+    pub coordinate: f64,
+    /// What is missing, where and by how much.
+    pub message: String,
+}
+
+/// One instant of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Trajectory {
+    /// Time, s.
+    pub time: f64,
+    /// Coordinate, rad or m.
+    pub coordinate: f64,
+    /// Its first derivative by time.
+    pub speed: f64,
+    /// Its second derivative by time.
+    pub acceleration: f64,
+    /// Angles of the links and their derivatives by the coordinate.
+    pub links: Named<Derivatives>,
+}
+
+/// The largest residual of one check.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckRow {
+    /// Name of the check.
+    pub name: String,
+    /// The largest residual, in the check's own measure.
+    pub residual: f64,
+    /// What it must not exceed.
+    pub limit: f64,
+    /// Number of the position of the largest residual; absent where it belongs to none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<usize>,
+    /// The place of the largest residual in words: a link, a pair.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub place: String,
+    /// Whether it holds.
+    pub ok: bool,
+}

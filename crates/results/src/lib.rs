@@ -1,0 +1,16 @@
+//! What was found, as plain data, and the three forms in which it is handed over: text, JSON, CSV.
+//!
+//! [`Analysis`] serializes to the JSON of the program; [`json`], [`text`] and [`csv`] write it to a string or a writer and
+//! touch no file. Everything is SI, angles in rad; only the text report converts (degrees, millimeters).
+
+mod analysis;
+mod dynamics;
+mod named;
+mod position;
+mod structure;
+
+pub use analysis::{Analysis, CheckRow, Failure, InputReport, Trajectory};
+pub use dynamics::{Dynamics, MotorReport};
+pub use named::Named;
+pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
+pub use structure::{GroupReport, StructureReport};
