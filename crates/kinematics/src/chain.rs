@@ -64,8 +64,9 @@ impl<T: Number> Chain<T> {
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
-            let kernel = kernel_of::<T>(group.plugin, &group.frame)
-                .map_err(|source| CompileError::Build { group: structure.group_name(mechanism, i), source })?;
+            let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
+                CompileError::Build { group: structure.group_name(mechanism, i), source }
+            })?;
             groups.push(kernel);
         }
         Ok(Self { input: input_of(mechanism), groups, bodies: structure.links })
@@ -150,6 +151,11 @@ fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
         let along = body.turned([c, s]);
         let arm = body.arm(through);
         body.hang_place(arm, point);
-        Input::Slider { link: found.on, axis: [tc, ts], along: [-along[0], -along[1]], origin: [body.x, body.y] }
+        Input::Slider {
+            link: found.on,
+            axis: [tc, ts],
+            along: [-along[0], -along[1]],
+            origin: [body.x, body.y],
+        }
     }
 }

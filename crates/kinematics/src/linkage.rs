@@ -103,7 +103,12 @@ impl Linkage {
     /// # Errors
     ///
     /// As [`solve`](Self::solve), with the number of the position.
-    pub fn solve_index(&self, index: usize, order: Order, position: &mut Position) -> Result<(), PositionError> {
+    pub fn solve_index(
+        &self,
+        index: usize,
+        order: Order,
+        position: &mut Position,
+    ) -> Result<(), PositionError> {
         let coordinate = self.mechanism.input.coordinate(index);
         self.solve(coordinate, order, position).map_err(|error| PositionError { index: Some(index), ..error })
     }

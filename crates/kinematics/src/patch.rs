@@ -63,7 +63,9 @@ impl Patch {
             *body = blend(&weights, |k| &self.nodes[k][i]);
         }
         // What is left of the determinant grows linearly from the change point.
-        health.iter_mut().for_each(|value| *value = x.abs() * self.step);
+        for value in health {
+            *value = x.abs() * self.step;
+        }
     }
 }
 

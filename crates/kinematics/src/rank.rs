@@ -58,7 +58,8 @@ fn constraints(linkage: &Linkage, position: &Position) -> DMatrix<f64> {
                     Some([nx, ny]) => {
                         matrix[(2 * k + i, column)] = sign * nx;
                         matrix[(2 * k + i, column + 1)] = sign * ny;
-                        matrix[(2 * k + i, column + 2)] = sign * (ny * arm[0] - nx * arm[1]) / structure.scale;
+                        matrix[(2 * k + i, column + 2)] =
+                            sign * (ny * arm[0] - nx * arm[1]) / structure.scale;
                     }
                     None => matrix[(2 * k + i, column + 2)] = sign,
                 }

@@ -66,7 +66,10 @@ impl Linkage {
             link if link == self.mechanism.input.link => 1,
             _ => 2,
         };
-        places.iter().min_by_key(rank).map_or_else(PointMotion::default, |place| self.place_motion(*place, position))
+        places
+            .iter()
+            .min_by_key(rank)
+            .map_or_else(PointMotion::default, |place| self.place_motion(*place, position))
     }
 
     /// Motion of a link.

@@ -171,10 +171,9 @@ impl Input {
     /// Sign of the coordinate's change along the positions: of `direction` for a cycle, of `to - from` for a range.
     pub fn sign(&self) -> f64 {
         match self.range {
-            Range::Cycle(_) => self.direction.sign(),
             Range::To(to) if to < self.from => -1.0,
             Range::To(to) if to > self.from => 1.0,
-            Range::To(_) => self.direction.sign(),
+            Range::Cycle(_) | Range::To(_) => self.direction.sign(),
         }
     }
 

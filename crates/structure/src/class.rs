@@ -36,7 +36,8 @@ fn path_without(frame: &GroupFrame, skipped: usize, from: usize, to: usize) -> O
             return Some(steps);
         }
         for (i, pair) in frame.inner.iter().enumerate() {
-            if i != skipped && pair.joins(link) && !distance.iter().any(|(seen, _)| *seen == pair.other(link)) {
+            if i != skipped && pair.joins(link) && !distance.iter().any(|(seen, _)| *seen == pair.other(link))
+            {
                 distance.push((pair.other(link), steps + 1));
             }
         }

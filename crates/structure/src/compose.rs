@@ -4,7 +4,9 @@ use assur_group::{Dyad, GroupFrame, Pair, PairGeometry, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
 
 use crate::graph::{Block, Graph, Node};
-use crate::{Counted, Group, Mobility, NamedPair, Structure, StructureError, class_and_order, name_of, roman};
+use crate::{
+    Counted, Group, Mobility, NamedPair, Structure, StructureError, class_and_order, name_of, roman,
+};
 
 pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     let mobility = count(mechanism);
@@ -20,7 +22,9 @@ pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError
         if frame.links.is_empty() {
             continue;
         }
-        frame.links.iter().for_each(|&link| rank[link] = groups.len() + 2);
+        for &link in &frame.links {
+            rank[link] = groups.len() + 2;
+        }
         groups.push(group_of(mechanism, frame, &pairs)?);
     }
     let formula = formula(mechanism, &groups);
@@ -39,7 +43,8 @@ fn count(mechanism: &Mechanism) -> Mobility {
 /// Unknown links and pins, and the equations between them; ground and input link are known.
 fn counted_system(mechanism: &Mechanism) -> Graph {
     let known = |link: LinkId| link == GROUND || link == mechanism.input.link;
-    let mut nodes: Vec<Node> = (1..mechanism.links.len()).filter(|&link| !known(link)).map(Node::Link).collect();
+    let mut nodes: Vec<Node> =
+        (1..mechanism.links.len()).filter(|&link| !known(link)).map(Node::Link).collect();
     let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
     nodes.extend(pins.map(|(id, _)| Node::Pin(id)));
     let index = |wanted: Node| nodes.iter().position(|node| *node == wanted);
@@ -65,7 +70,11 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
 }
 
 /// A mechanism that one input does not determine is an error that names what is loose or surplus.
-fn refuse_other_mobility(mechanism: &Mechanism, mobility: &Mobility, graph: &Graph) -> Result<(), StructureError> {
+fn refuse_other_mobility(
+    mechanism: &Mechanism,
+    mobility: &Mobility,
+    graph: &Graph,
+) -> Result<(), StructureError> {
     let counted = Counted {
         mobility: mobility.value,
         formula: format!("3*{} - 2*{}", mobility.moving_links, mobility.pairs),
@@ -169,7 +178,9 @@ fn frame_of(
         let slide = &mechanism.slides[id];
         let within = |link: LinkId| frame.links.contains(&link);
         let solved = |link: LinkId| rank[link] != usize::MAX;
-        if within(slide.link) && (within(slide.on) || solved(slide.on)) || within(slide.on) && solved(slide.link) {
+        if within(slide.link) && (within(slide.on) || solved(slide.on))
+            || within(slide.on) && solved(slide.link)
+        {
             found.push(slide_pair(mechanism, id, pairs.len() + found.len()));
         }
     }
@@ -238,7 +249,7 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> String {
         } else {
             format!("{}/{}", roman(group.class), group.order)
         };
-        text += &format!(" -> {sort}({})", links.join(","));
+        text.extend([" -> ", &sort, "(", &links.join(","), ")"]);
     }
     text
 }
@@ -247,7 +258,8 @@ impl Group {
     /// Outer pairs in the order of the kind's letters (for a dyad; otherwise of the scene).
     pub fn outer(&self) -> Vec<Pair> {
         let slides: Vec<_> = self.plugin.kind.chars().map(|letter| letter == 'P').collect();
-        let dyad = <[bool; 3]>::try_from(slides).ok().and_then(|slides| Dyad::of_pattern(&self.frame, slides));
+        let dyad =
+            <[bool; 3]>::try_from(slides).ok().and_then(|slides| Dyad::of_pattern(&self.frame, slides));
         let Some(dyad) = dyad else { return self.frame.outer.clone() };
         let original = |id: usize| self.frame.outer.iter().find(|pair| pair.id == id).copied();
         [dyad.first.id, dyad.second.id].into_iter().filter_map(original).collect()

@@ -63,7 +63,8 @@ impl Graph {
                 self.matched[equation] = Some(node);
                 return true;
             }
-            let holders: Vec<_> = (0..self.matched.len()).filter(|&e| self.matched[e] == Some(node)).collect();
+            let holders: Vec<_> =
+                (0..self.matched.len()).filter(|&e| self.matched[e] == Some(node)).collect();
             for holder in holders {
                 if self.augment(holder, visited) {
                     self.matched[equation] = Some(node);
@@ -153,7 +154,9 @@ impl Graph {
             let next = (0..waiting.len()).filter(|&i| ready(&waiting[i])).min_by_key(|&i| rank(&waiting[i]));
             // There always is one: the condensation of a graph has no cycle.
             let part = waiting.swap_remove(next.unwrap_or(0));
-            part.iter().for_each(|&node| solved[node] = true);
+            for &node in &part {
+                solved[node] = true;
+            }
             ordered.push(part);
         }
         ordered

@@ -1,1 +1,112 @@
+use assur_all as _;
 
+use crate::{Structure, StructureError};
+
+fn structure(text: &str) -> Result<Structure, StructureError> {
+    Structure::of(&assur_scene::read("test", text).unwrap())
+}
+
+fn fixture(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+const FOUR_BAR: &str = "[ground]\npoints = { O = [0, 0], C = [0.5, 0] }\n\
+    [link.crank]\npoints = { O = 0, A = 0.1 }\n[link.coupler]\npoints = { A = 0, B = 0.4, E = [0.2, 0.1] }\n\
+    [link.rocker]\npoints = { C = 0, B = 0.3 }\n[input]\nlink = \"crank\"\n";
+
+#[test]
+fn formulas_of_known_mechanisms() {
+    let known = [
+        ("shaper", "I(ground,crank) -> II3(stone2,rocker) -> II5(stone4,ram)", 5, 7),
+        ("guide-shaper", "I(ground,crank) -> II3(stone2,rocker) -> II4(stone4,ram)", 5, 7),
+        ("slider-crank", "I(ground,crank) -> II2(rod,piston)", 3, 4),
+        ("conveyor", "I(ground,crank) -> II1(rod,rocker) -> II2(rod4,trough)", 5, 7),
+        ("stephenson3", "I(ground,crank) -> II1(coupler,rocker) -> II2(rod,block)", 5, 7),
+        ("andrews", "I(ground,K1) -> II1(K2,K3) -> II1(K4,K5) -> II1(K6,K7)", 7, 10),
+        ("brake", "I(ground,disc)", 1, 1),
+    ];
+    for (scene, formula, moving, pairs) in known {
+        let found = structure(&fixture(scene)).unwrap();
+        assert_eq!(found.formula, formula, "{scene}");
+        assert_eq!(
+            (found.mobility.moving_links, found.mobility.pairs, found.mobility.value),
+            (moving, pairs, 1)
+        );
+        assert_eq!(found.pairs.len(), pairs, "{scene}");
+        assert_eq!(found.class(), if moving == 1 { 1 } else { 2 });
+    }
+}
+
+#[test]
+fn a_multiple_joint_does_not_tie_groups_together() {
+    let found = structure(&fixture("n-four-bar-40")).unwrap();
+    assert_eq!(found.groups.len(), 40);
+    assert!(found.groups.iter().all(|group| group.plugin.kind == "RRR"));
+}
+
+#[test]
+fn another_input_gives_other_groups() {
+    // The shaper driven from its rocker, then from its ram: the same mechanism, taken apart from other ends.
+    let text = fixture("shaper");
+    let from_rocker =
+        structure(&text.replace("link = \"crank\"\npositions", "link = \"rocker\"\npositions")).unwrap();
+    assert_eq!(from_rocker.formula, "I(ground,rocker) -> II2(crank,stone2) -> II5(stone4,ram)");
+    let unloaded = &text[..text.find("[[force]]").unwrap()];
+    let sliding = unloaded.replace("link = \"crank\"\npositions", "link = \"ram\"\nto = 0.1\npositions");
+    let from_ram = structure(&sliding.replace("60 rpm", "1 m/s")).unwrap();
+    assert_eq!(from_ram.formula, "I(ground,ram) -> II2(rocker,stone4) -> II2(crank,stone2)");
+}
+
+/// A ternary link on three rockers, one point of it driven by a crank: class III, order 3.
+const TRIAD: &str = "[ground]\npoints = { O = [0, 0], P = [1, 0], Q = [0.5, 1] }\n\
+    [link.crank]\npoints = { O = 0, A = 0.1 }\n[link.rod]\npoints = { A = 0, D = 0.5 }\n\
+    [link.plate]\npoints = { D = 0, E = [0.3, 0], F = [0.1, 0.3] }\n[link.right]\npoints = { P = 0, E = 0.4 }\n\
+    [link.top]\npoints = { Q = 0, F = 0.4 }\n[input]\nlink = \"crank\"\n";
+
+#[test]
+fn a_group_of_class_three_is_named() {
+    let error = structure(TRIAD).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "links `rod`, `plate`, `right`, `top` form a group of class III, order 3 (inner R D, R E, R F; outer R P, \
+         R Q, R A); no plugin is registered for it (see `assur plugins`; another input link may give other groups)"
+    );
+    // The same mechanism driven from one of the rockers falls into dyads.
+    let found = structure(&TRIAD.replace("link = \"crank\"", "link = \"right\"")).unwrap();
+    assert_eq!(found.class(), 2);
+    assert_eq!(found.formula, "I(ground,right) -> II1(plate,top) -> II1(crank,rod)");
+}
+
+#[test]
+fn a_loose_link_is_named() {
+    let text = FOUR_BAR.replace("[input]", "[link.flap]\npoints = { E = 0, Z = 0.1 }\n[input]");
+    let error = structure(&text).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "mobility 2 (3*4 - 2*5), but one input moves the mechanism: link `flap` can still move when the input stands; \
+         join it to something by one more pair, or leave out what hangs there"
+    );
+}
+
+#[test]
+fn a_surplus_pair_is_named() {
+    // A third rocker of a parallelogram: it moves, but Chebyshev counts 0.
+    let text = FOUR_BAR
+        .replace("C = [0.5, 0]", "C = [0.5, 0], D = [0.2, 0.1]")
+        .replace("[input]", "[link.third]\npoints = { D = 0, E = 0.1 }\n[input]");
+    let error = structure(&text).unwrap_err();
+    let StructureError::Surplus { counted, pairs, links } = &error else { panic!("{error}") };
+    assert_eq!((counted.mobility, counted.formula.as_str()), (0, "3*4 - 2*6"));
+    assert!(pairs.contains(&"D".to_owned()) && pairs.contains(&"E".to_owned()), "{pairs:?}");
+    assert_eq!(links, &["coupler", "rocker", "third"]);
+}
+
+#[test]
+fn loose_here_and_surplus_there_is_said_at_once() {
+    let text = FOUR_BAR.replace("C = [0.5, 0]", "C = [0.5, 0], D = [0.2, 0.1]").replace(
+        "[input]",
+        "[link.third]\npoints = { D = 0, E = 0.1 }\n[link.flap]\npoints = { E = 0 }\n[input]",
+    );
+    let shown = structure(&text).unwrap_err().to_string();
+    assert!(shown.contains("`flap`") && shown.contains("one constraint too many"), "{shown}");
+}
