@@ -5,7 +5,7 @@ use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, Rated
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::Bound;
-use crate::text::shown;
+use crate::text::{did_you_mean, nearest, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -108,7 +108,7 @@ fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) 
     }
     if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
         let message = format!("`{key}` wants \"solve\" or {}, got \"{}\"", dimension.name(), shown(text));
-        entry.fault(message, "");
+        entry.fault(message, did_you_mean(nearest(text, ["solve"])));
         return None;
     }
     entry.bounded(dimension, bound).map(Solve::Given)
@@ -137,7 +137,8 @@ fn constant(entry: &Entry<'_>, context: &Context<'_>) -> Option<Torque> {
         Some("balance") => Some(Torque::Balance),
         Some(text) if text.starts_with(char::is_alphabetic) => {
             let wanted = dimension.unwrap_or(Dimension::Moment).full();
-            entry.fault(format!("`torque` wants \"balance\" or {wanted}, got \"{}\"", shown(text)), "");
+            let message = format!("`torque` wants \"balance\" or {wanted}, got \"{}\"", shown(text));
+            entry.fault(message, did_you_mean(nearest(text, ["balance"])));
             None
         }
         _ => entry.quantity(dimension).map(Torque::Constant),

@@ -62,7 +62,11 @@ impl Fault {
     fn locate(self, text: &str) -> SceneError {
         let start = floor(text, self.span.start);
         let end = floor(text, self.span.end.max(start));
-        let from = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        // A byte order mark is no part of the first line.
+        let mark = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        let from = text[..start].rfind('\n').map_or(mark, |newline| newline + 1);
+        let start = start.max(from);
+        let end = end.max(start);
         let until = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
         let source = text[from..until].trim_end_matches('\r');
         SceneError {

@@ -123,7 +123,7 @@ fn contact(
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {
-    let [from, to] = pair(entry, context.coordinate())?;
+    let [from, to] = pair(entry, "[from, to]", context.coordinate())?;
     if from > to {
         entry.fault("`during` ends before it begins", "[from, to] with `from` not greater than `to`");
     }

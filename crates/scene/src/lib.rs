@@ -51,6 +51,16 @@ const SYNTAX_FAULTS: usize = 3;
 ///
 /// [`SceneErrors`] with every fault: of the TOML syntax, or else of keys, kinds of values, units, names, and of what
 /// the scene says as a whole.
+///
+/// # Examples
+///
+/// ```
+/// let scene = "[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0 }\nmass = '4 mm'\n[input]\nlink = 'arm'";
+/// let errors = assur_scene::read("arm.toml", scene).unwrap_err();
+/// assert_eq!((errors.errors[0].line, errors.errors[0].column), (5, 8));
+/// assert_eq!(errors.errors[0].message, "`mass` wants a mass (kg, g, t), got `mm`, a length");
+/// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
+/// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     let faults = Faults::default();
     let (document, syntax) = DeTable::parse_recoverable(text);

@@ -130,7 +130,7 @@ impl Linkage {
 /// Coordinates [x, y] in m, or one number on the x axis.
 pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
     if entry.value.is_array() {
-        return pair(entry, Dimension::Length);
+        return pair(entry, "[x, y]", Dimension::Length);
     }
     if entry.value.is_table() || entry.value.is_bool() || entry.value.is_datetime() {
         entry.wrong("[x, y] or one length on the x axis", "such as [0, \"-400 mm\"] or \"120 mm\"");
@@ -140,9 +140,13 @@ pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
 }
 
 /// Two quantities of one dimension.
-pub(crate) fn pair(entry: &Entry<'_>, dimension: impl Into<Option<Dimension>>) -> Option<[f64; 2]> {
+pub(crate) fn pair(
+    entry: &Entry<'_>,
+    wanted: &str,
+    dimension: impl Into<Option<Dimension>>,
+) -> Option<[f64; 2]> {
     let dimension = dimension.into();
-    let [a, b] = entry.pair("a list of two")?;
+    let [a, b] = entry.pair(wanted)?;
     let (a, b) = (a.quantity(dimension), b.quantity(dimension));
     Some([a?, b?])
 }

@@ -18,7 +18,7 @@ const MOMENT_KEYS: &[&str] = &["name", "link", "value"];
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
     if entry.value.is_array() {
-        return pair(&entry, Dimension::Acceleration);
+        return pair(&entry, "[gx, gy]", Dimension::Acceleration);
     }
     let size = entry.quantity(Dimension::Acceleration)?;
     if size < 0.0 {

@@ -37,14 +37,16 @@ impl Entry<'_> {
 
     /// The same within a bound.
     pub(crate) fn bounded(&self, wanted: impl Into<Option<Dimension>>, bound: Bound) -> Option<f64> {
+        let wanted = wanted.into();
         let value = self.quantity(wanted)?;
+        let wanted = wanted.unwrap_or(Dimension::Number);
         let (holds, limit) = match bound {
             Bound::Any => (true, ""),
             Bound::NotNegative => (value >= 0.0, "must not be negative"),
             Bound::Positive => (value > 0.0, "must be greater than 0"),
         };
         if !holds {
-            self.fault(format!("`{}` {limit}, got {}", shown(&self.name), self.written()), limit);
+            self.fault(format!("`{}` {limit}, got {}", shown(&self.name), self.written()), such_as(wanted));
         }
         holds.then_some(value)
     }

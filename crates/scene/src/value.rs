@@ -118,8 +118,9 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
             Some(Dimension::Angle) => ("deg", 180.0 / std::f64::consts::PI),
             _ => ("m", 1.0),
         };
+        let rounded = |value: f64| (value * scale * 1e6).round() / 1e6;
         let message =
-            format!("the table spans {:.6} {unit}, the cycle has {:.6} {unit}", span * scale, cycle * scale);
+            format!("the table spans {} {unit}, the cycle has {} {unit}", rounded(span), rounded(cycle));
         entry.fault(message, "`repeat = false`, a longer `cycle` of the input, or fewer rows");
     }
 }

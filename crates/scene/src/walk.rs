@@ -157,8 +157,11 @@ impl<'a> Entry<'a> {
         let count = list.len();
         let pair: Result<[Self; 2], _> = list.try_into();
         if pair.is_err() {
-            let got =
-                if self.value.is_array() { format!("{count} values") } else { kind(self.value).to_owned() };
+            let got = if self.value.is_array() {
+                format!("a list of {count}")
+            } else {
+                kind(self.value).to_owned()
+            };
             self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
         }
         pair.ok()
@@ -217,7 +220,7 @@ pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
         DeValue::String(_) => "a text",
         DeValue::Integer(_) => "an integer",
         DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
+        DeValue::Boolean(_) => "a boolean",
         DeValue::Datetime(_) => "a date",
         DeValue::Array(_) => "a list",
         DeValue::Table(_) => "a table",

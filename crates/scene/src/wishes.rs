@@ -17,7 +17,10 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [
         return Vec::new();
     };
     let hints = entry.named("a table of points", "such as D = [0.17, 0.28]");
-    hints.iter().filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, Dimension::Length)?))).collect()
+    hints
+        .iter()
+        .filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, "[x, y]", Dimension::Length)?)))
+        .collect()
 }
 
 fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {

@@ -71,8 +71,9 @@ pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
         let found = Dimension::of(scale.powers);
         return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, wanted });
     }
-    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so.
-    let value = number * scale.up / scale.down;
+    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. And pi
+    // comes last: 60 rpm is 2 pi rad/s to the last bit.
+    let value = number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns);
     if value.is_finite() { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
 }
 

@@ -1,16 +1,15 @@
 //! Number and unit of a quantity. A unit is a product of named units with exponents, so that `kg*mm^2` needs no entry.
 
-use std::f64::consts::{PI, TAU};
-
 use super::UnitError;
 use super::dimension::{Dimension, Powers};
 use crate::text::nearest;
 
-/// A unit: `up / down` of the SI unit with these powers.
+/// A unit: `up / down * pi^turns` of the SI unit with these powers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
     pub(super) up: f64,
     pub(super) down: f64,
+    pub(super) turns: i32,
     pub(super) powers: Powers,
 }
 
@@ -22,41 +21,41 @@ const N: Powers = [1, 1, -2, 0];
 const NM: Powers = [2, 1, -2, 0];
 const W: Powers = [2, 1, -3, 0];
 
-/// Name, up, down, powers.
-const NAMED: &[(&str, f64, f64, Powers)] = &[
-    ("1", 1.0, 1.0, [0; 4]),
-    ("m", 1.0, 1.0, M),
-    ("mm", 1.0, 1e3, M),
-    ("cm", 1.0, 1e2, M),
-    ("dm", 1.0, 10.0, M),
-    ("km", 1e3, 1.0, M),
-    ("um", 1.0, 1e6, M),
-    ("\u{b5}m", 1.0, 1e6, M),
-    ("\u{3bc}m", 1.0, 1e6, M),
-    ("rad", 1.0, 1.0, RAD),
-    ("mrad", 1.0, 1e3, RAD),
-    ("deg", PI, 180.0, RAD),
-    ("\u{b0}", PI, 180.0, RAD),
-    ("rev", TAU, 1.0, RAD),
-    ("turn", TAU, 1.0, RAD),
-    ("kg", 1.0, 1.0, KG),
-    ("g", 1.0, 1e3, KG),
-    ("t", 1e3, 1.0, KG),
-    ("s", 1.0, 1.0, S),
-    ("ms", 1.0, 1e3, S),
-    ("min", 60.0, 1.0, S),
-    ("h", 3600.0, 1.0, S),
-    ("rpm", TAU, 60.0, [0, 0, -1, 1]),
-    ("N", 1.0, 1.0, N),
-    ("mN", 1.0, 1e3, N),
-    ("kN", 1e3, 1.0, N),
-    ("MN", 1e6, 1.0, N),
-    ("Nm", 1.0, 1.0, NM),
-    ("kNm", 1e3, 1.0, NM),
-    ("Nmm", 1.0, 1e3, NM),
-    ("W", 1.0, 1.0, W),
-    ("kW", 1e3, 1.0, W),
-    ("MW", 1e6, 1.0, W),
+/// Name, up, down, power of pi, powers.
+const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
+    ("1", 1.0, 1.0, 0, [0; 4]),
+    ("m", 1.0, 1.0, 0, M),
+    ("mm", 1.0, 1e3, 0, M),
+    ("cm", 1.0, 1e2, 0, M),
+    ("dm", 1.0, 10.0, 0, M),
+    ("km", 1e3, 1.0, 0, M),
+    ("um", 1.0, 1e6, 0, M),
+    ("\u{b5}m", 1.0, 1e6, 0, M),
+    ("\u{3bc}m", 1.0, 1e6, 0, M),
+    ("rad", 1.0, 1.0, 0, RAD),
+    ("mrad", 1.0, 1e3, 0, RAD),
+    ("deg", 1.0, 180.0, 1, RAD),
+    ("\u{b0}", 1.0, 180.0, 1, RAD),
+    ("rev", 2.0, 1.0, 1, RAD),
+    ("turn", 2.0, 1.0, 1, RAD),
+    ("kg", 1.0, 1.0, 0, KG),
+    ("g", 1.0, 1e3, 0, KG),
+    ("t", 1e3, 1.0, 0, KG),
+    ("s", 1.0, 1.0, 0, S),
+    ("ms", 1.0, 1e3, 0, S),
+    ("min", 60.0, 1.0, 0, S),
+    ("h", 3600.0, 1.0, 0, S),
+    ("rpm", 2.0, 60.0, 1, [0, 0, -1, 1]),
+    ("N", 1.0, 1.0, 0, N),
+    ("mN", 1.0, 1e3, 0, N),
+    ("kN", 1e3, 1.0, 0, N),
+    ("MN", 1e6, 1.0, 0, N),
+    ("Nm", 1.0, 1.0, 0, NM),
+    ("kNm", 1e3, 1.0, 0, NM),
+    ("Nmm", 1.0, 1e3, 0, NM),
+    ("W", 1.0, 1.0, 0, W),
+    ("kW", 1e3, 1.0, 0, W),
+    ("MW", 1e6, 1.0, 0, W),
 ];
 
 /// The number that a text begins with, and the unit after it, both without white space around.
@@ -97,7 +96,7 @@ fn number_length(text: &str) -> usize {
 
 /// The scale of a unit: factors joined by `*`, `·`, white space or `/`, each with an exponent (`^2`, `²` or `2`).
 pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
-    let mut scale = Scale { up: 1.0, down: 1.0, powers: [0; 4] };
+    let mut scale = Scale { up: 1.0, down: 1.0, turns: 0, powers: [0; 4] };
     let mut rest = text;
     let mut sign = 1;
     // More factors than any unit has; the bound keeps the exponents small.
@@ -106,8 +105,8 @@ pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
         let (factor, after) = rest.split_at(end);
         let unknown = || unknown_unit(factor, text, wanted);
         let (name, exponent) = exponent(factor.trim()).ok_or_else(unknown)?;
-        let &(_, up, down, powers) = NAMED.iter().find(|named| named.0 == name).ok_or_else(unknown)?;
-        apply(&mut scale, up, down, powers, sign * exponent);
+        let &(_, up, down, turns, powers) = NAMED.iter().find(|named| named.0 == name).ok_or_else(unknown)?;
+        apply(&mut scale, &Scale { up, down, turns, powers }, sign * exponent);
         let after = after.trim_start();
         let Some(operator) = after.chars().next() else {
             return Ok(scale);
@@ -126,11 +125,12 @@ fn is_sign(c: char) -> bool {
     matches!(c, '*' | '/' | '\u{b7}' | '\u{22c5}' | '\u{d7}')
 }
 
-fn apply(scale: &mut Scale, up: f64, down: f64, powers: Powers, exponent: i32) {
-    let (up, down) = if exponent < 0 { (down, up) } else { (up, down) };
+fn apply(scale: &mut Scale, factor: &Scale, exponent: i32) {
+    let (up, down) = if exponent < 0 { (factor.down, factor.up) } else { (factor.up, factor.down) };
     scale.up *= up.powi(exponent.abs());
     scale.down *= down.powi(exponent.abs());
-    for (sum, power) in scale.powers.iter_mut().zip(powers) {
+    scale.turns += factor.turns * exponent;
+    for (sum, power) in scale.powers.iter_mut().zip(factor.powers) {
         *sum += power * exponent;
     }
 }

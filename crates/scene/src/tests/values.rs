@@ -1,0 +1,228 @@
+//! What stands in the mechanism, by hand from the files.
+
+#![expect(clippy::float_cmp, reason = "numbers that stand in the file are read to the last bit")]
+
+use std::f64::consts::{PI, TAU};
+
+use approx::assert_relative_eq as close;
+use assur_mechanism::{
+    Balance, Characteristic, Direction, FlywheelPlace, InputPair, Mechanism, Motion, Motor, Over, PairId,
+    Range, Sense, Shape, Solve, Table, Torque, Until, Value,
+};
+
+use super::{BASE, fixture, fixtures, steady};
+use crate::{STARTER, read};
+
+fn good(text: &str) -> Mechanism {
+    read("scene.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn every_fixture_and_the_starter_read() {
+    assert!(fixtures().len() >= 13);
+    for (name, text) in fixtures() {
+        read(&name, &text).unwrap_or_else(|errors| panic!("{errors}"));
+    }
+    let starter = good(STARTER);
+    assert_eq!(starter.links.len(), 4);
+    assert_eq!(starter.slides[0].name, "piston/ground");
+}
+
+#[test]
+fn links_points_and_slides_of_the_shaper() {
+    let scene = fixture("shaper.toml");
+    let names: Vec<&str> = scene.links.iter().map(|link| link.name.as_str()).collect();
+    assert_eq!(names, ["ground", "crank", "stone2", "rocker", "stone4", "ram"]);
+    let points: Vec<&str> = scene.points.iter().map(|point| point.name.as_str()).collect();
+    assert_eq!(points, ["O", "C", "A", "S3", "D", "E", "K"]);
+    assert_eq!(scene.gravity, Some([0.0, -9.81]));
+    assert_eq!(scene.points[1].places[0].at, [0.0, -0.4]);
+    let pins: Vec<&str> =
+        scene.points.iter().filter(|point| point.is_pin()).map(|point| point.name.as_str()).collect();
+    assert_eq!(pins, ["O", "C", "A", "D"]);
+    assert_eq!(
+        (scene.links[3].mass, scene.links[3].center, scene.links[3].inertia),
+        (12.0, [0.375, 0.0], 0.6)
+    );
+    assert_eq!(scene.links[2].center, [0.0, 0.0]);
+    assert_eq!(scene.links[5].center, [0.1, 0.02]);
+    let slides: Vec<_> =
+        scene.slides.iter().map(|slide| (slide.name.as_str(), slide.link, slide.on)).collect();
+    assert_eq!(slides, [("stone2/rocker", 2, 3), ("stone4/ram", 4, 5), ("ram/ground", 5, 0)]);
+    assert_eq!(scene.slides[1].angle, PI / 2.0);
+    assert_eq!(scene.slides[2].through, [0.0, 0.27]);
+    assert_eq!(scene.assembly, [(4, [0.17, 0.28])]);
+}
+
+#[test]
+fn input_motion_and_force_of_the_shaper() {
+    let scene = fixture("shaper.toml");
+    assert_eq!((scene.input.link, scene.input.pair, scene.input.positions), (1, InputPair::Pin(0), 48));
+    assert_eq!((scene.input.range, scene.input.direction), (Range::Cycle(TAU), Sense::Ccw));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: TAU, acceleration: 0.0 }));
+    let force = &scene.forces[0];
+    assert_eq!((force.name.as_str(), force.at.link, force.at.at), ("cutting", 5, [0.25, -0.05]));
+    assert_eq!(force.direction, Direction::Ground(0.0));
+    let forward =
+        Table { rows: vec![[0.05, 0.0], [0.05, 1500.0], [0.95, 1500.0], [0.95, 0.0]], shape: Shape::Linear };
+    assert_eq!(force.value, Value::Stroke { axis: PI, forward, back: Table::constant(0.0) });
+}
+
+#[test]
+fn drive_of_the_shaper() {
+    let scene = fixture("shaper-drive.toml");
+    assert_eq!(scene.motion, Some(Motion::Steady { mean_speed: TAU, unevenness: Some(0.05) }));
+    let drive = scene.drive.unwrap();
+    assert_eq!((drive.ratio, drive.efficiency), (Solve::Wanted, 0.95));
+    assert_eq!((drive.flywheel, drive.flywheel_on), (Some(Solve::Wanted), FlywheelPlace::Crank));
+    let Torque::Motor { motor: Motor::Rated(motor), catalogue: None, max_speed: None, characteristic } =
+        drive.torque
+    else {
+        panic!("{:?}", drive.torque)
+    };
+    assert_eq!(characteristic, Characteristic::Kloss);
+    assert_eq!((motor.power, motor.max_torque_ratio, motor.inertia), (1100.0, Some(2.2), Some(0.0045)));
+    close!(motor.synchronous_speed, 50.0 * PI, max_relative = 1e-15);
+    close!(motor.rated_speed, 47.0 * PI, max_relative = 1e-15);
+}
+
+#[test]
+fn ends_of_transient_motions() {
+    let Some(Motion::Transient { speed, until, samples, integrator, tolerance }) =
+        fixture("andrews.toml").motion
+    else {
+        panic!()
+    };
+    assert_eq!(
+        (speed, until, samples, integrator.as_str(), tolerance),
+        (0.0, Until::Time(0.03), 4, "auto", 1e-9)
+    );
+    let motion = |name| match fixture(name).motion {
+        Some(Motion::Transient { speed, until, samples, .. }) => (speed, until, samples),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(motion("run-up.toml"), (0.0, Until::Way(5.0 * TAU), 100));
+    assert_eq!(motion("brake.toml"), (100.0, Until::Rest, 100));
+    assert_eq!(motion("n-four-bar-2.toml"), (-1.0, Until::Time(10.0), 400));
+}
+
+#[test]
+fn a_range_against_the_clock_turns_the_speed() {
+    let scene = fixture("press.toml");
+    close!(scene.input.from, 130.0 * PI / 180.0, max_relative = 1e-15);
+    let Range::To(to) = scene.input.range else { panic!() };
+    close!(to, 50.0 * PI / 180.0, max_relative = 1e-15);
+    assert_eq!((scene.input.positions, scene.input.sign()), (33, -1.0));
+    let Some(Motion::Prescribed { speed, .. }) = scene.motion else { panic!() };
+    close!(speed, -PI / 3.0, max_relative = 1e-15);
+    let contact = &scene.contacts[0];
+    assert_eq!((contact.center.link, contact.center.at, contact.radius), (2, [0.06, 0.0], 0.3));
+    assert_eq!((&contact.force, contact.friction, contact.during), (&Value::Constant(20_000.0), 0.1, None));
+    assert_eq!(contact.name, "contact 1 on rod");
+}
+
+#[test]
+fn direction_cw_turns_speed_and_acceleration() {
+    let scene = fixture("conveyor.toml");
+    let Some(Motion::Prescribed { speed, acceleration }) = scene.motion else { panic!() };
+    close!(speed, -2.5 * PI, max_relative = 1e-15);
+    assert_eq!(acceleration, 0.0);
+    assert_eq!(scene.forces[0].direction, Direction::AgainstMotion);
+    assert_eq!(scene.forces[0].name, "force 1 on trough");
+    assert_eq!(scene.links[3].center, [0.17, 0.01]);
+    let text = BASE.replace("speed = \"900 rpm\"", "speed = 3\nacceleration = 2");
+    let scene = good(&text.replace("positions = 24", "direction = \"cw\""));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -3.0, acceleration: -2.0 }));
+}
+
+#[test]
+fn loads_in_links_springs_and_tables() {
+    let scene = fixture("stephenson3.toml");
+    close!(scene.slides[0].tilt, 25.0 * PI / 180.0, max_relative = 1e-15);
+    assert!(matches!(scene.forces[0].direction, Direction::Link(angle) if (angle + PI / 3.0).abs() < 1e-15));
+    let spring = &scene.springs[0];
+    assert_eq!((spring.ends[0].link, spring.ends[0].at), (0, [0.5, 0.05]));
+    assert_eq!((spring.ends[1].link, spring.ends[1].at), (5, [0.05, 0.1]));
+    assert_eq!((spring.stiffness, spring.length, spring.damping), (800.0, 0.3, 25.0));
+    assert_eq!(spring.name, "spring 1");
+    let moment = fixture("flywheel.toml").moments.remove(0);
+    let table = Table { rows: vec![[0.0, 0.0], [PI, 40.0], [TAU, 0.0]], shape: Shape::Linear };
+    assert_eq!(moment.value, Value::Table { over: Over::Coordinate, table, repeat: true });
+    let moment = fixture("run-up.toml").moments.remove(0);
+    assert!(matches!(moment.value, Value::Table { repeat: false, .. }));
+}
+
+#[test]
+fn a_sliding_input_is_measured_in_meters() {
+    let text = BASE
+        .replace("link = \"crank\"\npositions = 24", "link = \"piston\"\nfrom = \"300 mm\"\nto = \"200 mm\"");
+    let text = text.replace("\"900 rpm\"", "\"0.2 m/s\"").replace("\"180 deg\"", "\"80 mm\"");
+    let scene = good(&text.replace("[\"-30 deg\", \"30 deg\"]", "[\"200 mm\", 0.25]"));
+    assert_eq!(scene.input.pair, InputPair::Slide(0));
+    assert_eq!((scene.input.from, scene.input.range), (0.3, Range::To(0.2)));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -0.2, acceleration: 0.0 }));
+    assert_eq!(scene.contacts[0].during, Some([0.2, 0.25]));
+    // A range of a sliding input is no cycle, so that nothing can repeat with it.
+    assert!(matches!(scene.moments[0].value, Value::Table { repeat: false, .. }));
+}
+
+#[test]
+fn wishes_and_the_other_drives() {
+    let text = steady()
+        + "[balance]\nlink = \"piston\"\nat = [0, \"10 mm\"]\nangle = \"90 deg\"\n"
+        + "[output]\npoints = [\"S2\"]\nlinks = [\"rod\"]\nslides = [\"piston/ground\"]\nreactions = [\"A\", \"piston/ground\"]\n"
+        + "[drive]\nmotor = \"4A100L4\"\ncatalogue = \"4A\"\nmax_motor_speed = \"1500 rpm\"\ncharacteristic = \"linear\"\nratio = 25\nflywheel = 3\nflywheel_on = \"motor\"\n";
+    let scene = good(&text);
+    assert!(
+        matches!(scene.balance, Some(Balance::Force { at, angle }) if at.link == 3 && at.at == [0.0, 0.01] && angle == PI / 2.0)
+    );
+    let output = scene.output.unwrap();
+    assert_eq!((output.points, output.links, output.slides), (vec![3], vec![2], vec![0]));
+    assert_eq!(output.reactions, [PairId::Pin(2), PairId::Slide(0)]);
+    let drive = scene.drive.unwrap();
+    assert_eq!(
+        (drive.ratio, drive.efficiency, drive.flywheel),
+        (Solve::Given(25.0), 1.0, Some(Solve::Given(3.0)))
+    );
+    assert_eq!(drive.flywheel_on, FlywheelPlace::Motor);
+    let Torque::Motor { motor, catalogue, max_speed, characteristic } = drive.torque else { panic!() };
+    assert_eq!((motor, catalogue.as_deref()), (Motor::Designation("4A100L4".to_owned()), Some("4A")));
+    close!(max_speed.unwrap(), 50.0 * PI, max_relative = 1e-15);
+    assert_eq!(characteristic, Characteristic::Linear);
+    let torque = |line: &str| good(&(steady() + "[drive]\n" + line)).drive.unwrap().torque;
+    assert_eq!(torque("torque = \"balance\""), Torque::Balance);
+    assert_eq!(torque("torque = \"25 N*m\""), Torque::Constant(25.0));
+    assert_eq!(torque("flywheel = 2"), Torque::None);
+    assert!(matches!(torque("motor = \"auto\""), Torque::Motor { motor: Motor::Auto, .. }));
+}
+
+#[test]
+fn tables_over_time_speed_and_steps() {
+    let value =
+        |text: &str| good(&BASE.replace("value = 700", &format!("value = {text}"))).forces.remove(0).value;
+    let table = Table { rows: vec![[0.0, 1.0], [0.5, 2000.0]], shape: Shape::Step };
+    let read = value("{ over = \"time\", table = [[0, 1], [\"500 ms\", \"2 kN\"]], shape = \"step\" }");
+    assert_eq!(read, Value::Table { over: Over::Time, table, repeat: false });
+    let read = value("{ over = \"speed\", table = [[0, 60], [\"60 rpm\", 0]] }");
+    let table = Table { rows: vec![[0.0, 60.0], [TAU, 0.0]], shape: Shape::Linear };
+    assert_eq!(read, Value::Table { over: Over::Speed, table, repeat: false });
+}
+
+#[test]
+fn order_is_that_of_the_file_not_of_the_alphabet() {
+    let scene = good(
+        "[link.z]\npoints = { b = 0, a = 1 }\n[link.c]\npoints = { a = 2 }\n[ground]\npoints = { q = 0, b = 0 }\n[input]\nlink = \"z\"",
+    );
+    let links: Vec<&str> = scene.links.iter().map(|link| link.name.as_str()).collect();
+    let points: Vec<&str> = scene.points.iter().map(|point| point.name.as_str()).collect();
+    assert_eq!((links, points), (vec!["ground", "z", "c"], vec!["q", "b", "a"]));
+    assert_eq!((scene.input.positions, scene.motion, scene.title.as_str()), (12, None, ""));
+}
+
+#[test]
+fn a_slide_leads_the_first_point_of_its_link() {
+    let text = BASE.replace("points = { B = 0 }", "points = { T = [0.1, 0.2], B = 0 }\ncenter = \"B\"");
+    assert_eq!(good(&text).slides[0].point, [0.1, 0.2]);
+    let text = text.replace("angle = \"90 deg\"\n", "angle = \"90 deg\"\npoint = \"B\"\nthrough = \"C\"\n");
+    assert_eq!((good(&text).slides[0].point, good(&text).slides[0].through), ([0.0, 0.0], [0.0, -0.4]));
+}
