@@ -155,3 +155,17 @@ fn the_end_of_assembly_is_found_to_the_digit() {
         "{shown}"
     );
 }
+
+#[test]
+fn a_position_allocates_nothing() {
+    for scene in ["shaper", "guide-shaper", "conveyor", "andrews", "n-four-bar-2"] {
+        let linkage = linkage(scene);
+        let mut position = linkage.position();
+        let counted = allocation_counter::measure(|| {
+            for i in 0..48 {
+                linkage.solve(f64::from(i) * 0.13, Order::Second, &mut position).unwrap();
+            }
+        });
+        assert_eq!(counted.count_total, 0, "{scene}");
+    }
+}
