@@ -35,9 +35,9 @@ impl<T: Real, const N: usize> Lu<T, N> {
             for i in k + 1..N {
                 let factor = matrix[i][k] / pivot;
                 matrix[i][k] = factor;
-                for j in k + 1..N {
-                    let above = matrix[k][j];
-                    matrix[i][j] -= factor * above;
+                let above = matrix[k];
+                for (entry, above) in matrix[i].iter_mut().zip(above).skip(k + 1) {
+                    *entry -= factor * above;
                 }
             }
         }
@@ -56,8 +56,8 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
         for i in (0..N).rev() {
             let mut sum = x[i];
-            for j in i + 1..N {
-                sum -= self.factors[i][j] * x[j];
+            for (&factor, &known) in self.factors[i].iter().zip(&x).skip(i + 1) {
+                sum -= factor * known;
             }
             x[i] = sum / self.factors[i][i];
         }

@@ -33,24 +33,29 @@ pub trait Real:
     /// The first lane, rounded.
     fn to_f64(self) -> f64;
     /// Square root; NaN for a negative number.
+    #[must_use]
     fn sqrt(self) -> Self;
     /// Absolute value.
+    #[must_use]
     fn abs(self) -> Self;
     /// The smallest lane; NaN if a lane is NaN.
     fn least(self) -> f64;
     /// The greatest lane; NaN if a lane is NaN.
     fn greatest(self) -> f64;
     /// The greater of this and zero, lane by lane.
+    #[must_use]
     fn clamp_negative(self) -> Self;
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
     /// Half of it.
+    #[must_use]
     fn half(self) -> Self {
         self * Self::from_f64(0.5)
     }
 
     /// Twice it.
+    #[must_use]
     fn twice(self) -> Self {
         self + self
     }

@@ -1,6 +1,6 @@
 //! Random numbers that are the same on every machine.
 
-/// A seeded generator (SplitMix64 of Steele, Lea and Flood 2014).
+/// A seeded generator (`SplitMix64` of Steele, Lea and Flood 2014).
 #[derive(Debug, Clone)]
 pub struct Dice {
     state: u64,

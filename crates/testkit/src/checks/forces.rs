@@ -19,9 +19,9 @@ pub(crate) fn all(case: &Case, way: usize, health: f64, dice: &mut Dice) -> Resu
     let pairs = case.sample.frame.pairs().count();
     let mut answer = Answer { loads: given.clone(), given, reactions: vec![Wrench::ZERO; pairs] };
     case.called("reactions", case.kernel.reactions(&bodies, &mut answer.loads, &mut answer.reactions))?;
-    general(case, &bodies, &answer, health)?;
     equilibrium(case, &bodies, &answer, health)?;
-    power(case, &bodies, &answer, health)
+    power(case, &bodies, &answer, health)?;
+    general(case, &bodies, &answer, health)
 }
 
 fn parts(wrench: &Wrench<f64>) -> [f64; 3] {
@@ -74,13 +74,11 @@ fn equilibrium(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) 
         }
     }
     for (i, sum) in sums.iter().enumerate() {
-        let (wanted, from) = match case.sample.frame.column(i) {
-            Some(_) => (Wrench::ZERO, &answer.given[i]),
-            None => (*sum, &answer.loads[i]),
+        let (left, wanted) = match case.sample.frame.column(i) {
+            Some(_) => (sum, &Wrench::ZERO),
+            None => (&answer.loads[i], sum),
         };
-        let (left, right) =
-            if case.sample.frame.column(i).is_some() { (sum, &wanted) } else { (from, &wanted) };
-        for (a, b) in parts(left).into_iter().zip(parts(right)) {
+        for (a, b) in parts(left).into_iter().zip(parts(wanted)) {
             case.within("equilibrium", "a body", a - b, limit)?;
         }
     }

@@ -48,9 +48,9 @@ pub(crate) fn regular(case: &Case, dice: &mut Dice, tried: &mut Tried) -> Result
     tried.regular += 1;
     tried.several_ways |= case.kernel.ways() > 1;
     places::all_ways_close(case)?;
+    motion::agrees_with_differences(case, way)?;
     motion::agrees_with_the_general_solution(case, way, health)?;
     motion::solve_is_place_and_derive(case, way, health)?;
-    motion::agrees_with_differences(case, way)?;
     forces::all(case, way, health, dice)?;
     numbers::lanes(case, way)?;
     numbers::precisions(case, way, health)?;

@@ -1,0 +1,59 @@
+//! The registry refuses two kinds of one name. A program of its own, because it spoils the registry.
+
+use assur_group::{
+    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number, RegistryError,
+    groups, inventory, plugin_for,
+};
+use assur_number::Real;
+
+#[derive(Debug)]
+struct Nothing(GroupFrame);
+
+impl<T: Real> AssurGroup<T> for Nothing {
+    fn frame(&self) -> &GroupFrame {
+        &self.0
+    }
+
+    fn place(&self, _: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
+        Ok(T::ONE)
+    }
+}
+
+impl GroupKind for Nothing {
+    type Kernel<T: Number> = Nothing;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Nothing, BuildError> {
+        Ok(Nothing(frame.clone()))
+    }
+}
+
+const fn entry(crate_name: &'static str) -> GroupPlugin {
+    GroupPlugin {
+        name: "twice",
+        kind: "TWICE",
+        class: 2,
+        number: 0,
+        crate_name,
+        summary: "a name that is taken",
+        ways: "one",
+        singular: "never",
+        source: "a test",
+        matches: |_| true,
+        builders: Builders::of::<Nothing>(),
+    }
+}
+
+inventory::submit! { entry("second") }
+inventory::submit! { entry("first") }
+
+#[test]
+fn two_of_one_name_are_refused() {
+    let error = groups().unwrap_err();
+    assert_eq!(error, RegistryError::Duplicate { name: "twice", first: "first", second: "second" });
+    assert_eq!(
+        error.to_string(),
+        "two plugins are registered as group `twice`: first and second; rename one"
+    );
+    let frame = GroupFrame { links: vec![], inner: vec![], outer: vec![], scale: 1.0 };
+    assert!(plugin_for(&frame).is_err());
+}
