@@ -1,0 +1,151 @@
+//! Links with the poses that they have in the first position, and pairs that are put where the links lie.
+
+use std::f64::consts::{PI, TAU};
+
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide, SlideId};
+
+use crate::Rng;
+
+/// Pose of a link in the first position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pose {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) angle: f64,
+}
+
+impl Pose {
+    /// Place of the ground of a point of the link.
+    pub(crate) fn world(&self, at: [f64; 2]) -> [f64; 2] {
+        let (s, c) = self.angle.sin_cos();
+        [self.x + c * at[0] - s * at[1], self.y + s * at[0] + c * at[1]]
+    }
+
+    /// The point of the link that lies there.
+    pub(crate) fn local(&self, world: [f64; 2]) -> [f64; 2] {
+        let (s, c) = self.angle.sin_cos();
+        let [dx, dy] = [world[0] - self.x, world[1] - self.y];
+        [c * dx + s * dy, c * dy - s * dx]
+    }
+}
+
+/// A mechanism under construction.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    pub(crate) rng: Rng,
+    /// Size of the region in which everything lies, m.
+    pub(crate) size: f64,
+    pub(crate) links: Vec<Link>,
+    pub(crate) poses: Vec<Pose>,
+    pub(crate) points: Vec<Point>,
+    pub(crate) slides: Vec<Slide>,
+}
+
+/// The same angle in [-pi, pi].
+pub(crate) fn normalized(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+pub(crate) fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+pub(crate) fn length(a: [f64; 2]) -> f64 {
+    a[0].hypot(a[1])
+}
+
+impl Draft {
+    pub(crate) fn new(seed: u64) -> Self {
+        let mut rng = Rng::new(seed);
+        let size = 10.0_f64.powf(rng.range(-1.2, 0.5));
+        let ground = Link { name: "ground".to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 };
+        let pose = Pose { x: 0.0, y: 0.0, angle: 0.0 };
+        Self { rng, size, links: vec![ground], poses: vec![pose], points: Vec::new(), slides: Vec::new() }
+    }
+
+    /// A place of the region, m.
+    pub(crate) fn place(&mut self) -> [f64; 2] {
+        [self.rng.range(-1.0, 1.0) * self.size, self.rng.range(-1.0, 1.0) * self.size]
+    }
+
+    /// A new link in a random pose, with one point of interest.
+    pub(crate) fn link(&mut self) -> LinkId {
+        let id = self.links.len();
+        let [x, y] = self.place();
+        let angle = self.rng.angle();
+        self.poses.push(Pose { x, y, angle });
+        // One link in four is massless.
+        let mass = if self.rng.chance(0.25) { 0.0 } else { self.rng.range(0.2, 8.0) };
+        let mut link = Link { name: format!("link{id}"), mass, center: [0.0; 2], inertia: 0.0 };
+        if mass > 0.0 {
+            link.center = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
+            if self.rng.chance(0.8) {
+                link.inertia = mass * self.size * self.size * self.rng.range(0.01, 0.2);
+            }
+        }
+        self.links.push(link);
+        let at = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
+        self.points.push(Point { name: format!("E{id}"), places: vec![Place { link: id, at }] });
+        id
+    }
+
+    /// A new pin of two links at a place of the ground.
+    pub(crate) fn pin(&mut self, a: LinkId, b: LinkId, world: [f64; 2]) -> PointId {
+        let name = format!("P{}", self.points.len());
+        let places = [a, b].map(|link| Place { link, at: self.poses[link].local(world) });
+        self.points.push(Point { name, places: places.to_vec() });
+        self.points.len() - 1
+    }
+
+    /// Hangs a link on a pin, a point of interest or nothing yet of an earlier body; the place of the pin.
+    pub(crate) fn hang(&mut self, link: LinkId, body: LinkId) -> [f64; 2] {
+        let ready: Vec<PointId> = (0..self.points.len())
+            .filter(|&id| self.points[id].places.iter().any(|place| place.link == body))
+            .collect();
+        if !ready.is_empty() && self.rng.chance(0.35) {
+            let point = *self.rng.pick(&ready);
+            let world = self.world_of(point);
+            let place = Place { link, at: self.poses[link].local(world) };
+            self.points[point].places.push(place);
+            return world;
+        }
+        let world = self.place();
+        self.pin(link, body, world);
+        world
+    }
+
+    /// Where a point lies in the first position.
+    pub(crate) fn world_of(&self, point: PointId) -> [f64; 2] {
+        let place = self.points[point].places[0];
+        self.poses[place.link].world(place.at)
+    }
+
+    /// A new slide of two links along a direction of the ground; either may carry the guide, the ground always does.
+    pub(crate) fn slide(&mut self, a: LinkId, b: LinkId, direction: f64) -> SlideId {
+        let (link, on) = if a == GROUND || (b != GROUND && self.rng.chance(0.5)) { (b, a) } else { (a, b) };
+        // One slide in three is central and straight: offset and tilt zero are cases of their own.
+        let simple = self.rng.chance(0.33);
+        let point_at = if simple { [0.0; 2] } else { self.place() };
+        let point = if simple { [0.0; 2] } else { self.poses[link].local(point_at) };
+        let start = self.poses[link].world(point);
+        let way = self.rng.signed(0.0, 1.0) * self.size;
+        let (s, c) = direction.sin_cos();
+        let through = self.poses[on].local([start[0] - way * c, start[1] - way * s]);
+        let angle = normalized(direction - self.poses[on].angle);
+        let tilt = normalized(self.poses[link].angle - direction);
+        let name = format!("S{}", self.slides.len());
+        self.slides.push(Slide { name, link, on, point, through, angle, tilt });
+        self.slides.len() - 1
+    }
+
+    /// A direction of the ground whose angle from another one lies between 25 and 155 degrees.
+    pub(crate) fn across(&mut self, from: f64) -> f64 {
+        from + self.rng.signed(25.0, 155.0) * PI / 180.0
+    }
+
+    /// A direction of the ground within 65 degrees of a vector, forth or back.
+    pub(crate) fn along(&mut self, vector: [f64; 2]) -> f64 {
+        let back = if self.rng.chance(0.5) { PI } else { 0.0 };
+        vector[1].atan2(vector[0]) + self.rng.signed(0.0, 65.0) * PI / 180.0 + back
+    }
+}

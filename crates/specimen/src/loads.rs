@@ -1,0 +1,154 @@
+//! Loads of every kind, a motion, and a balancing load elsewhere.
+
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_mechanism::{
+    Balance, Contact, Direction, Force, GROUND, Input, LinkId, Mechanism, Moment, Motion, Over, Place, Range,
+    Shape, Spring, Table, Value,
+};
+
+use crate::draft::Draft;
+
+/// A place whose virtual velocity is less than this part of the usual one can't carry the balancing load.
+const LIVELY: f64 = 0.15;
+
+pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
+    if draft.rng.chance(0.75) {
+        let sign = mechanism.input.sign();
+        let unit = if turns(mechanism) { 1.0 } else { draft.size };
+        let speed = sign * draft.rng.range(1.0, 12.0) * unit;
+        let acceleration = if draft.rng.chance(0.6) { sign * draft.rng.signed(1.0, 60.0) * unit } else { 0.0 };
+        mechanism.motion = Some(Motion::Prescribed { speed, acceleration });
+    }
+    if draft.rng.chance(0.7) {
+        let down = [0.0, -9.81];
+        let any = [draft.rng.signed(0.0, 9.0), draft.rng.signed(0.0, 9.0)];
+        mechanism.gravity = Some(if draft.rng.chance(0.7) { down } else { any });
+    }
+    for index in 0..draft.rng.below(4) {
+        let force = force(draft, mechanism, index);
+        mechanism.forces.push(force);
+    }
+    for index in 0..draft.rng.below(3) {
+        let link = moving(draft, mechanism);
+        let value = value(draft, mechanism, draft.size, false);
+        mechanism.moments.push(Moment { name: format!("moment {index}"), link, value });
+    }
+    for index in 0..draft.rng.below(3) {
+        mechanism.springs.extend(spring(draft, mechanism, index));
+    }
+    if draft.rng.chance(0.25) {
+        let contact = contact(draft, mechanism);
+        mechanism.contacts.push(contact);
+    }
+    if draft.rng.chance(0.4) {
+        mechanism.balance = balance(draft, mechanism);
+    }
+}
+
+fn turns(mechanism: &Mechanism) -> bool {
+    matches!(mechanism.input.pair, assur_mechanism::InputPair::Pin(_))
+}
+
+fn moving(draft: &mut Draft, mechanism: &Mechanism) -> LinkId {
+    1 + draft.rng.below(mechanism.links.len() - 1)
+}
+
+fn place_on(draft: &mut Draft, link: LinkId) -> Place {
+    let at = [draft.rng.signed(0.0, 0.6) * draft.size, draft.rng.signed(0.0, 0.6) * draft.size];
+    Place { link, at }
+}
+
+fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
+    let link = moving(draft, mechanism);
+    let at = place_on(draft, link);
+    let direction = match draft.rng.below(3) {
+        0 if mechanism.motion.is_some() => Direction::AgainstMotion,
+        1 => Direction::Link(draft.rng.angle()),
+        _ => Direction::Ground(draft.rng.angle()),
+    };
+    let value = value(draft, mechanism, 1.0, true);
+    Force { name: format!("force {index}"), at, direction, value }
+}
+
+/// A size of up to some 100 N (times `unit`), constant or by a table.
+fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Value {
+    let mut size = || draft.rng.signed(5.0, 120.0) * unit;
+    let sizes = [size(), size(), size(), size()];
+    let shape = if draft.rng.chance(0.7) { Shape::Linear } else { Shape::Step };
+    let table = |from: f64, step: f64| {
+        let rows = [0.0, 1.0, 2.0, 2.0].iter().zip(sizes).map(|(k, y)| [from + k * step, y]).collect();
+        Table { rows, shape }
+    };
+    let input = &mechanism.input;
+    // Odd steps: a position on a jump has two right values.
+    match (draft.rng.below(6), mechanism.motion.as_ref(), input.period()) {
+        (0, _, period) => {
+            let step = period.unwrap_or(draft.size) * 0.273_1;
+            let repeat = period.is_some();
+            Value::Table { over: Over::Coordinate, table: table(input.from - 0.317_1 * step, step), repeat }
+        }
+        (1, Some(_), _) => Value::Table { over: Over::Speed, table: table(-13.71, 9.37), repeat: false },
+        (2, Some(_), _) => Value::Table { over: Over::Time, table: table(-0.011_3, 0.031_7), repeat: false },
+        (3, ..) if point && matches!(input.range, Range::Cycle(_)) => {
+            let rows = vec![[0.05, 0.0], [0.05, sizes[0]], [0.95, sizes[1]], [0.95, 0.0]];
+            let forward = Table { rows, shape };
+            Value::Stroke { axis: draft.rng.angle(), forward, back: Table::constant(sizes[2]) }
+        }
+        _ => Value::Constant(sizes[0]),
+    }
+}
+
+/// Between two points that stand in no common link.
+fn spring(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Option<Spring> {
+    let count = mechanism.points.len();
+    let (a, b) = (&mechanism.points[draft.rng.below(count)], &mechanism.points[draft.rng.below(count)]);
+    let common = a.places.iter().any(|p| b.places.iter().any(|q| q.link == p.link));
+    let ends = [*draft.rng.pick(&a.places), *draft.rng.pick(&b.places)];
+    let damping = if mechanism.motion.is_some() { draft.rng.range(0.0, 20.0) } else { 0.0 };
+    let length = draft.rng.range(0.0, 1.0) * draft.size;
+    let stiffness = draft.rng.range(10.0, 500.0) / draft.size;
+    (!common).then(|| Spring { name: format!("spring {index}"), ends, stiffness, length, damping })
+}
+
+fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
+    let link = moving(draft, mechanism);
+    let center = place_on(draft, link);
+    let force = value(draft, mechanism, 1.0, false);
+    let (low, high) = (mechanism.input.from - 0.313_7, mechanism.input.from + 0.271_9);
+    let during = draft.rng.chance(0.5).then_some([low, high]);
+    Contact {
+        name: "contact".to_owned(),
+        center,
+        radius: draft.rng.range(0.0, 1.0) * draft.size,
+        angle: draft.rng.signed(0.0, 0.5),
+        force,
+        friction: draft.rng.signed(0.0, 0.3),
+        during,
+    }
+}
+
+/// A place that moves well in every position; `None` where the one drawn does not.
+fn balance(draft: &mut Draft, mechanism: &Mechanism) -> Option<Balance> {
+    let linkage = Linkage::compile(mechanism.clone()).ok()?;
+    let link = moving(draft, mechanism);
+    let at = place_on(draft, link);
+    let angle = draft.rng.angle();
+    let turn = draft.rng.chance(0.5);
+    // Rates by the coordinate: 1 and a length, or 1/length and 1.
+    let (usual_turn, usual_way) = if turns(mechanism) { (1.0, draft.size) } else { (1.0 / draft.size, 1.0) };
+    let mut position = linkage.position();
+    let input: &Input = &mechanism.input;
+    let lively = (0..input.positions).all(|index| {
+        if linkage.solve_index(index, Order::First, &mut position).is_err() || link == GROUND {
+            return false;
+        }
+        let (s, c) = angle.sin_cos();
+        let pf1 = linkage.place_motion(at, &position).pf1;
+        let rate =
+            if turn { position.bodies[link].w1 / usual_turn } else { (c * pf1[0] + s * pf1[1]) / usual_way };
+        rate.abs() > LIVELY
+    });
+    let load = if turn { Balance::Moment(link) } else { Balance::Force { at, angle } };
+    lively.then_some(load)
+}

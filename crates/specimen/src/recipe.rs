@@ -1,0 +1,172 @@
+//! What a specimen shall consist of, and how one is found.
+
+use std::f64::consts::TAU;
+
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_mechanism::{GROUND, Input, InputPair, Mechanism, Range, Sense};
+
+use crate::chains::Kind;
+use crate::draft::Draft;
+
+/// What a specimen shall consist of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Recipe {
+    /// Number of groups, 1 to 5.
+    pub groups: usize,
+    /// This kind alone, or any.
+    pub only: Option<Kind>,
+    /// Whether there are loads, a motion and a balancing load elsewhere.
+    pub loads: bool,
+}
+
+/// A mechanism with the pose that it was constructed in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Specimen {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// Origin and angle of each link in the first position, the ground first.
+    pub poses: Vec<[f64; 3]>,
+    /// The kinds in the order in which they were put together.
+    pub kinds: Vec<Kind>,
+    /// Smallest dimensionless determinant of a group over the positions.
+    pub health: f64,
+}
+
+/// Positions closer to a singular one are not used.
+const LEAST_HEALTH: f64 = 0.05;
+
+/// Constructions that are tried for one seed.
+const TRIES: u64 = 400;
+
+/// Positions of a range, and of a cycle.
+const POSITIONS: [usize; 2] = [5, 12];
+
+impl Recipe {
+    /// Any kinds and all loads.
+    pub fn of(groups: usize) -> Self {
+        Self { groups, only: None, loads: true }
+    }
+
+    /// A mechanism by this recipe, the same for the same seed; `None` if none of many constructions was healthy.
+    ///
+    /// Plugins of the five kinds must be linked.
+    pub fn specimen(&self, seed: u64) -> Option<Specimen> {
+        (0..TRIES).find_map(|attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt)))
+    }
+
+    fn attempt(&self, seed: u64) -> Option<Specimen> {
+        let mut draft = Draft::new(seed);
+        let sliding = draft.rng.chance(0.25);
+        let (pair, from) = draft.input(sliding);
+        let mut kinds = Vec::new();
+        for _ in 0..self.groups {
+            let kind = self.only.unwrap_or_else(|| *draft.rng.pick(&Kind::ALL));
+            let bodies = two_bodies(&mut draft);
+            draft.group(kind, bodies)?;
+            kinds.push(kind);
+        }
+        let poses = draft.poses.iter().map(|pose| [pose.x, pose.y, pose.angle]).collect();
+        let mechanism = mechanism_of(&mut draft, pair, from);
+        let (mut mechanism, health) = with_range(&mut draft, mechanism)?;
+        if self.loads {
+            crate::loads::add(&mut draft, &mut mechanism);
+        }
+        Some(Specimen { mechanism, poses, kinds, health })
+    }
+}
+
+/// Two different earlier bodies, the ground and the newest ones more often.
+fn two_bodies(draft: &mut Draft) -> [usize; 2] {
+    let count = draft.links.len();
+    let draw = |draft: &mut Draft| match draft.rng.below(4) {
+        0 => GROUND,
+        1 => count - 1,
+        _ => draft.rng.below(count),
+    };
+    let first = draw(draft);
+    loop {
+        let second = draw(draft);
+        if second != first {
+            return [first, second];
+        }
+    }
+}
+
+/// The parts in the order in which a reader of the scene meets them.
+fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
+    let mut order: Vec<usize> = (0..draft.points.len()).collect();
+    draft.points.iter_mut().for_each(|point| point.places.sort_by_key(|place| place.link));
+    order.sort_by_key(|&id| (draft.points[id].places[0].link, id));
+    let points: Vec<_> = order.iter().map(|&id| draft.points[id].clone()).collect();
+    draft.points.clone_from(&points);
+    let pair = match pair {
+        InputPair::Pin(old) => InputPair::Pin(order.iter().position(|&id| id == old).unwrap_or(0)),
+        slide @ InputPair::Slide(_) => slide,
+    };
+    let moving = |point: &&usize| points[**point].places[0].link != GROUND;
+    let assembly = (0..points.len()).collect::<Vec<_>>();
+    let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
+    let input =
+        Input { link: 1, pair, from, positions: POSITIONS[0], range: Range::To(from), direction: Sense::Ccw };
+    Mechanism {
+        title: "Specimen".to_owned(),
+        links: draft.links.clone(),
+        points,
+        slides: draft.slides.clone(),
+        input,
+        assembly,
+        gravity: None,
+        forces: Vec::new(),
+        moments: Vec::new(),
+        springs: Vec::new(),
+        contacts: Vec::new(),
+        balance: None,
+        motion: None,
+        drive: None,
+        output: None,
+    }
+}
+
+/// A whole cycle where the mechanism is healthy all over, else a range around the start in which it is.
+fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism, f64)> {
+    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { draft.size };
+    let way = draft.rng.signed(0.2, 1.2) * unit;
+    mechanism.input.range = Range::To(mechanism.input.from + way);
+    let linkage = Linkage::compile(mechanism.clone()).ok()?;
+    let range = linkage.range?;
+    let input = &mut mechanism.input;
+    if range.full && draft.rng.chance(0.9) {
+        input.positions = POSITIONS[1];
+        input.range = Range::Cycle(if draft.rng.chance(0.2) { 2.0 * TAU } else { TAU });
+        input.direction = if draft.rng.chance(0.5) { Sense::Cw } else { Sense::Ccw };
+        let cycle = health(&linkage, input, 4);
+        if cycle > LEAST_HEALTH {
+            return Some((mechanism, cycle));
+        }
+    }
+    let input = &mut mechanism.input;
+    (input.positions, input.direction) = (POSITIONS[0], Sense::Ccw);
+    for part in [1.0, 0.4, 0.15] {
+        input.range = Range::To(input.from + part * way);
+        let least = health(&linkage, input, 1);
+        if least > LEAST_HEALTH {
+            return Some((mechanism, least));
+        }
+    }
+    None
+}
+
+/// Smallest determinant over the positions, and over `finer` times as many; 0 where one can't be solved.
+fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
+    let mut position = linkage.position();
+    let input = Input { positions: finer * input.positions, ..input.clone() };
+    let mut least = f64::INFINITY;
+    for index in 0..input.positions {
+        if linkage.solve(input.coordinate(index), Order::Place, &mut position).is_err() {
+            return 0.0;
+        }
+        least = position.health.iter().fold(least, |a, b| a.min(b.abs()));
+    }
+    least
+}

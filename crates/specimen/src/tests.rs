@@ -1,0 +1,65 @@
+use assur_all as _;
+use assur_group::Order;
+use assur_kinematics::Linkage;
+
+use crate::{Kind, Recipe, Specimen, scene_text};
+
+/// Specimens of one to five groups, a few for each kind alone and more of all kinds.
+fn specimens() -> Vec<(u64, Specimen)> {
+    let alone = Kind::ALL.map(|kind| Recipe { only: Some(kind), ..Recipe::of(1) });
+    let mixed = [1, 2, 3, 4, 5].map(Recipe::of);
+    let recipes: Vec<_> = alone.into_iter().chain(mixed).collect();
+    let find = |seed: u64| recipes[usize::try_from(seed).unwrap() % recipes.len()].specimen(seed);
+    (0..60).map(|seed| (seed, find(seed).unwrap_or_else(|| panic!("no specimen for seed {seed}")))).collect()
+}
+
+#[test]
+fn the_text_of_a_specimen_reads_as_the_same_mechanism() {
+    for (seed, specimen) in specimens() {
+        let text = scene_text(&specimen.mechanism);
+        let read = assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
+        assert_eq!(read, specimen.mechanism, "seed {seed}\n{text}");
+    }
+}
+
+#[test]
+fn the_constructed_pose_is_the_first_position() {
+    for (seed, specimen) in specimens() {
+        let linkage = Linkage::compile(specimen.mechanism).unwrap();
+        let mut position = linkage.position();
+        linkage.solve_index(0, Order::Place, &mut position).unwrap();
+        let scale = linkage.structure.scale;
+        // Each group may multiply rounding by the inverse of its determinant.
+        let condition: f64 = position.health.iter().map(|health| 1.0 / health.abs()).product();
+        for (body, [x, y, angle]) in position.bodies.iter().zip(&specimen.poses) {
+            let off = (body.x - x).hypot(body.y - y) / scale + (body.c - angle.cos()).hypot(body.s - angle.sin());
+            assert!(off < 1e-14 * condition.max(10.0), "seed {seed}: off by {off:e}, condition {condition}");
+        }
+    }
+}
+
+#[test]
+fn groups_are_found_as_they_were_made() {
+    for (seed, specimen) in specimens() {
+        let linkage = Linkage::compile(specimen.mechanism).unwrap();
+        let mut found: Vec<_> = linkage.structure.groups.iter().map(|group| group.plugin.name).collect();
+        let mut made: Vec<_> = specimen.kinds.iter().map(|kind| kind.name()).collect();
+        found.sort_unstable();
+        made.sort_unstable();
+        assert_eq!(found, made, "seed {seed}");
+    }
+}
+
+#[test]
+fn one_hundred_seeds_show_every_arrangement() {
+    let all: Vec<_> = specimens().into_iter().map(|(_, specimen)| specimen.mechanism).collect();
+    let any = |what: fn(&assur_mechanism::Mechanism) -> bool| all.iter().any(what);
+    assert!(any(|m| matches!(m.input.pair, assur_mechanism::InputPair::Slide(_))));
+    assert!(any(|m| matches!(m.input.range, assur_mechanism::Range::Cycle(_))));
+    assert!(any(|m| m.input.direction == assur_mechanism::Sense::Cw));
+    assert!(any(|m| m.points.iter().any(|point| point.places.len() > 2)));
+    assert!(any(|m| m.slides.iter().any(|slide| slide.on > slide.link && slide.on != 0)));
+    assert!(any(|m| m.slides.iter().any(|slide| slide.link > slide.on && slide.on > 1)));
+    assert!(any(|m| m.balance.is_some()));
+    assert!(any(|m| !m.contacts.is_empty()) && any(|m| !m.springs.is_empty()));
+}

@@ -1,0 +1,177 @@
+//! A mechanism as the text of a scene, such that reading it gives the same mechanism again.
+
+use std::fmt::Write;
+
+use assur_mechanism::{
+    Balance, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table,
+    Value,
+};
+
+/// The text of a scene, all numbers in SI with all their digits.
+///
+/// Covers what specimens have: no drive, no output, and only the prescribed motion.
+pub fn scene_text(mechanism: &Mechanism) -> String {
+    let mut text = String::new();
+    // Writing to a string can't fail.
+    let _ = write_scene(&mut text, mechanism);
+    text
+}
+
+type Out = std::fmt::Result;
+
+fn write_scene(text: &mut String, m: &Mechanism) -> Out {
+    writeln!(text, "title = {:?}", m.title)?;
+    if let Some(g) = m.gravity {
+        writeln!(text, "gravity = {}", pair(g))?;
+    }
+    for link in 0..m.links.len() {
+        write_link(text, m, link)?;
+    }
+    for slide in &m.slides {
+        writeln!(text, "\n[[slide]]\nname = {:?}", slide.name)?;
+        writeln!(text, "link = {:?}\non = {:?}", m.links[slide.link].name, m.links[slide.on].name)?;
+        writeln!(text, "through = {}\nangle = {:?}", pair(slide.through), slide.angle)?;
+        writeln!(text, "point = {}\ntilt = {:?}", pair(slide.point), slide.tilt)?;
+    }
+    write_input(text, m)?;
+    if !m.assembly.is_empty() {
+        writeln!(text, "\n[assembly]")?;
+    }
+    for (point, place) in &m.assembly {
+        writeln!(text, "{} = {}", m.points[*point].name, pair(*place))?;
+    }
+    write_loads(text, m)?;
+    write_joints(text, m)?;
+    write_motion(text, m)
+}
+
+fn pair(at: [f64; 2]) -> String {
+    format!("[{:?}, {:?}]", at[0], at[1])
+}
+
+fn write_link(text: &mut String, m: &Mechanism, id: LinkId) -> Out {
+    let link = &m.links[id];
+    let stand = |point: &assur_mechanism::Point| {
+        let place = point.places.iter().find(|place| place.link == id)?;
+        Some(format!("{} = {}", point.name, pair(place.at)))
+    };
+    let points: Vec<_> = m.points.iter().filter_map(stand).collect();
+    let points = points.join(", ");
+    if id == GROUND {
+        return writeln!(text, "\n[ground]\npoints = {{ {points} }}");
+    }
+    writeln!(text, "\n[link.{}]\npoints = {{ {points} }}", link.name)?;
+    writeln!(text, "mass = {:?}\ncenter = {}\ninertia = {:?}", link.mass, pair(link.center), link.inertia)
+}
+
+fn write_input(text: &mut String, m: &Mechanism) -> Out {
+    let input = &m.input;
+    writeln!(text, "\n[input]\nlink = {:?}\nfrom = {:?}", m.links[input.link].name, input.from)?;
+    writeln!(text, "positions = {}", input.positions)?;
+    match input.range {
+        Range::To(to) => writeln!(text, "to = {to:?}"),
+        Range::Cycle(cycle) => {
+            let direction = if input.direction == Sense::Cw { "cw" } else { "ccw" };
+            writeln!(text, "cycle = {cycle:?}\ndirection = {direction:?}")
+        }
+    }
+}
+
+fn rows(table: &Table) -> String {
+    let rows: Vec<_> = table.rows.iter().map(|row| pair(*row)).collect();
+    format!("[{}]", rows.join(", "))
+}
+
+fn shape(shape: Shape) -> &'static str {
+    if shape == Shape::Step { "step" } else { "linear" }
+}
+
+fn value(value: &Value) -> String {
+    match value {
+        Value::Constant(size) => format!("{size:?}"),
+        Value::Table { over, table, repeat } => {
+            let shape = shape(table.shape);
+            let (over, repeat) = match over {
+                Over::Coordinate => ("angle", format!(", repeat = {repeat}")),
+                Over::Time => ("time", String::new()),
+                Over::Speed => ("speed", String::new()),
+            };
+            format!("{{ over = {over:?}, table = {}, shape = {shape:?}{repeat} }}", rows(table))
+        }
+        Value::Stroke { axis, forward, back } => {
+            // A number stands for one row and takes the default shape.
+            let side = |table: &Table| match table.rows[..] {
+                [[_, size]] => format!("{size:?}"),
+                _ => rows(table),
+            };
+            let shape = shape(forward.shape);
+            let (forward, back) = (side(forward), side(back));
+            format!(
+                "{{ over = \"stroke\", axis = {axis:?}, forward = {forward}, back = {back}, shape = {shape:?} }}"
+            )
+        }
+    }
+}
+
+fn on(m: &Mechanism, place: &Place) -> String {
+    format!("link = {:?}\nat = {}", m.links[place.link].name, pair(place.at))
+}
+
+fn write_loads(text: &mut String, m: &Mechanism) -> Out {
+    for force in &m.forces {
+        writeln!(text, "\n[[force]]\nname = {:?}\n{}", force.name, on(m, &force.at))?;
+        match force.direction {
+            Direction::Ground(angle) => writeln!(text, "angle = {angle:?}")?,
+            Direction::Link(angle) => writeln!(text, "angle = {angle:?}\nframe = \"link\"")?,
+            Direction::AgainstMotion => writeln!(text, "against_motion = true")?,
+        }
+        writeln!(text, "value = {}", value(&force.value))?;
+    }
+    for moment in &m.moments {
+        writeln!(text, "\n[[moment]]\nname = {:?}\nlink = {:?}", moment.name, m.links[moment.link].name)?;
+        writeln!(text, "value = {}", value(&moment.value))?;
+    }
+    Ok(())
+}
+
+/// The name of the point at a place, with its link.
+fn end(m: &Mechanism, place: &Place) -> String {
+    let point = m.points.iter().find(|point| point.places.contains(place));
+    format!("{}.{}", m.links[place.link].name, point.map_or("?", |point| point.name.as_str()))
+}
+
+fn write_joints(text: &mut String, m: &Mechanism) -> Out {
+    for spring in &m.springs {
+        let ends = spring.ends.each_ref().map(|place| end(m, place));
+        writeln!(text, "\n[[spring]]\nname = {:?}\nbetween = {ends:?}", spring.name)?;
+        writeln!(text, "stiffness = {:?}\nlength = {:?}", spring.stiffness, spring.length)?;
+        writeln!(text, "damping = {:?}", spring.damping)?;
+    }
+    for contact in &m.contacts {
+        writeln!(text, "\n[[contact]]\nname = {:?}", contact.name)?;
+        let center = &contact.center;
+        writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
+        writeln!(text, "radius = {:?}\nangle = {:?}", contact.radius, contact.angle)?;
+        writeln!(text, "force = {}\nfriction = {:?}", value(&contact.force), contact.friction)?;
+        if let Some(during) = contact.during {
+            writeln!(text, "during = {}", pair(during))?;
+        }
+    }
+    Ok(())
+}
+
+fn write_motion(text: &mut String, m: &Mechanism) -> Out {
+    match &m.balance {
+        Some(Balance::Moment(link)) => writeln!(text, "\n[balance]\nlink = {:?}", m.links[*link].name)?,
+        Some(Balance::Force { at, angle }) => {
+            writeln!(text, "\n[balance]\n{}\nangle = {angle:?}", on(m, at))?;
+        }
+        None => {}
+    }
+    if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
+        // The scene counts both along the direction of the input.
+        let sign = m.input.sign();
+        writeln!(text, "\n[motion]\nspeed = {:?}\nacceleration = {:?}", sign * speed, sign * acceleration)?;
+    }
+    Ok(())
+}
