@@ -1,0 +1,80 @@
+//! The contract of a force analyzer.
+
+use assur_group::{GroupError, Wrench};
+use assur_kinematics::{Linkage, Position};
+
+use crate::Reactions;
+
+/// Finds the balancing load and, where it can, the reactions in all pairs.
+pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
+    /// Whether the method can treat this mechanism.
+    ///
+    /// # Errors
+    ///
+    /// Why not, as a clause: `it has 7 links; the method needs 3`.
+    fn supports(&self, linkage: &Linkage) -> Result<(), String>;
+
+    /// Solves one position.
+    ///
+    /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame; the method may
+    /// change them. `position` needs PF1. Call [`supports`](Self::supports) once before.
+    ///
+    /// # Errors
+    ///
+    /// [`ForceError`] where the reactions or the balancing load are not determined.
+    fn solve(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &mut [Wrench<f64>],
+        out: &mut Reactions,
+    ) -> Result<(), ForceError>;
+}
+
+/// Why there are no reactions. Says the coordinate; the layer above adds the number of the position.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ForceError {
+    /// A group can't be solved.
+    #[error("{group}, coordinate {coordinate:.9}: {source}; the reactions are not determined there")]
+    Group {
+        /// The group in words.
+        group: String,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// What the group says.
+        source: GroupError,
+    },
+    /// The equations of equilibrium of the whole mechanism can't be solved.
+    #[error(
+        "coordinate {coordinate:.9}: the equations of equilibrium are singular (pivots as 1 to {health:.3e}); \
+         the reactions are not determined there"
+    )]
+    Singular {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// Least over greatest pivot.
+        health: f64,
+    },
+    /// The balancing load does no work in this position, so that it can't balance anything.
+    #[error(
+        "coordinate {coordinate:.9}: {load} does no work there (it moves {share:.3e} of a typical way), so it can't keep the \
+         mechanism in its motion; let it act elsewhere, or leave `[balance]` out"
+    )]
+    IdleBalance {
+        /// The balancing load in words.
+        load: String,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// Its transfer function, dimensionless.
+        share: f64,
+    },
+    /// The method can't treat this mechanism.
+    #[error("force analyzer `{analyzer}` can't treat this mechanism: {reason}")]
+    Unsupported {
+        /// Name of the method.
+        analyzer: &'static str,
+        /// Why not.
+        reason: String,
+    },
+}

@@ -1,0 +1,93 @@
+//! The intervals of the coordinate between the places where a formula changes, repeated with the cycle or not.
+
+/// Sorted places where a formula changes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Breaks {
+    points: Vec<f64>,
+    period: Option<f64>,
+}
+
+/// One interval between two breaks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Interval {
+    /// Which, of [`Breaks::count`].
+    pub(crate) index: usize,
+    /// Ends, infinite where there is no break.
+    pub(crate) ends: [f64; 2],
+    /// Its lower end in the cycle of the points.
+    pub(crate) start: f64,
+    /// What the whole cycles add: coordinate - shift lies in the cycle of the points.
+    pub(crate) shift: f64,
+}
+
+/// Differences of the coordinate below this part of it (or of the cycle) are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// How far a place may lie from a break and still be meant to lie on it.
+pub(crate) fn tolerance(coordinate: f64, period: Option<f64>) -> f64 {
+    ROUNDING * coordinate.abs().max(period.unwrap_or(1.0))
+}
+
+impl Breaks {
+    /// Sorts the points; with a period, those a whole period or more after the first are never reached and left out.
+    pub(crate) fn new(mut points: Vec<f64>, period: Option<f64>) -> Self {
+        points.sort_by(f64::total_cmp);
+        points.dedup();
+        if let (Some(period), Some(&first)) = (period, points.first()) {
+            points.retain(|point| *point < first + period);
+        }
+        Self { points, period }
+    }
+
+    /// Number of different intervals.
+    pub(crate) fn count(&self) -> usize {
+        match self.period {
+            Some(_) => self.points.len().max(1),
+            None => self.points.len() + 1,
+        }
+    }
+
+    /// A place within the interval of this index; where it has no end, beyond the other one.
+    pub(crate) fn inside(&self, index: usize) -> f64 {
+        let first = if self.period.is_some() { index } else { index.wrapping_sub(1) };
+        let after = if self.period.is_some() { index + 1 } else { index };
+        let wrapped = || Some(self.points.first()? + self.period?);
+        let ends = (self.points.get(first).copied(), self.points.get(after).copied().or_else(wrapped));
+        match ends {
+            (Some(low), Some(high)) => f64::midpoint(low, high),
+            (Some(low), None) => low + 1.0,
+            (None, Some(high)) => high - 1.0,
+            (None, None) => 0.0,
+        }
+    }
+
+    /// What whole cycles add to reach this coordinate from the cycle of the points.
+    #[inline]
+    pub(crate) fn shift(&self, coordinate: f64) -> f64 {
+        match (self.period, self.points.first()) {
+            (Some(period), Some(first)) => ((coordinate - first) / period).floor() * period,
+            _ => 0.0,
+        }
+    }
+
+    /// The interval that holds a coordinate; a break belongs to the interval after it.
+    #[inline]
+    pub(crate) fn interval(&self, coordinate: f64) -> Interval {
+        let Some(&first) = self.points.first() else {
+            let (start, end) = (f64::NEG_INFINITY, f64::INFINITY);
+            return Interval { index: 0, ends: [start, end], start, shift: 0.0 };
+        };
+        let shift = self.shift(coordinate);
+        let after = self.points.partition_point(|point| *point <= coordinate - shift);
+        let at = |index: usize| self.points.get(index).map(|point| point + shift);
+        let Some(period) = self.period else {
+            let low = after.checked_sub(1).and_then(at).unwrap_or(f64::NEG_INFINITY);
+            let ends = [low, at(after).unwrap_or(f64::INFINITY)];
+            return Interval { index: after, ends, start: low, shift };
+        };
+        // Rounding of the shift may put the coordinate a hair before the first point.
+        let index = after.saturating_sub(1);
+        let ends = [self.points[index] + shift, at(index + 1).unwrap_or(first + period + shift)];
+        Interval { index, ends, start: self.points[index], shift }
+    }
+}

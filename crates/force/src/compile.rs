@@ -1,0 +1,228 @@
+//! From the loads of a scene to flat compiled ones.
+
+use assur_group::{Body, Order};
+use assur_kinematics::Linkage;
+use assur_mechanism::{
+    Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Table, Value,
+};
+
+use crate::breaks::Breaks;
+use crate::law::Law;
+use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
+use crate::reversal::rests;
+use crate::stroke::{NoStroke, Span, Stroke};
+use crate::{LoadError, Loads};
+
+/// Finds the motion of a link at a coordinate, or says why there is none.
+pub(crate) type Solve<'a> = dyn FnMut(f64, LinkId) -> Result<Body<f64>, String> + 'a;
+
+/// What compiling needs beside the mechanism.
+struct Compiler<'a, 'b> {
+    mechanism: &'a Mechanism,
+    scale: f64,
+    solve: &'a mut Solve<'b>,
+}
+
+impl Loads {
+    /// Compiles the loads of a mechanism.
+    ///
+    /// A stroke is taken over the cycle; where the scene gives a range of a mechanism that can't turn fully, over the
+    /// range. Its extremes, and where it passes the rows of its tables, are found to rounding.
+    ///
+    /// # Errors
+    ///
+    /// [`LoadError`] for a load that needs a motion, or a stroke, that the scene does not give.
+    pub fn compile(linkage: &Linkage) -> Result<Self, LoadError> {
+        let mut position = linkage.position();
+        Self::compile_with(&linkage.mechanism, linkage.structure.scale, &mut |coordinate, link| {
+            let solved = linkage.solve(coordinate, Order::Second, &mut position);
+            solved.map_err(|error| error.to_string())?;
+            Ok(position.bodies[link])
+        })
+    }
+
+    /// Compiles the loads; `solve` is asked only for strokes and for loads against a motion that is not prescribed.
+    pub(crate) fn compile_with(
+        mechanism: &Mechanism,
+        scale: f64,
+        solve: &mut Solve<'_>,
+    ) -> Result<Self, LoadError> {
+        let input = &mechanism.input;
+        let (pin, standing) = match input.pair {
+            InputPair::Pin(point) => (mechanism.place_in(point, input.link), 1e-14 * scale),
+            InputPair::Slide(_) => (None, 1e-14),
+        };
+        let mut loads = Self {
+            masses: masses(mechanism),
+            gravity: mechanism.gravity.unwrap_or_default(),
+            forces: Vec::new(),
+            moments: Vec::new(),
+            springs: springs(mechanism)?,
+            contacts: Vec::new(),
+            laws: Vec::new(),
+            sense: input.sign(),
+            period: input.period(),
+            standing,
+            input: (input.link, pin),
+        };
+        let mut compiler = Compiler { mechanism, scale, solve };
+        compiler.forces(&mut loads)?;
+        compiler.moments(&mut loads)?;
+        compiler.contacts(&mut loads)?;
+        Ok(loads)
+    }
+}
+
+fn masses(mechanism: &Mechanism) -> Vec<Mass> {
+    let moving = mechanism.links.iter().enumerate().skip(1);
+    let heavy = moving.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0);
+    let compiled =
+        heavy.map(|(id, link)| Mass { link: id, m: link.mass, center: link.center, inertia: link.inertia });
+    compiled.collect()
+}
+
+fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
+    let mut compiled = Vec::new();
+    for (id, spring) in mechanism.springs.iter().enumerate() {
+        if spring.damping != 0.0 {
+            needs_motion(mechanism, &spring.name, "damping")?;
+        }
+        // Between points of one link the two forces cancel.
+        if spring.ends[0].link != spring.ends[1].link {
+            let (ends, stiffness, length) = (spring.ends, spring.stiffness, spring.length);
+            compiled.push(SpringDamper { id, ends, stiffness, length, damping: spring.damping });
+        }
+    }
+    Ok(compiled)
+}
+
+fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result<(), LoadError> {
+    if mechanism.motion.is_some() {
+        return Ok(());
+    }
+    Err(LoadError::NeedsMotion { name: name.to_owned(), what })
+}
+
+impl Compiler<'_, '_> {
+    fn forces(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+        let mechanism = self.mechanism;
+        for (id, force) in mechanism.forces.iter().enumerate().filter(|(_, force)| force.at.link != GROUND) {
+            let along = match force.direction {
+                Direction::Ground(angle) => Along::Ground([angle.cos(), angle.sin()]),
+                Direction::Link(angle) => Along::Link([angle.cos(), angle.sin()]),
+                Direction::AgainstMotion => Along::AgainstMotion,
+            };
+            let mut breaks = Breaks::default();
+            if along == Along::AgainstMotion {
+                needs_motion(mechanism, &force.name, "a force against the motion")?;
+                breaks = self.rests(force.at);
+            }
+            loads.laws.push(self.law(&force.name, Some(force.at), &force.value)?);
+            loads.forces.push(PointForce { id, at: force.at, along, rests: breaks });
+        }
+        Ok(())
+    }
+
+    fn moments(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+        let mechanism = self.mechanism;
+        for (id, moment) in mechanism.moments.iter().enumerate().filter(|(_, moment)| moment.link != GROUND) {
+            loads.laws.push(self.law(&moment.name, None, &moment.value)?);
+            loads.moments.push(LinkMoment { id, link: moment.link });
+        }
+        Ok(())
+    }
+
+    fn contacts(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+        let mechanism = self.mechanism;
+        for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
+            let (s, c) = contact.angle.sin_cos();
+            let (r, f) = (contact.radius, contact.friction);
+            let (breaks, touching) = contact_breaks(contact.during, loads.period);
+            loads.laws.push(self.law(&contact.name, Some(contact.center), &contact.force)?);
+            loads.contacts.push(ArcContact {
+                id,
+                center: contact.center,
+                to_contact: [-r * s, -r * c],
+                force: [s + f * c, c - f * s],
+                breaks,
+                touching,
+            });
+        }
+        Ok(())
+    }
+
+    fn law(&mut self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
+        match value {
+            Value::Constant(value) => Ok(Law::Constant(*value)),
+            Value::Table { over: Over::Coordinate, table, repeat } => {
+                let period = if *repeat { self.mechanism.input.period() } else { None };
+                Ok(Law::over_coordinate(table.clone(), period))
+            }
+            Value::Table { over: Over::Speed, table, .. } => {
+                needs_motion(self.mechanism, name, "a table over the speed")?;
+                Ok(Law::Speed(table.clone()))
+            }
+            Value::Table { over: Over::Time, table, .. } => {
+                needs_motion(self.mechanism, name, "a table over time")?;
+                Ok(Law::Time(table.clone()))
+            }
+            Value::Stroke { axis, forward, back } => {
+                let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
+                self.stroke(name, at, *axis, [forward, back])
+            }
+        }
+    }
+
+    fn stroke(&mut self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+        let mut outcome = Err(NoStroke::Stands(0.0));
+        for span in self.spans() {
+            let mut body = |q: f64| (self.solve)(q, at.link);
+            outcome = Stroke::find(&mut body, at.at, axis, tables, &span, self.scale);
+            // A range may be all that the mechanism can do of its turn.
+            if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
+                break;
+            }
+        }
+        let name = name.to_owned();
+        match outcome {
+            Ok(stroke) => Ok(Law::Stroke(Box::new(stroke))),
+            Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
+            Err(NoStroke::NoPosition(coordinate, reason)) => {
+                Err(LoadError::NoPosition { name, coordinate, reason })
+            }
+        }
+    }
+
+    /// Rests are wanted for the integration only: a position knows the velocity itself.
+    fn rests(&mut self, at: Place) -> Breaks {
+        if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
+            return Breaks::default();
+        }
+        let Some(&span) = self.spans().first() else { return Breaks::default() };
+        rests(&mut |q: f64| (self.solve)(q, at.link), at.at, &span)
+    }
+
+    /// Where to look for a stroke: a cycle and, where the scene gives a range, the range.
+    fn spans(&self) -> Vec<Span> {
+        let input = &self.mechanism.input;
+        let cycle = input.period().map(|length| Span { from: input.from, length, periodic: true });
+        let range = match input.range {
+            Range::To(to) => {
+                let length = (to - input.from).abs();
+                Some(Span { from: to.min(input.from), length, periodic: false })
+            }
+            Range::Cycle(_) => None,
+        };
+        cycle.into_iter().chain(range).collect()
+    }
+}
+
+/// The ends of a contact's interval, and which interval between them is the one with contact.
+fn contact_breaks(during: Option<[f64; 2]>, period: Option<f64>) -> (Breaks, usize) {
+    match (during, period) {
+        (None, _) => (Breaks::default(), 0),
+        (Some([from, to]), Some(period)) if to - from >= period => (Breaks::default(), 0),
+        (Some([from, to]), Some(_)) => (Breaks::new(vec![from, to], period), 0),
+        (Some([from, to]), None) => (Breaks::new(vec![from, to], None), 1),
+    }
+}

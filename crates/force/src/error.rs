@@ -1,0 +1,45 @@
+//! What is wrong with the loads of a mechanism.
+
+/// Why loads can't be compiled.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// The load has no size without a motion.
+    #[error("load `{name}`: {what} needs a motion; add `[motion]` with a speed")]
+    NeedsMotion {
+        /// The load.
+        name: String,
+        /// What needs it.
+        what: &'static str,
+    },
+    /// A moment acts at no point, so it has no stroke.
+    #[error(
+        "moment `{name}` follows a stroke, but a moment has no point that could move; use a table over the angle"
+    )]
+    StrokeOfMoment {
+        /// The load.
+        name: String,
+    },
+    /// The point of the load stands still along the axis.
+    #[error(
+        "load `{name}` follows a stroke, but its point moves only {travel:.3e} m along the axis; turn the axis"
+    )]
+    NoStroke {
+        /// The load.
+        name: String,
+        /// Distance of the extremes, m.
+        travel: f64,
+    },
+    /// The stroke can't be found because the mechanism can't take a position of the cycle.
+    #[error(
+        "load `{name}` follows a stroke, but the cycle has no position at coordinate {coordinate:.9}: {reason}"
+    )]
+    NoPosition {
+        /// The load.
+        name: String,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// What the position solver says.
+        reason: String,
+    },
+}

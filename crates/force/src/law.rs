@@ -1,0 +1,148 @@
+//! How the size of a load follows from the state.
+
+use assur_mechanism::Table;
+
+use crate::State;
+use crate::breaks::{Breaks, tolerance};
+use crate::phase::Bounds;
+use crate::stroke::{Piece, Stroke};
+
+/// The law of one load.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Law {
+    /// Always the same.
+    Constant(f64),
+    /// A table over the coordinate.
+    Coordinate(Table, Breaks),
+    /// A table over the speed.
+    Speed(Table),
+    /// A table over time.
+    Time(Table),
+    /// Along the stroke of the load's point.
+    Stroke(Box<Stroke>),
+}
+
+/// Which formula of a law holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Active {
+    /// Segment of the table, and which table.
+    pub(crate) piece: Piece,
+    /// What whole cycles add to the argument.
+    pub(crate) shift: f64,
+}
+
+impl Active {
+    /// The only formula of a law that has one.
+    pub(crate) const ONLY: Self = Self { piece: Piece { back: false, segment: 0 }, shift: 0.0 };
+
+    fn segment(segment: usize, shift: f64) -> Self {
+        Self { piece: Piece { back: false, segment }, shift }
+    }
+}
+
+impl Law {
+    /// A table over the coordinate; `period`: it repeats, counted from its first row.
+    pub(crate) fn over_coordinate(table: Table, period: Option<f64>) -> Self {
+        let breaks = Breaks::new(table.rows.iter().map(|row| row[0]).collect(), period);
+        Self::Coordinate(table, breaks)
+    }
+
+    /// Whether all rows have one value, so that the law is no dependence.
+    pub(crate) fn is_constant(&self) -> bool {
+        let flat =
+            |table: &Table| table.rows.iter().all(|row| row[1].to_bits() == table.rows[0][1].to_bits());
+        match self {
+            Self::Constant(_) => true,
+            Self::Coordinate(table, _) | Self::Speed(table) | Self::Time(table) => flat(table),
+            Self::Stroke(_) => false,
+        }
+    }
+
+    /// The formula that holds at a state; at a jump the one after it.
+    #[inline]
+    pub(crate) fn at(&self, state: &State, sense: f64, period: Option<f64>) -> Active {
+        match self {
+            Self::Constant(_) => Active::ONLY,
+            Self::Coordinate(table, breaks) => {
+                // A position that should lie on a row may miss it by rounding.
+                let ahead = state.coordinate + tolerance(state.coordinate, period);
+                on_coordinate(table, breaks, ahead).0
+            }
+            Self::Speed(table) => Active::segment(table.segment(state.speed), 0.0),
+            Self::Time(table) => {
+                Active::segment(table.segment(state.time + tolerance(state.time, None)), 0.0)
+            }
+            Self::Stroke(stroke) => {
+                let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
+                Active { piece: stroke.piece(ahead, sense).0, shift: 0.0 }
+            }
+        }
+    }
+
+    /// The formula that holds just ahead of a state, and the box in which it is smooth cut into `bounds`.
+    pub(crate) fn enter(
+        &self,
+        state: &State,
+        sense: f64,
+        period: Option<f64>,
+        bounds: &mut Bounds,
+    ) -> Active {
+        let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
+        match self {
+            Self::Constant(_) => Active::ONLY,
+            Self::Coordinate(table, breaks) => {
+                let (active, ends) = on_coordinate(table, breaks, ahead);
+                cut(&mut bounds.coordinate, ends);
+                active
+            }
+            Self::Speed(table) => {
+                let segment = table.segment(state.speed);
+                cut(&mut bounds.speed, segment_ends(table, segment));
+                Active::segment(segment, 0.0)
+            }
+            Self::Time(table) => {
+                let segment = table.segment(state.time + tolerance(state.time, None));
+                cut(&mut bounds.time, segment_ends(table, segment));
+                Active::segment(segment, 0.0)
+            }
+            Self::Stroke(stroke) => {
+                let (piece, ends) = stroke.piece(ahead, sense);
+                cut(&mut bounds.coordinate, ends);
+                Active { piece, shift: 0.0 }
+            }
+        }
+    }
+
+    /// The size of the load by one formula, continued beyond its ends; `point`: its place, m.
+    #[inline]
+    pub(crate) fn value(&self, active: Active, state: &State, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Coordinate(table, _) => {
+                table.at_segment(active.piece.segment, state.coordinate - active.shift)
+            }
+            Self::Speed(table) => table.at_segment(active.piece.segment, state.speed),
+            Self::Time(table) => table.at_segment(active.piece.segment, state.time),
+            Self::Stroke(stroke) => stroke.value(active.piece, point),
+        }
+    }
+}
+
+#[inline]
+fn on_coordinate(table: &Table, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2]) {
+    let interval = breaks.interval(ahead);
+    // Rounding of the shift must not put a repeated table before its first row.
+    let argument = (ahead - interval.shift).max(interval.start);
+    (Active::segment(table.segment(argument), interval.shift), interval.ends)
+}
+
+fn segment_ends(table: &Table, segment: usize) -> [f64; 2] {
+    let low = segment.checked_sub(1).map_or(f64::NEG_INFINITY, |before| table.rows[before][0]);
+    [low, table.rows.get(segment).map_or(f64::INFINITY, |row| row[0])]
+}
+
+/// Shrinks an interval to what it has in common with another.
+pub(crate) fn cut(bounds: &mut [f64; 2], other: [f64; 2]) {
+    bounds[0] = bounds[0].max(other[0]);
+    bounds[1] = bounds[1].min(other[1]);
+}

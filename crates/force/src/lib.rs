@@ -1,0 +1,45 @@
+//! What acts on the links, and what the pairs answer.
+//!
+//! * [`Loads`]: the loads of a mechanism as flat compiled formulas: wrenches on the links, reduction to the input link
+//!   (theory of the project, section 3), energies, smooth pieces for integration.
+//! * [`ForceAnalyzer`]: finds the reactions in all pairs and the balancing load; [`AnalyzerPlugin`] is its entry in the
+//!   registry.
+//! * [`joint_reactions`]: pair reactions summed to what each pin and slide of the scene exerts.
+//!
+//! Knows no concrete analyzer, no scene file and no integrator. SI units; forces in the ground's frame; moments
+//! counter-clockwise.
+
+mod analyzer;
+mod breaks;
+mod compile;
+mod dependence;
+mod error;
+mod law;
+mod loads;
+mod named;
+mod phase;
+mod reactions;
+mod reduce;
+mod registry;
+mod reversal;
+mod root;
+mod state;
+mod stroke;
+mod visit;
+mod wrenches;
+
+pub use analyzer::{ForceAnalyzer, ForceError};
+pub use dependence::Dependence;
+pub use error::LoadError;
+pub use loads::{Cause, Loads};
+pub use named::{JointReaction, joint_reactions};
+pub use phase::{Bounds, Phase};
+pub use reactions::{Reactions, UnitBalance, power};
+pub use reduce::Reduced;
+pub use registry::{AnalyzerPlugin, RegistryError, analyzers, find};
+pub use state::State;
+
+pub use inventory;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! The loads of a mechanism as flat data.
+
+use assur_mechanism::{LinkId, Mechanism, Place};
+
+use crate::breaks::Breaks;
+use crate::law::Law;
+
+/// The loads of a mechanism, compiled: indices and formulas, no names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loads {
+    pub(crate) masses: Vec<Mass>,
+    pub(crate) gravity: [f64; 2],
+    pub(crate) forces: Vec<PointForce>,
+    pub(crate) moments: Vec<LinkMoment>,
+    pub(crate) springs: Vec<SpringDamper>,
+    pub(crate) contacts: Vec<ArcContact>,
+    /// One for each force, then for each moment, then for each contact.
+    pub(crate) laws: Vec<Law>,
+    /// Sense of the input where the speed does not tell, +1 or -1.
+    pub(crate) sense: f64,
+    /// Length of a cycle of the input.
+    pub(crate) period: Option<f64>,
+    /// PF1 of a point below this is rounding, m/rad (m/m).
+    pub(crate) standing: f64,
+    /// The input link and, where it is pinned, the place of its pin.
+    pub(crate) input: (LinkId, Option<[f64; 2]>),
+}
+
+/// A link with mass or moment of inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Mass {
+    pub(crate) link: LinkId,
+    /// Mass, kg.
+    pub(crate) m: f64,
+    pub(crate) center: [f64; 2],
+    pub(crate) inertia: f64,
+}
+
+/// A force at a point of a moving link.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PointForce {
+    /// Index in the mechanism.
+    pub(crate) id: usize,
+    pub(crate) at: Place,
+    pub(crate) along: Along,
+    /// Where the point rests, for a force against its motion.
+    pub(crate) rests: Breaks,
+}
+
+/// Direction of a force, with unit vectors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Along {
+    Ground([f64; 2]),
+    Link([f64; 2]),
+    AgainstMotion,
+}
+
+/// A moment on a moving link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LinkMoment {
+    pub(crate) id: usize,
+    pub(crate) link: LinkId,
+}
+
+/// A spring with a damper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SpringDamper {
+    pub(crate) id: usize,
+    pub(crate) ends: [Place; 2],
+    pub(crate) stiffness: f64,
+    pub(crate) length: f64,
+    pub(crate) damping: f64,
+}
+
+/// An arc on a straight line.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ArcContact {
+    pub(crate) id: usize,
+    pub(crate) center: Place,
+    /// From the center to the point of contact, ground, m.
+    pub(crate) to_contact: [f64; 2],
+    /// Force for F = 1, ground.
+    pub(crate) force: [f64; 2],
+    /// Where it begins and ends; none: always.
+    pub(crate) breaks: Breaks,
+    /// Index of the interval of `breaks` in which there is contact.
+    pub(crate) touching: usize,
+}
+
+/// What acts: one load of the scene, the weight of a link, or its inertia.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Cause {
+    /// Weight of a link.
+    Weight(LinkId),
+    /// Inertia of a link.
+    Inertia(LinkId),
+    /// [`Mechanism::forces`] of this index.
+    Force(usize),
+    /// [`Mechanism::moments`] of this index.
+    Moment(usize),
+    /// [`Mechanism::springs`] of this index.
+    Spring(usize),
+    /// [`Mechanism::contacts`] of this index.
+    Contact(usize),
+}
+
+impl Cause {
+    /// Name for reports.
+    pub fn name(self, mechanism: &Mechanism) -> String {
+        match self {
+            Self::Weight(link) => format!("weight of {}", mechanism.links[link].name),
+            Self::Inertia(link) => format!("inertia of {}", mechanism.links[link].name),
+            Self::Force(id) => mechanism.forces[id].name.clone(),
+            Self::Moment(id) => mechanism.moments[id].name.clone(),
+            Self::Spring(id) => mechanism.springs[id].name.clone(),
+            Self::Contact(id) => mechanism.contacts[id].name.clone(),
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! What a force analyzer finds, and where the balancing load acts.
+
+use assur_group::{Body, Wrench};
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{Balance, InputPair, Mechanism};
+
+use crate::ForceError;
+
+/// Reactions in all pairs, and the balancing load: the answer of an analyzer and its scratch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reactions {
+    /// For each pair of the structure: force (N) and moment (N m) on its body `a`, about the pin or about the point of the sliding
+    /// link. NaN where the method gives no reactions.
+    pub pairs: Vec<Wrench<f64>>,
+    /// Moment (N m, counter-clockwise) or force (N, along the slide or along the direction of `[balance]`) that keeps the
+    /// mechanism in its motion.
+    pub balancing: f64,
+    /// Scratch of a method: one wrench for each pair.
+    pub scratch_pairs: Vec<Wrench<f64>>,
+    /// Scratch of a method: one wrench for each body.
+    pub scratch_bodies: Vec<Wrench<f64>>,
+}
+
+impl Reactions {
+    /// Room for the reactions of a mechanism.
+    pub fn new(linkage: &Linkage) -> Self {
+        let pairs = vec![Wrench::ZERO; linkage.structure.pairs.len()];
+        let bodies = vec![Wrench::ZERO; linkage.structure.links];
+        Self { scratch_pairs: pairs.clone(), pairs, balancing: f64::NAN, scratch_bodies: bodies }
+    }
+}
+
+/// A balancing load of size 1 on a link that is not the drive's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnitBalance {
+    /// The loaded link.
+    pub link: usize,
+    /// The load about the origin of the link's frame.
+    pub wrench: Wrench<f64>,
+}
+
+impl UnitBalance {
+    /// The load of `[balance]`; `None` where the balancing load acts on the input link with its coordinate.
+    #[inline]
+    pub fn of(mechanism: &Mechanism, bodies: &[Body<f64>]) -> Option<Self> {
+        let balance = mechanism.balance?;
+        let mut wrench = Wrench::ZERO;
+        let link = match balance {
+            Balance::Moment(link) => {
+                let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));
+                if pinned && link == mechanism.input.link {
+                    return None;
+                }
+                wrench.m = 1.0;
+                link
+            }
+            Balance::Force { at, angle } => {
+                wrench.add_at(bodies[at.link].arm(at.at), [angle.cos(), angle.sin()], 0.0);
+                at.link
+            }
+        };
+        Some(Self { link, wrench })
+    }
+
+    /// Virtual power of the load for dq = 1.
+    #[inline]
+    pub fn power(&self, bodies: &[Body<f64>]) -> f64 {
+        power(&self.wrench, &bodies[self.link])
+    }
+
+    /// The size that makes the drive idle: `others` is what the other loads ask of it, `unit` what this load does.
+    ///
+    /// # Errors
+    ///
+    /// [`ForceError::IdleBalance`] where the load does no work.
+    pub fn size(
+        &self,
+        others: f64,
+        unit: f64,
+        linkage: &Linkage,
+        position: &Position,
+    ) -> Result<f64, ForceError> {
+        /// Below this part of a typical way a transfer function is rounding.
+        const LEAST_WAY: f64 = 1e-12;
+        let scale = linkage.structure.scale;
+        let is_force = self.wrench.fx != 0.0 || self.wrench.fy != 0.0;
+        let way = match (is_force, linkage.mechanism.input.pair) {
+            (true, InputPair::Pin(_)) => scale,
+            (true, InputPair::Slide(_)) | (false, InputPair::Pin(_)) => 1.0,
+            (false, InputPair::Slide(_)) => 1.0 / scale,
+        };
+        let share = unit.abs() / way;
+        if share > LEAST_WAY {
+            return Ok(-others / unit);
+        }
+        Err(ForceError::IdleBalance { load: self.words(linkage), coordinate: position.coordinate, share })
+    }
+
+    fn words(&self, linkage: &Linkage) -> String {
+        let is_force = self.wrench.fx != 0.0 || self.wrench.fy != 0.0;
+        let kind = if is_force { "force" } else { "moment" };
+        format!("the balancing {kind} on `{}`", linkage.mechanism.links[self.link].name)
+    }
+}
+
+/// Virtual power of a wrench about the origin of a body for dq = 1.
+#[inline]
+pub fn power(wrench: &Wrench<f64>, body: &Body<f64>) -> f64 {
+    wrench.fx * body.x1 + wrench.fy * body.y1 + wrench.m * body.w1
+}

@@ -1,0 +1,85 @@
+//! Reduction to the input link (theory of the project, section 3; S eqs. 1-3; E eqs. 4-6), and energies.
+
+use assur_group::Body;
+
+use crate::loads::Loads;
+use crate::visit::{Choice, Live, Sink};
+use crate::{Phase, State};
+
+/// The coefficients of the equation of motion J e + J' w²/2 = Q: of all moving links and loads; no motor, no flywheel, no
+/// balancing load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reduced {
+    /// J, kg m² (kg for a sliding input).
+    pub inertia: f64,
+    /// dJ/dq, kg m²/rad (kg/m).
+    pub inertia_derivative: f64,
+    /// Q, N m (N), positive along the coordinate.
+    pub moment: f64,
+}
+
+/// Adds up the virtual power of loads.
+struct Power(f64);
+
+impl Sink for Power {
+    #[inline]
+    fn force(&mut self, _link: usize, body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
+        let pf1 = body.first(arm);
+        self.0 += pf1[0] * force[0] + pf1[1] * force[1];
+    }
+
+    #[inline]
+    fn moment(&mut self, _link: usize, body: &Body<f64>, moment: f64) {
+        self.0 += body.w1 * moment;
+    }
+}
+
+impl Loads {
+    /// Reduced inertia, its derivative and the reduced moment, the formulas of the loads chosen by the state.
+    ///
+    /// `bodies` need PF2.
+    pub fn reduced(&self, state: &State, bodies: &[Body<f64>]) -> Reduced {
+        self.reduce(&Live, state, bodies)
+    }
+
+    /// The same by the formulas of one phase, continued smoothly beyond its bounds.
+    pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
+        self.reduce(phase, state, bodies)
+    }
+
+    #[inline]
+    fn reduce<C: Choice>(&self, choice: &C, state: &State, bodies: &[Body<f64>]) -> Reduced {
+        let (mut inertia, mut half, mut power) = (0.0, 0.0, 0.0);
+        let [gx, gy] = self.gravity;
+        for mass in &self.masses {
+            let body = &bodies[mass.link];
+            let arm = body.arm(mass.center);
+            let ([vx, vy], [ax, ay]) = (body.first(arm), body.second(arm));
+            inertia += mass.m * (vx * vx + vy * vy) + mass.inertia * (body.w1 * body.w1);
+            half += mass.m * (vx * ax + vy * ay) + mass.inertia * (body.w1 * body.w2);
+            power += mass.m * (gx * vx + gy * vy);
+        }
+        let mut sum = Power(power);
+        self.visit(choice, state, bodies, &mut sum);
+        Reduced { inertia, inertia_derivative: 2.0 * half, moment: sum.0 }
+    }
+
+    /// Kinetic energy, J. `bodies` need PF1.
+    pub fn kinetic_energy(&self, speed: f64, bodies: &[Body<f64>]) -> f64 {
+        let each = self.masses.iter().map(|mass| {
+            let body = &bodies[mass.link];
+            let [vx, vy] = body.first(body.arm(mass.center));
+            mass.m * (vx * vx + vy * vy) + mass.inertia * (body.w1 * body.w1)
+        });
+        0.5 * speed * speed * each.sum::<f64>()
+    }
+
+    /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.
+    pub fn potential_energy(&self, bodies: &[Body<f64>]) -> f64 {
+        let weights = self.masses.iter().map(|mass| {
+            let [x, y] = bodies[mass.link].point(mass.center);
+            -mass.m * (self.gravity[0] * x + self.gravity[1] * y)
+        });
+        weights.sum::<f64>() + self.springs.iter().map(|spring| spring.energy(bodies)).sum::<f64>()
+    }
+}

@@ -1,0 +1,233 @@
+//! The stroke of a point along an axis: its extremes over the cycle, and where its place passes the rows of a table.
+
+use assur_group::Body;
+use assur_mechanism::Table;
+
+use crate::breaks::Breaks;
+use crate::root::root;
+
+/// Motion of a body at a coordinate, or why there is none.
+pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
+
+/// Over how many places of the cycle a reversal is bracketed.
+const GRID: u32 = 720;
+
+/// A stroke, compiled.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stroke {
+    /// Unit vector of the axis, ground.
+    axis: [f64; 2],
+    /// Least coordinate along the axis, m.
+    least: f64,
+    /// 1/(greatest - least), 1/m.
+    inverse_travel: f64,
+    /// While the point moves along the axis, and against it.
+    tables: [Table; 2],
+    /// For a growing and for a falling input coordinate.
+    senses: [Pieces; 2],
+}
+
+/// Which formula holds between two coordinates.
+#[derive(Debug, Clone, PartialEq)]
+struct Pieces {
+    breaks: Breaks,
+    chosen: Vec<Piece>,
+}
+
+/// A segment of one of the two tables.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Piece {
+    /// Whether the point returns, so that the table `back` holds.
+    pub(crate) back: bool,
+    /// Segment of the table.
+    pub(crate) segment: usize,
+}
+
+/// Why a point has no stroke.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum NoStroke {
+    /// It moves only so far along the axis, m.
+    Stands(f64),
+    /// There is no position at this coordinate.
+    NoPosition(f64, String),
+}
+
+/// The part of the coordinate over which the stroke is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Span {
+    /// Lower end.
+    pub(crate) from: f64,
+    /// Length, positive.
+    pub(crate) length: f64,
+    /// Whether everything repeats with the length.
+    pub(crate) periodic: bool,
+}
+
+impl Span {
+    /// Place `index` of a grid of `of` cells.
+    pub(crate) fn at(&self, index: u32, of: u32) -> f64 {
+        self.from + self.length * (f64::from(index) / f64::from(of))
+    }
+
+    fn period(&self) -> Option<f64> {
+        self.periodic.then_some(self.length)
+    }
+}
+
+/// Coordinate of the point along the axis and its two derivatives by the input coordinate.
+struct Along<'a, 'b> {
+    body: &'a mut BodyAt<'b>,
+    at: [f64; 2],
+    axis: [f64; 2],
+}
+
+impl Along<'_, '_> {
+    fn place(&mut self, q: f64) -> Result<[f64; 3], NoStroke> {
+        let body = (self.body)(q).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+        let arm = body.arm(self.at);
+        let along = |v: [f64; 2]| self.axis[0] * v[0] + self.axis[1] * v[1];
+        Ok([along(body.point(self.at)), along(body.first(arm)), along(body.second(arm))])
+    }
+
+    /// Where the point reverses, ascending.
+    fn reversals(&mut self, span: &Span) -> Result<Vec<f64>, NoStroke> {
+        let mut found = Vec::new();
+        let mut before = self.place(span.from)?;
+        for index in 1..=GRID {
+            let (low, high) = (span.at(index - 1, GRID), span.at(index, GRID));
+            let after = self.place(high)?;
+            if before[1] * after[1] < 0.0 {
+                found.push(root(|q| self.place(q).map(|s| (s[1], s[2])), low, high)?);
+            } else if before[1] == 0.0 {
+                found.push(low);
+            } else if before[2] * after[2] < 0.0 && before[1] * before[2] < 0.0 {
+                found.extend(self.close_pair(low, high, before[1])?);
+            }
+            before = after;
+        }
+        Ok(found)
+    }
+
+    /// Two reversals in one cell of the grid: PF1 turns back inside, beyond zero.
+    fn close_pair(&mut self, low: f64, high: f64, velocity: f64) -> Result<Vec<f64>, NoStroke> {
+        let step = 1e-3 * (high - low);
+        let turn = root(
+            |q| {
+                let third = (self.place(q + step)?[2] - self.place(q - step)?[2]) / (2.0 * step);
+                self.place(q).map(|s| (s[2], third))
+            },
+            low,
+            high,
+        )?;
+        if self.place(turn)?[1] * velocity >= 0.0 {
+            return Ok(Vec::new());
+        }
+        let first = root(|q| self.place(q).map(|s| (s[1], s[2])), low, turn)?;
+        Ok(vec![first, root(|q| self.place(q).map(|s| (s[1], s[2])), turn, high)?])
+    }
+}
+
+impl Stroke {
+    /// Finds the stroke of the point `at` of a body.
+    pub(crate) fn find(
+        body: &mut BodyAt<'_>,
+        at: [f64; 2],
+        angle: f64,
+        tables: [&Table; 2],
+        span: &Span,
+        scale: f64,
+    ) -> Result<Self, NoStroke> {
+        let axis = [angle.cos(), angle.sin()];
+        let mut along = Along { body, at, axis };
+        let reversals = along.reversals(span)?;
+        let end = span.from + span.length;
+        let mut extremes = vec![along.place(span.from)?[0], along.place(end)?[0]];
+        for &q in &reversals {
+            extremes.push(along.place(q)?[0]);
+        }
+        let least = extremes.iter().copied().fold(f64::INFINITY, f64::min);
+        let travel = extremes.iter().copied().fold(f64::NEG_INFINITY, f64::max) - least;
+        if travel <= 1e-12 * scale {
+            return Err(NoStroke::Stands(travel));
+        }
+        let tables = tables.map(Clone::clone);
+        let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };
+        let mut stroke =
+            Self { axis, least, inverse_travel: 1.0 / travel, tables, senses: [empty(), empty()] };
+        let monotone = monotone_ends(&reversals, span);
+        stroke.senses = [
+            stroke.pieces(&mut along, &monotone, span, false)?,
+            stroke.pieces(&mut along, &monotone, span, true)?,
+        ];
+        Ok(stroke)
+    }
+
+    /// The pieces for one sense of the input: every reversal, and every row that the place passes between two of them.
+    fn pieces(
+        &self,
+        along: &mut Along<'_, '_>,
+        monotone: &[f64],
+        span: &Span,
+        falling: bool,
+    ) -> Result<Pieces, NoStroke> {
+        let share = |s: f64| (s - self.least) * self.inverse_travel;
+        let mut points = Vec::new();
+        for ends in monotone.windows(2) {
+            let (first, last) = (share(along.place(ends[0])?[0]), share(along.place(ends[1])?[0]));
+            let table = &self.tables[usize::from((last < first) != falling)];
+            let (low, high) = (first.min(last), first.max(last));
+            points.push(ends[0]);
+            for row in table.rows.iter().map(|row| row[0]).filter(|row| *row > low && *row < high) {
+                let gap = |q: f64, along: &mut Along<'_, '_>| {
+                    along.place(q).map(|s| (share(s[0]) - row, s[1] * self.inverse_travel))
+                };
+                points.push(root(|q| gap(q, along), ends[0], ends[1])?);
+            }
+        }
+        if !span.periodic {
+            // The ends of a range are no change of a formula: what holds at them holds beyond.
+            points.remove(0);
+        }
+        let breaks = Breaks::new(points, span.period());
+        let mut chosen = Vec::with_capacity(breaks.count());
+        for index in 0..breaks.count() {
+            let q = breaks.inside(index);
+            let q = if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
+            let [s, velocity, curvature] = along.place(q)?;
+            let velocity = if velocity == 0.0 { curvature } else { velocity };
+            let back = (velocity < 0.0) != falling;
+            chosen.push(Piece { back, segment: self.tables[usize::from(back)].segment(share(s)) });
+        }
+        Ok(Pieces { breaks, chosen })
+    }
+
+    /// The formula that holds at a coordinate for this sense of the input, and the coordinates between which it holds.
+    #[inline]
+    pub(crate) fn piece(&self, coordinate: f64, sense: f64) -> (Piece, [f64; 2]) {
+        let pieces = &self.senses[usize::from(sense < 0.0)];
+        let interval = pieces.breaks.interval(coordinate);
+        (pieces.chosen[interval.index], interval.ends)
+    }
+
+    /// The load at a place of the ground by one formula.
+    #[inline]
+    pub(crate) fn value(&self, piece: Piece, point: [f64; 2]) -> f64 {
+        let along = self.axis[0] * point[0] + self.axis[1] * point[1];
+        let share = ((along - self.least) * self.inverse_travel).clamp(0.0, 1.0);
+        self.tables[usize::from(piece.back)].at_segment(piece.segment, share)
+    }
+}
+
+/// Ends of the intervals in which the point moves one way, ascending.
+fn monotone_ends(reversals: &[f64], span: &Span) -> Vec<f64> {
+    let mut ends = reversals.to_vec();
+    match ends.first() {
+        Some(&first) if span.periodic => ends.push(first + span.length),
+        _ => {
+            ends.insert(0, span.from);
+            ends.push(span.from + span.length);
+        }
+    }
+    ends.dedup();
+    ends
+}

@@ -1,0 +1,82 @@
+//! Newton-Euler: equilibrium of every moving link at once, one linear system for the whole mechanism.
+//!
+//! Three equations a link; unknown are two components for each membership of a link in a pin but one, force and moment of each
+//! slide, and the balancing load. Assembled from points and slides of the mechanism and from the poses of its links alone:
+//! it knows no groups, so that it checks every method that does.
+
+mod system;
+
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
+use assur_group::Wrench;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::PairId;
+
+use system::{Solution, System};
+
+assur_force::inventory::submit! {
+    AnalyzerPlugin {
+        name: "newton-euler",
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "one linear system for all links: every reaction and the balancing load, without groups",
+        source: "equilibrium of each link with its inertia loads (d'Alembert); LU with partial pivoting",
+        instance: &NewtonEuler,
+        gives_reactions: true,
+    }
+}
+
+/// The method. It allocates: it is there to check, and for mechanisms that no other method takes.
+#[derive(Debug, Clone, Copy)]
+pub struct NewtonEuler;
+
+impl ForceAnalyzer for NewtonEuler {
+    fn supports(&self, linkage: &Linkage) -> Result<(), String> {
+        let system = System::of(&linkage.mechanism, linkage.structure.scale);
+        let (equations, unknowns) = system.size();
+        if equations == unknowns {
+            return Ok(());
+        }
+        Err(format!("{equations} equations of equilibrium for {unknowns} unknown reactions"))
+    }
+
+    fn solve(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &mut [Wrench<f64>],
+        out: &mut Reactions,
+    ) -> Result<(), ForceError> {
+        let system = System::of(&linkage.mechanism, linkage.structure.scale);
+        let coordinate = position.coordinate;
+        let solution = system
+            .solve(&position.bodies, loads)
+            .map_err(|health| ForceError::Singular { coordinate, health })?;
+        out.balancing = solution.balancing;
+        to_pairs(linkage, &system, &solution, &mut out.pairs);
+        Ok(())
+    }
+}
+
+/// From the forces on members of pins to the forces in pairs.
+///
+/// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all that hangs on `a`.
+fn to_pairs(linkage: &Linkage, system: &System<'_>, solution: &Solution, pairs: &mut [Wrench<f64>]) {
+    let named = &linkage.structure.pairs;
+    for (id, one) in named.iter().enumerate().rev() {
+        pairs[id] = match one.source {
+            PairId::Slide(slide) => solution.slides[slide],
+            PairId::Pin(point) => {
+                let mut force = system.force_on(solution, point, one.pair.a);
+                for (hung, other) in named.iter().enumerate() {
+                    if hung != id && other.source == one.source && other.pair.b == one.pair.a {
+                        force[0] += pairs[hung].fx;
+                        force[1] += pairs[hung].fy;
+                    }
+                }
+                Wrench { fx: force[0], fy: force[1], m: 0.0 }
+            }
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests;
