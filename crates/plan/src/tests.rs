@@ -1,0 +1,1 @@
+//! Which groups and stages a scene needs.
