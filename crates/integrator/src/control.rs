@@ -56,6 +56,12 @@ impl Scale {
         Self { tolerance, origin: state.coordinate, travel: 0.0, speed: state.speed.abs() }
     }
 
+    /// The same motion with another tolerance, for a method whose estimate is of lower order than its solution.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
     /// Remembers how far and how fast the motion was.
     #[inline]
     pub fn extend(&mut self, state: &State) {

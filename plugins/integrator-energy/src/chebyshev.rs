@@ -1,0 +1,99 @@
+//! Chebyshev polynomials on [-1, 1]: fit, value, integral.
+
+use std::f64::consts::PI;
+
+/// Number of nodes of a fit.
+pub(crate) const NODES: usize = 13;
+
+/// Coefficients of an integral: one more than of a fit.
+pub(crate) const TERMS: usize = NODES + 1;
+
+/// Σ c_k T_k(x).
+pub(crate) type Series = [f64; TERMS];
+
+/// Nodes and the table that turns values into coefficients.
+#[derive(Debug, Clone)]
+pub(crate) struct Basis {
+    /// Nodes, ascending.
+    pub(crate) nodes: [f64; NODES],
+    table: [[f64; NODES]; NODES],
+}
+
+impl Basis {
+    /// Nodes with both ends (extrema of the last polynomial): panels share their ends.
+    pub(crate) fn with_ends() -> Self {
+        let n = (NODES - 1) as f64;
+        let angle = |j: usize| PI * (1.0 - j as f64 / n);
+        let nodes = std::array::from_fn(|j| angle(j).cos());
+        let half = |j: usize| if j == 0 || j == NODES - 1 { 0.5 } else { 1.0 };
+        let table = std::array::from_fn(|k| {
+            std::array::from_fn(|j| 2.0 / n * half(k) * half(j) * (k as f64 * angle(j)).cos())
+        });
+        Self { nodes, table }
+    }
+
+    /// Nodes inside (zeros of the polynomial after the last): for integrands that are 0/0 at an end.
+    pub(crate) fn inside() -> Self {
+        let n = NODES as f64;
+        let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / n);
+        let nodes = std::array::from_fn(|j| angle(j).cos());
+        let table = std::array::from_fn(|k| {
+            let half = if k == 0 { 0.5 } else { 1.0 };
+            std::array::from_fn(|j| 2.0 / n * half * (k as f64 * angle(j)).cos())
+        });
+        Self { nodes, table }
+    }
+
+    /// Coefficients of the polynomial through these values at the nodes.
+    pub(crate) fn fit(&self, values: &[f64; NODES]) -> Series {
+        let mut series = [0.0; TERMS];
+        for (coefficient, row) in series.iter_mut().zip(&self.table) {
+            *coefficient = row.iter().zip(values).map(|(a, b)| a * b).sum();
+        }
+        series
+    }
+}
+
+/// Value at `x`, by Clenshaw's recurrence.
+pub(crate) fn value(series: &Series, x: f64) -> f64 {
+    let (mut b1, mut b2) = (0.0, 0.0);
+    for coefficient in series[1..].iter().rev() {
+        (b1, b2) = (coefficient + 2.0 * x * b1 - b2, b1);
+    }
+    series[0] + x * b1 - b2
+}
+
+/// Integral from -1, times `scale`.
+pub(crate) fn integral(series: &Series, scale: f64) -> Series {
+    let at = |k: usize| if k < TERMS { series[k] } else { 0.0 };
+    let mut sum = [0.0; TERMS];
+    sum[1] = scale * (at(0) - 0.5 * at(2));
+    for k in 2..TERMS {
+        sum[k] = scale * (at(k - 1) - at(k + 1)) / (2.0 * k as f64);
+    }
+    let at_start: f64 = (1..TERMS).map(|k| if k % 2 == 0 { sum[k] } else { -sum[k] }).sum();
+    sum[0] = -at_start;
+    sum
+}
+
+/// The series h with p(x) - p(r) = (x - r) h(x): division without cancellation near the root, from x T_k =
+/// (T_{k+1} + T_{k-1})/2.
+pub(crate) fn divided(p: &Series, r: f64) -> Series {
+    let mut h = [0.0; TERMS];
+    for k in (2..TERMS).rev() {
+        let above = if k + 1 < TERMS { h[k + 1] } else { 0.0 };
+        h[k - 1] = 2.0 * (p[k] + r * h[k]) - above;
+    }
+    h[0] = p[1] + r * h[1] - 0.5 * h[2];
+    h
+}
+
+/// How much the last coefficients still matter: an upper estimate of what was left out.
+pub(crate) fn tail(series: &Series) -> f64 {
+    series[NODES - 1].abs() + series[NODES - 2].abs()
+}
+
+/// Σ |c_k| over k > 0: the value differs from c_0 by no more.
+pub(crate) fn swing(series: &Series) -> f64 {
+    series[1..].iter().map(|c| c.abs()).sum()
+}

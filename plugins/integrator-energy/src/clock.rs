@@ -1,0 +1,157 @@
+//! Time along a panel: t = ∫ dq/w, and back from a time to a place.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::chebyshev::{Basis, NODES, Series, integral, tail, value};
+use crate::panel::Panel;
+
+/// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
+const DEPTH: u32 = 40;
+
+/// Part of the way along a panel on which the time is one polynomial.
+#[derive(Debug, Clone, Copy)]
+struct Leaf {
+    /// Bounds of the parameter.
+    from: f64,
+    to: f64,
+    /// Time since the start of the leaf, over [-1, 1].
+    time: Series,
+    /// Time at its start and its end, s.
+    begin: f64,
+    end: f64,
+}
+
+/// The panel up to `until`, with its times.
+#[derive(Debug, Clone)]
+pub(crate) struct Clock {
+    /// x at which the motion through the panel ends.
+    until: f64,
+    rests: Rests,
+    /// The energy without its zeros.
+    energy: Series,
+    leaves: Vec<Leaf>,
+}
+
+/// At which ends of the way the mechanism rests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Rests {
+    pub(crate) at_start: bool,
+    pub(crate) at_end: bool,
+}
+
+/// A place on the way.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    x: f64,
+    /// The zeros of the energy that were divided out.
+    zeros: f64,
+    /// dx/dp over the root of the zeros: finite where both vanish.
+    slope: f64,
+}
+
+/// Why the time along a panel does not end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Endless;
+
+impl Clock {
+    /// Measures the time from `begin` on, up to x = `until` or to the time `latest`, whichever comes first.
+    pub(crate) fn measure(
+        panel: &Panel,
+        basis: &Basis,
+        (until, rests): (f64, Rests),
+        (begin, latest): (f64, f64),
+        tolerance: f64,
+    ) -> Result<Self, Endless> {
+        let energy = panel.energy_without_zeros(rests.at_start, rests.at_end.then_some(until));
+        let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1) };
+        // Parameters from 0 to 1; the stack holds what is still to be measured, the nearest on top.
+        let mut waiting = vec![(0.0, 1.0, 0)];
+        let mut now = begin;
+        while let Some((from, to, depth)) = waiting.pop() {
+            let leaf = clock.leaf(panel, basis, from, to, now);
+            let fine = tail(&leaf.0) <= tolerance * leaf.0[0].abs();
+            if fine {
+                now = leaf.1.end;
+                clock.leaves.push(leaf.1);
+                if now > latest {
+                    break;
+                }
+            } else if depth == DEPTH {
+                return Err(Endless);
+            } else {
+                let middle = 0.5 * (from + to);
+                waiting.extend([(middle, to, depth + 1), (from, middle, depth + 1)]);
+            }
+        }
+        Ok(clock)
+    }
+
+    /// The place at the parameter p from 0 to 1. With a rest, x + 1 = span sin²(πp/2), until - x = span cos²(πp/2).
+    fn place(&self, p: f64) -> Place {
+        let span = self.until + 1.0;
+        let (sin, cos) = (FRAC_PI_2 * p).sin_cos();
+        let cosine = |zeros: f64, slope: f64| Place { x: span * sin * sin - 1.0, zeros, slope: PI * slope };
+        match (self.rests.at_start, self.rests.at_end) {
+            (false, false) => Place { x: span * p - 1.0, zeros: 1.0, slope: span },
+            (true, false) => cosine(span * sin * sin, span.sqrt() * cos),
+            (false, true) => cosine(span * cos * cos, span.sqrt() * sin),
+            (true, true) => cosine(span * span * sin * sin * cos * cos, 1.0),
+        }
+    }
+
+    fn leaf(&self, panel: &Panel, basis: &Basis, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
+        let half = 0.5 * (to - from);
+        let values: [f64; NODES] = std::array::from_fn(|j| {
+            let Place { x, slope, .. } = self.place(from + half * (1.0 + basis.nodes[j]));
+            // A root below zero is a rounding of a way that creeps; the tail of the fit then tells.
+            panel.slowness(x) * slope / value(&self.energy, x).max(f64::MIN_POSITIVE).sqrt()
+        });
+        let fit = basis.fit(&values);
+        let time = integral(&fit, half);
+        (fit, Leaf { from, to, time, begin, end: begin + value(&time, 1.0) })
+    }
+
+    /// Time at the end, s.
+    pub(crate) fn end(&self) -> f64 {
+        self.leaves.last().map_or(0.0, |leaf| leaf.end)
+    }
+
+    /// x and the energy there at a time.
+    pub(crate) fn at(&self, time: f64) -> (f64, f64) {
+        let last = self.leaves.len().saturating_sub(1);
+        let index = self.leaves.partition_point(|leaf| leaf.end < time).min(last);
+        let place = match self.leaves.get(index) {
+            Some(leaf) => {
+                let y = leaf.when(time - leaf.begin);
+                self.place(leaf.from + 0.5 * (leaf.to - leaf.from) * (1.0 + y))
+            }
+            None => self.place(0.0),
+        };
+        (place.x, place.zeros * value(&self.energy, place.x))
+    }
+}
+
+impl Leaf {
+    /// Place in [-1, 1] at a time since the start: the time grows all along, so that false position can't fail.
+    fn when(&self, time: f64) -> f64 {
+        let (mut low, mut high) = (-1.0, 1.0);
+        let (mut before, mut after) = (-time, self.end - self.begin - time);
+        if after <= 0.0 {
+            return 1.0;
+        }
+        for _ in 0..60 {
+            let secant = (low * after - high * before) / (after - before);
+            let middle = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
+            let miss = value(&self.time, middle) - time;
+            if miss.abs() <= f64::EPSILON * time || high - low <= f64::EPSILON {
+                return middle;
+            }
+            if miss < 0.0 {
+                (low, before, after) = (middle, miss, 0.5 * after);
+            } else {
+                (high, after, before) = (middle, miss, 0.5 * before);
+            }
+        }
+        0.5 * (low + high)
+    }
+}

@@ -1,0 +1,56 @@
+//! `energy`: the energy form, w = √((J0 w0² + 2 A)/J) with A the work along the coordinate (E eq. 1), for M(q) only.
+//!
+//! J and Q are fitted by Chebyshev polynomials over panels of the coordinate; the work is the integral of one of
+//! them, and no further evaluation of the mechanism is needed: the time t = ∫ dq/w is a quadrature of the polynomials. Where the
+//! motion starts from rest or turns, 1/w has an integrable singularity, which a cosine substitution removes: there is no
+//! division by a speed of zero. There are no steps in time, so nothing drifts: the energy balance holds by construction.
+
+use assur_integrator::{Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory};
+
+mod chebyshev;
+mod clock;
+mod march;
+mod panel;
+mod record;
+
+/// The method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Energy;
+
+impl Integrator for Energy {
+    fn name(&self) -> &'static str {
+        "energy"
+    }
+
+    fn supports(&self, dependence: &Dependence) -> Result<(), String> {
+        if dependence.is_work_of_coordinate() {
+            return Ok(());
+        }
+        Err(format!(
+            "the energy form needs a moment that depends on the coordinate alone, and here it is case {} of D: {}",
+            dependence.case(),
+            dependence.words()
+        ))
+    }
+
+    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+        let supported = self.supports(&motion.dependence());
+        supported.map_err(|reason| IntegrationError::Unsupported { integrator: self.name(), reason })?;
+        request.check()?;
+        march::March::new(motion, request).run()
+    }
+}
+
+inventory::submit! {
+    IntegratorPlugin {
+        name: "energy",
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "energy form: speed from the work, quadrature in the coordinate; M(q) only",
+        source: "E eq. 1",
+        order: 0,
+        instance: || &Energy,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,229 @@
+//! One step of Radau IIA with three stages.
+
+use assur_integrator::{
+    Attempt, Control, Dense, Equation, MotionError, Node, Pace, Partials, Scale, State, Stepper, cubic,
+};
+
+use crate::linear::{Matrix, inverse, product, times};
+use crate::table::{A, C, E, GAMMA};
+
+/// Most iterations of Newton's method.
+const ITERATIONS: usize = 8;
+
+/// Error of an attempt whose Newton iteration did not converge: as if much too long.
+const DIVERGED: Attempt = Attempt {
+    end: State { time: 0.0, coordinate: 0.0, speed: 0.0 },
+    error: f64::INFINITY,
+};
+
+/// The last step.
+#[derive(Debug)]
+pub(crate) struct Collocation {
+    h: f64,
+    end: State,
+    /// Increments of coordinate and speed at the three nodes.
+    increments: [[f64; 3]; 2],
+    /// Partials at the start of the present step, with the state that they belong to.
+    partials: Option<(State, Partials)>,
+    /// The last good step, to start the iteration from: its end, its length and its speed increments.
+    before: Option<(State, f64, [f64; 3])>,
+    /// The last attempt failed, or there was none: the error is filtered twice where it is large.
+    doubtful: bool,
+}
+
+impl Default for Collocation {
+    fn default() -> Self {
+        let increments = [[0.0; 3]; 2];
+        Self { h: 0.0, end: State::default(), increments, partials: None, before: None, doubtful: true }
+    }
+}
+
+/// Cubic through 0 at 0 and these values at the nodes, at `theta`; and its slope.
+fn interpolate(values: &[f64; 3], theta: f64) -> (f64, f64) {
+    let nodes = [0.0, C[0], C[1], C[2]];
+    let (mut value, mut slope) = (0.0, 0.0);
+    for i in 1..4 {
+        let others = (0..4).filter(|j| *j != i);
+        let scale: f64 = others.clone().map(|j| nodes[i] - nodes[j]).product();
+        let factors: [f64; 3] = std::array::from_fn(|k| theta - nodes[(i + 1 + k) % 4]);
+        let [a, b, c] = factors;
+        value += values[i - 1] * a * b * c / scale;
+        slope += values[i - 1] * (a * b + b * c + a * c) / scale;
+    }
+    (value, slope)
+}
+
+impl Collocation {
+    /// Coordinates of the stages from their speeds: h A w.
+    fn coordinates(&self, speed: f64, speeds: &[f64; 3]) -> [f64; 3] {
+        times(&A, &speeds.map(|increment| self.h * (speed + increment)))
+    }
+
+    /// First guess of the stage speeds: the last step's polynomial continued, else uniformly accelerated.
+    fn guess(&self, from: &Node) -> [f64; 3] {
+        match self.before {
+            // A step that was cut at an event ended elsewhere; its polynomial is of no use then.
+            Some((end, h, increments)) if end == from.state => {
+                C.map(|c| interpolate(&increments, 1.0 + c * self.h / h).0 - increments[2])
+            }
+            _ => C.map(|c| c * self.h * from.acceleration),
+        }
+    }
+
+    /// Newton's method for the stage speeds; none if it does not converge.
+    fn solve(
+        &mut self,
+        equation: &mut Equation<'_>,
+        from: &Node,
+        partials: &Partials,
+        scale: &Scale,
+    ) -> Result<Option<()>, MotionError> {
+        let h = self.h;
+        let Some(newton) = newton_matrix(h, partials) else { return Ok(None) };
+        let State { time, coordinate, speed } = from.state;
+        let stop = (10.0 * f64::EPSILON / scale.tolerance).max(0.03_f64.min(scale.tolerance.sqrt()));
+        let mut speeds = self.guess(from);
+        let (mut before, mut rate) = (0.0, 1.0_f64);
+        for iteration in 0..ITERATIONS {
+            let coordinates = self.coordinates(speed, &speeds);
+            let mut accelerations = [0.0; 3];
+            for i in 0..3 {
+                accelerations[i] =
+                    equation.acceleration(time + C[i] * h, coordinate + coordinates[i], speed + speeds[i])?;
+            }
+            let wanted = times(&A, &accelerations);
+            let residual: [f64; 3] = std::array::from_fn(|i| h * wanted[i] - speeds[i]);
+            let change = times(&newton, &residual);
+            speeds = std::array::from_fn(|i| speeds[i] + change[i]);
+            self.increments = [self.coordinates(speed, &speeds), speeds];
+            let moved = times(&A, &change.map(|c| h * c));
+            let end = State { time, coordinate: coordinate + self.increments[0][2], speed: speed + speeds[2] };
+            let size = (0..3).map(|i| scale.norm(&end, moved[i], change[i])).fold(0.0, f64::max);
+            if iteration > 0 {
+                rate = (size / before).max(1e-10);
+                if rate >= 1.0 {
+                    return Ok(None);
+                }
+            }
+            // What is left of a geometric series; before its rate is known, only a vanishing change will do.
+            let left = if iteration > 0 { rate / (1.0 - rate) * size } else { size };
+            if left <= stop || size == 0.0 {
+                return Ok(Some(()));
+            }
+            if !size.is_finite() {
+                return Ok(None);
+            }
+            before = size;
+        }
+        Ok(None)
+    }
+
+    /// Error of order 3, filtered by (γ/h - Jacobian)^-1 so that stiff parts do not count twice (IV.8.20).
+    fn error(
+        &self,
+        equation: &mut Equation<'_>,
+        from: &Node,
+        partials: &Partials,
+        scale: &Scale,
+    ) -> Result<f64, MotionError> {
+        let State { time, coordinate, speed } = from.state;
+        let sums = self.increments.map(|z| (E[0] * z[0] + E[1] * z[1] + E[2] * z[2]) / self.h);
+        let shift = GAMMA / self.h;
+        // (shift, -1; -q, shift - w) x = b
+        let solve = |b: [f64; 2]| {
+            let (q, w) = (partials.by_coordinate, shift - partials.by_speed);
+            let determinant = shift * w - q;
+            [(b[0] * w + b[1]) / determinant, (q * b[0] + shift * b[1]) / determinant]
+        };
+        let [q, w] = solve([sums[0] + speed, sums[1] + from.acceleration]);
+        let error = scale.norm(&self.end, q, w);
+        if error < 1.0 || !self.doubtful {
+            return Ok(error);
+        }
+        // On the first step and after a rejection the filter is applied twice.
+        let (coordinate, faster) = (coordinate + q, speed + w);
+        let acceleration = equation.acceleration(time, coordinate, faster)?;
+        let [q, w] = solve([sums[0] + faster, sums[1] + acceleration]);
+        Ok(scale.norm(&self.end, q, w))
+    }
+
+    fn partials_at(&mut self, equation: &mut Equation<'_>, from: &Node) -> Result<Partials, MotionError> {
+        // Anew for each step, kept for its repetitions: two evaluations are less than a slow iteration.
+        if let Some((_, partials)) = self.partials.filter(|(state, _)| *state == from.state) {
+            return Ok(partials);
+        }
+        let partials = equation.partials(&from.state, from.acceleration)?;
+        self.partials = Some((from.state, partials));
+        Ok(partials)
+    }
+}
+
+/// Inverse of I - h A de/dw - h² A² de/dq.
+fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix> {
+    let square = product(&A, &A);
+    let mut matrix: Matrix = std::array::from_fn(|i| {
+        std::array::from_fn(|j| -h * (A[i][j] * partials.by_speed + h * square[i][j] * partials.by_coordinate))
+    });
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row[i] += 1.0;
+    }
+    inverse(&matrix)
+}
+
+/// The tolerance of the error of order 3 that makes the solution of order 5 as exact as asked (Hairer's code RADAU5).
+fn inner(scale: &Scale) -> Scale {
+    scale.with_tolerance(0.1 * scale.tolerance.powf(2.0 / 3.0))
+}
+
+impl Stepper for Collocation {
+    const IMPLICIT: bool = true;
+
+    fn pace(&self) -> Pace {
+        Pace::Adaptive(Control {
+            proportional: 0.25,
+            integral: 0.0,
+            safety: 0.85,
+            shrink: 0.2,
+            grow: 8.0,
+            order: 4.0,
+        })
+    }
+
+    fn attempt(
+        &mut self,
+        equation: &mut Equation<'_>,
+        from: &Node,
+        h: f64,
+        scale: &Scale,
+    ) -> Result<Attempt, MotionError> {
+        self.h = h;
+        let scale = inner(scale);
+        let partials = self.partials_at(equation, from)?;
+        if self.solve(equation, from, &partials, &scale)?.is_none() {
+            self.doubtful = true;
+            return Ok(DIVERGED);
+        }
+        self.end = State {
+            time: from.state.time + h,
+            coordinate: from.state.coordinate + self.increments[0][2],
+            speed: from.state.speed + self.increments[1][2],
+        };
+        let error = self.error(equation, from, &partials, &scale)?;
+        self.doubtful = error > 1.0;
+        Ok(Attempt { end: self.end, error })
+    }
+
+    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError> {
+        self.before = Some((self.end, self.h, self.increments[1]));
+        equation.acceleration(self.end.time, self.end.coordinate, self.end.speed)
+    }
+
+    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+        let mut dense = Dense::steady(&from.state, self.h);
+        let slopes = self.increments.map(|z| (interpolate(&z, 0.0).1, interpolate(&z, 1.0).1));
+        let [(q0, q1), (w0, w1)] = slopes;
+        cubic(&mut dense.coordinate, from.state.coordinate, to.state.coordinate, q0, q1);
+        cubic(&mut dense.speed, from.state.speed, to.state.speed, w0, w1);
+        Ok(dense)
+    }
+}
