@@ -52,11 +52,6 @@ pub(crate) fn read(
                     "only a force has a point whose stroke can be followed",
                     "over = \"angle\", \"time\" or \"speed\"",
                 );
-            } else if context.has_no_cycle() {
-                over.fault(
-                    "`stroke` needs a cycle, and the input slides over a range",
-                    "give the input a `cycle`",
-                );
             }
             strokes(&section, shape, dimension)
         }
