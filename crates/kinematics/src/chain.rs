@@ -48,6 +48,8 @@ pub struct Chain<T: Number> {
     pub input: Input<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
+    /// By group: whether it is solved. All are, unless [`limit_to`](Self::limit_to) says otherwise.
+    needed: Vec<bool>,
     bodies: usize,
 }
 
@@ -69,7 +71,20 @@ impl<T: Number> Chain<T> {
             })?;
             groups.push(kernel);
         }
-        Ok(Self { input: input_of(mechanism), groups, bodies: structure.links })
+        let needed = vec![true; groups.len()];
+        Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links })
+    }
+
+    /// Leaves the groups out that are not needed; none of the others may depend on them.
+    pub fn limit_to(&mut self, needed: &[bool]) {
+        for (mine, needed) in self.needed.iter_mut().zip(needed) {
+            *mine = *needed;
+        }
+    }
+
+    /// Whether a group is solved.
+    pub fn is_needed(&self, group: usize) -> bool {
+        self.needed[group]
     }
 
     /// Bodies at rest at the origin, to be solved into.
@@ -97,7 +112,7 @@ impl<T: Number> Chain<T> {
         }
     }
 
-    /// Solves the whole chain at one coordinate, each group in the way given.
+    /// Solves all needed groups of the chain at one coordinate, each group in the way given.
     ///
     /// # Errors
     ///
@@ -113,6 +128,9 @@ impl<T: Number> Chain<T> {
     ) -> Result<(), ChainError> {
         self.set_input(coordinate, bodies);
         for (group, kernel) in self.groups.iter().enumerate() {
+            if !self.needed[group] {
+                continue;
+            }
             match kernel.solve(bodies, usize::from(ways[group]), order) {
                 Ok(found) => health[group] = found,
                 Err(source) => return Err(ChainError { group, source }),

@@ -47,7 +47,25 @@ impl Linkage {
     /// [`CompileError`] if the mechanism can't be taken apart into registered groups.
     pub fn compile(mechanism: Mechanism) -> Result<Self, CompileError> {
         let structure = Structure::of(&mechanism)?;
-        let chain = Chain::compile(&mechanism, &structure)?;
+        let needed = vec![true; structure.groups.len()];
+        Self::compile_for(mechanism, structure, &needed)
+    }
+
+    /// The same for some of the groups only, of a mechanism that is taken apart already.
+    ///
+    /// Groups that are not needed are neither assembled nor solved, and don't limit the range: the bodies of their links,
+    /// and their health, mean nothing. No needed group may depend on one of them.
+    ///
+    /// # Errors
+    ///
+    /// [`CompileError`] if lengths make no group of its kind.
+    pub fn compile_for(
+        mechanism: Mechanism,
+        structure: Structure,
+        needed: &[bool],
+    ) -> Result<Self, CompileError> {
+        let mut chain = Chain::compile(&mechanism, &structure)?;
+        chain.limit_to(needed);
         let walked = walk::walk(&mechanism, &structure, &chain);
         Ok(Self {
             mechanism,

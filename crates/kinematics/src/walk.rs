@@ -59,7 +59,7 @@ fn first_ways(
     let mut bodies = guessed_bodies(mechanism, chain);
     chain.set_input(mechanism.input.from, &mut bodies);
     let mut ways = vec![0_u8; chain.groups.len()];
-    for (i, kernel) in chain.groups.iter().enumerate() {
+    for (i, kernel) in chain.groups.iter().enumerate().filter(|(i, _)| chain.is_needed(*i)) {
         let links = &structure.groups[i].frame.links;
         let mut best: Option<(f64, u8, Vec<Body<f64>>)> = None;
         let mut failure = None;
@@ -178,7 +178,7 @@ impl Walker<'_> {
             grid.push(bodies);
         }
         let mut leg = Leg { reached: length, complete: true, changes: Vec::new(), last: first.to_vec() };
-        for group in 0..self.groups {
+        for group in (0..self.groups).filter(|group| self.chain.is_needed(*group)) {
             let health = self.healths(group, first[group], &mut grid);
             let flips = self.meetings(group, &at, &health, &mut leg, first);
             self.replace(group, first[group], &at, &flips, &mut grid);
@@ -283,7 +283,8 @@ impl Walker<'_> {
     fn health_at(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> f64 {
         let mut bodies = self.chain.bodies();
         self.chain.set_input(q, &mut bodies);
-        for (i, kernel) in self.chain.groups.iter().enumerate().take(group + 1) {
+        let needed = |(i, _): &(usize, _)| self.chain.is_needed(*i);
+        for (i, kernel) in self.chain.groups.iter().enumerate().take(group + 1).filter(needed) {
             let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
             let way = usize::from(first[i]) ^ (flips & 1);
             match kernel.place(&mut bodies, way.min(kernel.ways() - 1)) {
@@ -332,6 +333,9 @@ impl Walker<'_> {
         let mut bodies = self.chain.bodies();
         self.chain.set_input(q, &mut bodies);
         self.chain.groups.iter().enumerate().take(group + 1).all(|(i, kernel)| {
+            if !self.chain.is_needed(i) {
+                return true;
+            }
             let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
             let way = usize::from(first[i]) ^ (flips & 1);
             kernel.place(&mut bodies, way.min(kernel.ways() - 1)).is_ok()
