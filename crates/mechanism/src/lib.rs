@@ -168,13 +168,9 @@ impl Sense {
 }
 
 impl Input {
-    /// Sign of the coordinate's change along the positions: of `direction` for a cycle, of `to - from` for a range.
+    /// Sign of the motion along the coordinate: that of `direction`, also where the positions are a range.
     pub fn sign(&self) -> f64 {
-        match self.range {
-            Range::To(to) if to < self.from => -1.0,
-            Range::To(to) if to > self.from => 1.0,
-            Range::Cycle(_) | Range::To(_) => self.direction.sign(),
-        }
+        self.direction.sign()
     }
 
     /// Coordinate of position `index`, rad or m.

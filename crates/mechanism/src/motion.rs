@@ -7,7 +7,7 @@ pub enum Motion {
     Prescribed {
         /// Speed with its sign (that of the input's direction applied), rad/s or m/s.
         speed: f64,
-        /// Acceleration with its sign (that of the input's direction applied), rad/s² or m/s².
+        /// Acceleration of the coordinate with its own sign, rad/s² or m/s².
         acceleration: f64,
     },
     /// The equation of motion from an initial state.

@@ -32,7 +32,6 @@ pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
     let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
     let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
     let range = range(&section, dimension, from, positions);
-    check_direction(&section, from, range, sense);
     let direction = sense.unwrap_or(Sense::Ccw);
     Some(Input { link: link?.0, pair: pair?, from, positions, range, direction })
 }
@@ -91,18 +90,4 @@ fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positio
         section.missing("to", "a sliding input has no cycle of its own: give `to` or `cycle`");
     }
     Range::Cycle(section.quantity_or("cycle", dimension, Bound::Positive, TAU))
-}
-
-/// With `to` the direction follows from the range; one that is given must agree.
-fn check_direction(section: &Section<'_>, from: f64, range: Range, sense: Option<Sense>) {
-    let (Range::To(to), Some(sense), Some(entry)) = (range, sense, section.get("direction")) else {
-        return;
-    };
-    if (to - from) * sense.sign() < 0.0 {
-        let way = if to > from { "grows" } else { "decreases" };
-        entry.fault(
-            format!("`direction` contradicts `to`: from `from` to `to` the coordinate {way}"),
-            "leave it out",
-        );
-    }
 }

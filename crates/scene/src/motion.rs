@@ -78,8 +78,8 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
     let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
     let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
-    let sign = context.sign();
-    Some(Motion::Prescribed { speed: sign * speed, acceleration: sign * acceleration })
+    // The scene format applies the direction to the speed; the acceleration is that of the coordinate.
+    Some(Motion::Prescribed { speed: context.sign() * speed, acceleration })
 }
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {

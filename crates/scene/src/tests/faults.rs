@@ -130,7 +130,6 @@ fn the_input() {
                 ("points = { O = 0, A", "points = { O = 0, C = 3, A", &[(28, 8)]),
                 ("positions = 24", "to = 1\ncycle = 2", &[(30, 9)]),
                 ("positions = 24", "to = 0", &[(29, 6)]),
-                ("positions = 24", "to = 1\ndirection = \"cw\"", &[(30, 13)]),
                 ("positions = 24", "direction = \"ccv\"", &[(29, 13)]),
                 ("positions = 24", "cycle = 0", &[(29, 9)]),
                 ("positions = 24", "from = \"1 mm\"", &[(29, 8)]),

@@ -107,14 +107,14 @@ fn ends_of_transient_motions() {
 }
 
 #[test]
-fn a_range_against_the_clock_turns_the_speed() {
+fn a_range_against_the_clock_keeps_the_direction_of_the_scene() {
     let scene = fixture("press.toml");
     close!(scene.input.from, 130.0 * PI / 180.0, max_relative = 1e-15);
     let Range::To(to) = scene.input.range else { panic!() };
     close!(to, 50.0 * PI / 180.0, max_relative = 1e-15);
-    assert_eq!((scene.input.positions, scene.input.sign()), (33, -1.0));
+    assert_eq!((scene.input.positions, scene.input.sign()), (33, 1.0));
     let Some(Motion::Prescribed { speed, .. }) = scene.motion else { panic!() };
-    close!(speed, -PI / 3.0, max_relative = 1e-15);
+    close!(speed, PI / 3.0, max_relative = 1e-15);
     let contact = &scene.contacts[0];
     assert_eq!((contact.center.link, contact.center.at, contact.radius), (2, [0.06, 0.0], 0.3));
     assert_eq!((&contact.force, contact.friction, contact.during), (&Value::Constant(20_000.0), 0.1, None));
@@ -122,7 +122,7 @@ fn a_range_against_the_clock_turns_the_speed() {
 }
 
 #[test]
-fn direction_cw_turns_speed_and_acceleration() {
+fn direction_cw_turns_the_speed() {
     let scene = fixture("conveyor.toml");
     let Some(Motion::Prescribed { speed, acceleration }) = scene.motion else { panic!() };
     close!(speed, -2.5 * PI, max_relative = 1e-15);
@@ -132,7 +132,7 @@ fn direction_cw_turns_speed_and_acceleration() {
     assert_eq!(scene.links[3].center, [0.17, 0.01]);
     let text = BASE.replace("speed = \"900 rpm\"", "speed = 3\nacceleration = 2");
     let scene = good(&text.replace("positions = 24", "direction = \"cw\""));
-    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -3.0, acceleration: -2.0 }));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -3.0, acceleration: 2.0 }));
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn a_sliding_input_is_measured_in_meters() {
     let scene = good(&text.replace("[\"-30 deg\", \"30 deg\"]", "[\"200 mm\", 0.25]"));
     assert_eq!(scene.input.pair, InputPair::Slide(0));
     assert_eq!((scene.input.from, scene.input.range), (0.3, Range::To(0.2)));
-    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -0.2, acceleration: 0.0 }));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: 0.2, acceleration: 0.0 }));
     assert_eq!(scene.contacts[0].during, Some([0.2, 0.25]));
     // A range of a sliding input is no cycle, so that nothing can repeat with it.
     assert!(matches!(scene.moments[0].value, Value::Table { repeat: false, .. }));
