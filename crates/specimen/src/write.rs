@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table,
+    Balance, Direction, GROUND, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table,
     Value,
 };
 
@@ -169,9 +169,9 @@ fn write_motion(text: &mut String, m: &Mechanism) -> Out {
         None => {}
     }
     if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
-        // The scene counts both along the direction of the input.
-        let sign = m.input.sign();
-        writeln!(text, "\n[motion]\nspeed = {:?}\nacceleration = {:?}", sign * speed, sign * acceleration)?;
+        // The scene counts the speed along the direction of the input.
+        let along = m.input.sign() * speed;
+        writeln!(text, "\n[motion]\nspeed = {along:?}\nacceleration = {acceleration:?}")?;
     }
     Ok(())
 }
