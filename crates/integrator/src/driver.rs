@@ -104,26 +104,20 @@ impl<'a, S: Stepper> Drive<'a, S> {
             Entered::Moving(piece, acceleration) => {
                 self.go_on(piece, acceleration);
                 self.recorder.begin(&self.node);
-                self.step = self.initial_step()?;
+                self.step = self.initial_step();
                 Ok(())
             }
         }
     }
 
-    fn initial_step(&mut self) -> Result<f64, IntegrationError> {
+    fn initial_step(&mut self) -> f64 {
         match self.pace {
-            Pace::Unlimited => Ok(f64::INFINITY),
-            Pace::Fixed => Ok(first_step::fixed(self.request, &self.node)),
+            Pace::Unlimited => f64::INFINITY,
+            Pace::Fixed => first_step::fixed(self.request, &self.node),
             Pace::Adaptive(control) => {
                 let longest = self.request.latest() - self.node.state.time;
-                let step = first_step::adaptive(
-                    &mut self.equation,
-                    &self.node,
-                    self.request.tolerance,
-                    control.order,
-                    longest,
-                );
-                step.map_err(|source| self.failed(source))
+                let tolerance = self.request.tolerance;
+                first_step::adaptive(&mut self.equation, &self.node, tolerance, control.order, longest)
             }
         }
     }

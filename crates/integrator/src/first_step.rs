@@ -1,6 +1,6 @@
 //! The first step, and the fixed step where the user gives none.
 
-use crate::{Equation, MotionError, Node, Request, Until};
+use crate::{Equation, Node, Request, Until};
 
 /// Steps of a motion at a fixed step, where the request doesn't say.
 const FIXED_STEPS: f64 = 1000.0;
@@ -37,19 +37,17 @@ pub(crate) fn adaptive(
     tolerance: f64,
     order: f64,
     longest: f64,
-) -> Result<f64, MotionError> {
+) -> f64 {
     /// Coordinate that a mechanism goes without changing much, rad (m).
     const SHORT: f64 = 0.02;
     let trial = time_for(SHORT, node).min(0.1 * longest);
     let there = node.advanced(trial);
     let there = equation.acceleration(there.time, there.coordinate, there.speed);
-    let change = match there {
-        Ok(acceleration) => (acceleration - node.acceleration).abs() / trial,
-        // Out of reach of the mechanism: a short step then.
-        Err(_) => return Ok(1e-3 * trial),
-    };
-    let size = node.acceleration.abs().max(node.state.speed.abs() / trial * 0.1);
+    // Out of reach of the mechanism: a short step then.
+    let Ok(there) = there else { return 1e-3 * trial };
+    let change = (there - node.acceleration).abs() / trial;
+    let size = node.acceleration.abs().max(there.abs()).max(node.state.speed.abs() / trial * 0.1);
     let time = (size / change).min(50.0 * trial);
     let time = if time.is_finite() { time } else { 50.0 * trial };
-    Ok((2.0 * time * tolerance.powf(1.0 / order)).min(longest))
+    (2.0 * time * tolerance.powf(1.0 / order)).min(longest)
 }

@@ -51,6 +51,7 @@ impl Request {
     /// # Errors
     ///
     /// [`IntegrationError::Request`] with what is wrong and what is allowed.
+    #[expect(clippy::float_cmp, reason = "an end is refused only where it is the very same number")]
     pub fn check(&self) -> Result<(), IntegrationError> {
         let State { time, coordinate, speed } = self.initial;
         let refuse = |what: String| Err(IntegrationError::Request { what });
@@ -69,6 +70,9 @@ impl Request {
         match self.until {
             Until::Time(end) if !(end > time && end.is_finite()) => {
                 refuse(format!("end at {end} s: must be after the start at {time} s"))
+            }
+            Until::Coordinate(end) if end == coordinate => {
+                refuse(format!("end at coordinate {end}: the motion is already there at the start"))
             }
             Until::Coordinate(end) if !end.is_finite() => refuse(format!("end at coordinate {end}")),
             _ if self.time_limit.is_nan() || self.time_limit <= time => {

@@ -112,7 +112,7 @@ impl<S: Stepper> Drive<'_, S> {
         let Some((piece, acceleration)) = released else { return Ok(()) };
         self.events.push(Event { state: self.node.state, kind: EventKind::Release });
         self.go_on(piece, acceleration);
-        self.step = self.initial_step()?;
+        self.step = self.initial_step();
         Ok(())
     }
 }
