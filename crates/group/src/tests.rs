@@ -3,8 +3,8 @@ use proptest::prelude::*;
 use crate::linear::Lu;
 use crate::plane::{cross, direction, dot, minus, mirrored, perp, times};
 use crate::{
-    Body, Dyad, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, RegistryError, SlideJoint, Wrench,
-    derive_generally, groups, health_generally, place_by_newton, reactions_generally,
+    Body, Dyad, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, RegistryError, SlideJoint,
+    Wrench, derive_generally, groups, health_generally, place_by_newton, reactions_generally,
 };
 
 fn pin(id: usize, a: usize, b: usize, at_a: [f64; 2], at_b: [f64; 2]) -> Pair {
@@ -140,7 +140,12 @@ fn a_dyad_is_read_in_every_order() {
         if swap {
             outer.reverse();
         }
-        GroupFrame { links: vec![one, two], inner: vec![pin(1, 4, 3, [3.0, 0.0], [4.0, 0.0])], outer, scale: 1.0 }
+        GroupFrame {
+            links: vec![one, two],
+            inner: vec![pin(1, 4, 3, [3.0, 0.0], [4.0, 0.0])],
+            outer,
+            scale: 1.0,
+        }
     };
     for frame in [frame(3, 4, false), frame(4, 3, false), frame(3, 4, true), frame(4, 3, true)] {
         let dyad = Dyad::built(&frame, [false, false, true]).unwrap();

@@ -1,8 +1,8 @@
 //! The registry refuses two kinds of one name. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number, RegistryError,
-    groups, inventory, plugin_for,
+    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number,
+    RegistryError, groups, inventory, plugin_for,
 };
 use assur_number::Real;
 

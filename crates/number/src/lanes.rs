@@ -24,9 +24,15 @@ impl<const N: usize> Lanes<N> {
         Self(out)
     }
 
-    fn fold(self, f: impl Fn(f64, f64) -> f64) -> f64 {
-        // A NaN must win: a comparison with it would hide it.
-        self.0.into_iter().reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { f(a, b) }).unwrap_or(0.0)
+    #[inline]
+    fn fold(self, better: impl Fn(f64, f64) -> bool) -> f64 {
+        // A NaN must win, and a comparison with it would hide it. Without branches: this is in the inner loop.
+        let mut hidden = false;
+        for a in self.0 {
+            hidden |= a.is_nan();
+        }
+        let best = self.0.into_iter().reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0);
+        if hidden { f64::NAN } else { best }
     }
 }
 
@@ -91,11 +97,11 @@ impl<const N: usize> Real for Lanes<N> {
     }
     #[inline]
     fn least(self) -> f64 {
-        self.fold(f64::min)
+        self.fold(|a, b| a < b)
     }
     #[inline]
     fn greatest(self) -> f64 {
-        self.fold(f64::max)
+        self.fold(|a, b| a > b)
     }
     #[inline]
     fn clamp_negative(self) -> Self {

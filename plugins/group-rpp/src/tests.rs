@@ -1,4 +1,76 @@
+use std::f64::consts::FRAC_PI_2;
+
+use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Order, Pair, PairGeometry, Wrench, plugin_for};
+
+use crate::Rpp;
+
+/// Scotch yoke: a stone (link 3) pinned to a crank (body 1) at the radius 2, on a yoke (link 2) with a guide across,
+/// which slides along the x axis of the ground.
+fn frame(angle: f64) -> GroupFrame {
+    let slide = |id, a, b, angle| {
+        let geometry = PairGeometry::Slide { point: [0.0, 0.0], through: [0.0, 0.0], angle, tilt: 0.0 };
+        Pair { id, a, b, geometry }
+    };
+    let pin = PairGeometry::Pin { at_a: [2.0, 0.0], at_b: [0.0, 0.0] };
+    GroupFrame {
+        links: vec![2, 3],
+        inner: vec![slide(1, 3, 2, angle)],
+        outer: vec![slide(2, 2, 0, 0.0), Pair { id: 0, a: 1, b: 3, geometry: pin }],
+        scale: 1.0,
+    }
+}
+
+fn bodies(q: f64) -> [Body<f64>; 4] {
+    let mut bodies = [Body::ground(); 4];
+    (bodies[1].s, bodies[1].c, bodies[1].w1) = (q.sin(), q.cos(), 1.0);
+    bodies
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-14
+}
+
 #[test]
 fn passes_the_conformance_suite() {
     assur_testkit::conformance("rpp");
+}
+
+#[test]
+fn a_scotch_yoke_moves_as_the_cosine() {
+    let group = Rpp::new(&frame(FRAC_PI_2)).unwrap();
+    for step in 0..12 {
+        let q = f64::from(step) * std::f64::consts::TAU / 12.0;
+        let mut bodies = bodies(q);
+        assert!(close(group.solve(&mut bodies, 0, Order::Second).unwrap(), 1.0));
+        let yoke = &bodies[2];
+        assert!(close(yoke.x, 2.0 * q.cos()) && close(yoke.y, 0.0) && close(yoke.w1, 0.0));
+        assert!(close(yoke.x1, -2.0 * q.sin()) && close(yoke.x2, -2.0 * q.cos()));
+        assert!(close(bodies[3].y, 2.0 * q.sin()) && close(bodies[3].y2, -2.0 * q.sin()));
+    }
+}
+
+#[test]
+fn a_push_on_the_yoke_reaches_the_crank_across_the_guide() {
+    let group = Rpp::new(&frame(FRAC_PI_2)).unwrap();
+    let mut bodies = bodies(FRAC_PI_2);
+    group.place(&mut bodies, 0).unwrap();
+    let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
+    loads[2].fx = 7.0;
+    group.reactions(&bodies, &mut loads, &mut reactions).unwrap();
+    // 7 N to the crank's pin, 2 m above the ground's guide, which holds the moment of the couple.
+    assert!(close(loads[1].fx, 7.0) && close(loads[1].fy, 0.0) && close(loads[1].m, -14.0));
+    assert!(close(reactions[0].fx, 7.0) && close(reactions[1].fx, 7.0) && close(reactions[1].m, 0.0));
+    assert!(close(reactions[2].fx, 0.0) && close(reactions[2].fy, 0.0) && close(reactions[2].m, -14.0));
+}
+
+#[test]
+fn parallel_guides_give_no_place() {
+    let group = Rpp::new(&frame(0.0)).unwrap();
+    assert_eq!(group.place(&mut bodies(1.0), 0), Err(GroupError::Singular { health: 0.0 }));
+}
+
+#[test]
+fn is_found_in_the_registry() {
+    let plugin = plugin_for(&frame(0.0)).unwrap().unwrap();
+    assert_eq!((plugin.name, plugin.class, plugin.number), ("rpp", 2, 5));
 }

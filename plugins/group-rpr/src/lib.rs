@@ -40,7 +40,7 @@ inventory::submit! {
         number: 3,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links with outer pins and a slide between them",
-        ways: "0: the outer pin of the sliding link ahead of that of the link with the guide, in the direction of the guide; 1: behind it",
+        ways: "0: the outer pin of the first link ahead of that of the second, in the direction of the guide; 1: behind it",
         singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
         source: "S stage 2; theory of the right triangle",
         matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),

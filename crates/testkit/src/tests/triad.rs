@@ -22,8 +22,8 @@ impl<T: Real> AssurGroup<T> for Triad {
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
         assur_group::derive_generally(&self.0, bodies, order)?;
-        let parts = bodies.iter().map(|b| b.x1 + b.y1 + b.w1 + b.x2 + b.y2 + b.w2);
-        parts.map(GroupError::if_nan).collect()
+        let mut parts = bodies.iter().map(|b| b.x1 + b.y1 + b.w1 + b.x2 + b.y2 + b.w2);
+        parts.try_for_each(GroupError::if_nan)
     }
 }
 
@@ -54,7 +54,7 @@ inventory::submit! {
 }
 
 /// Bodies 0 to 2 outside, 3 the ternary link, 4 to 6 the binary ones.
-pub(crate) fn sample(dice: &mut Dice, singular: bool) -> Option<Sample> {
+pub(crate) fn sample(dice: &mut Dice, singular: bool) -> Sample {
     let paths = Sample::poses(dice, 7);
     let turn = dice.unit();
     let mut joins = vec![];
@@ -67,5 +67,5 @@ pub(crate) fn sample(dice: &mut Dice, singular: bool) -> Option<Sample> {
         joins.push(Join { a: 3, b: 4 + i, at: corner, slide: None });
         joins.push(Join { a: 4 + i, b: outer, at: foot, slide: None });
     }
-    Some(Sample::assemble(dice, paths, vec![3, 4, 5, 6], &joins))
+    Sample::assemble(dice, paths, vec![3, 4, 5, 6], &joins)
 }
