@@ -8,15 +8,13 @@
 use assur_number::Real;
 
 use crate::linear::Lu;
+use crate::plane::{direction, minus, vector};
 use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometry, Wrench};
-
-/// Newton's method is given up after so many steps.
-const MOST_STEPS: usize = 60;
 
 /// Calls a function with the number of unknowns as a constant: 3 for each link.
 macro_rules! sized {
     ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
-        match links_that_fit($frame) {
+        match $crate::general::links_that_fit($frame) {
             Some(1 | 2) => $call::<T, 6>($($arg),*),
             Some(3 | 4) => $call::<T, 12>($($arg),*),
             Some(5 | 6) => $call::<T, 18>($($arg),*),
@@ -26,32 +24,25 @@ macro_rules! sized {
     };
 }
 
+pub(crate) use sized;
+
 /// Greatest number of links in a group that the general solution takes.
 const MOST_LINKS: usize = 8;
 
 /// Number of links, if there are at most 8 with just as many constraints as unknowns.
-fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
+pub(crate) fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
     let links = frame.links.len();
     let zero_mobility = 3 * links == 2 * frame.pairs().count();
     (zero_mobility && (1..=MOST_LINKS).contains(&links)).then_some(links)
 }
 
-fn unfit(frame: &GroupFrame) -> GroupError {
+pub(crate) fn unfit(frame: &GroupFrame) -> GroupError {
     GroupError::Unfit { links: frame.links.len(), pairs: frame.pairs().count() }
 }
 
 /// Unit vector along the guide of a slide, in the frame of the ground.
-fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> [T; 2] {
-    let (s, c) = T::from_f64(angle).sin_cos();
-    bodies[carrier].turned([c, s])
-}
-
-fn local<T: Real>(at: [f64; 2]) -> [T; 2] {
-    [T::from_f64(at[0]), T::from_f64(at[1])]
-}
-
-fn minus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
-    [a[0] - b[0], a[1] - b[1]]
+pub(crate) fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> [T; 2] {
+    bodies[carrier].turned(direction(angle))
 }
 
 /// Arm of a point of the ground's frame from the origin of a body.
@@ -63,11 +54,11 @@ fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
 fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     match pair.geometry {
         PairGeometry::Pin { at_a, at_b } => {
-            (bodies[pair.a].arm(local(at_a)), bodies[pair.b].arm(local(at_b)))
+            (bodies[pair.a].arm(vector(at_a)), bodies[pair.b].arm(vector(at_b)))
         }
         PairGeometry::Slide { point, .. } => {
-            let on_a = bodies[pair.a].arm(local(point));
-            (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(local(point))))
+            let on_a = bodies[pair.a].arm(vector(point));
+            (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(vector(point))))
         }
     }
 }
@@ -84,7 +75,7 @@ fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
 }
 
 /// J, in units of the scale; rows that a smaller group leaves are filled with the identity.
-fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
+pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
     let mut j = [[T::ZERO; N]; N];
     let inverse_scale = T::from_f64(1.0 / frame.scale);
     let mut row = 0;
@@ -286,75 +277,4 @@ fn push_outer<T: Real>(
     if frame.column(pair.a).is_none() {
         loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
     }
-}
-
-/// Places any group by Newton's method on its constraints, from the place that its bodies have on entry.
-///
-/// Returns the health. Not a closed form: the way found is the one near the start.
-///
-/// # Errors
-///
-/// [`GroupError::NoAssembly`] with the remaining gap where it does not converge; [`GroupError::Singular`] where J
-/// cannot be inverted on the way; [`GroupError::Unfit`] for more than 8 links.
-pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
-    sized!(frame, newton_sized(frame, bodies), Err(unfit(frame)))
-}
-
-/// Phi of each pair, in units of the scale, with the sign such that J du = -Phi.
-fn residual<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [T; N] {
-    let mut phi = [T::ZERO; N];
-    let inverse_scale = T::from_f64(1.0 / frame.scale);
-    for (k, pair) in frame.pairs().enumerate() {
-        let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
-        (phi[2 * k], phi[2 * k + 1]) = match pair.geometry {
-            PairGeometry::Pin { at_a, at_b } => {
-                let gap = minus(a.point(local(at_a)), b.point(local(at_b)));
-                (gap[0] * inverse_scale, gap[1] * inverse_scale)
-            }
-            PairGeometry::Slide { point, through, angle, tilt } => {
-                let [c, s] = guide(bodies, pair.b, angle);
-                let gap = minus(a.point(local(point)), b.point(local(through)));
-                let (st, ct) = T::from_f64(tilt).sin_cos();
-                let wanted = [c * ct - s * st, s * ct + c * st];
-                ((c * gap[1] - s * gap[0]) * inverse_scale, wanted[0] * a.s - wanted[1] * a.c)
-            }
-        };
-    }
-    phi
-}
-
-fn newton_sized<T: Real, const N: usize>(
-    frame: &GroupFrame,
-    bodies: &mut [Body<T>],
-) -> Result<T, GroupError> {
-    let mut before = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
-        let phi = residual::<T, N>(frame, bodies);
-        let size = phi.iter().map(|r| r.abs().greatest()).fold(0.0, f64::max);
-        let lu = Lu::new(jacobian::<T, N>(frame, bodies));
-        if lu.health.is_nan() || lu.health < LEAST_HEALTH {
-            return Err(GroupError::Singular { health: lu.health });
-        }
-        // Converged where a further step no longer helps: the residual is rounding.
-        if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
-            return Ok(T::from_f64(lu.health));
-        }
-        before = size;
-        let step = lu.solve(&phi);
-        for (i, &link) in frame.links.iter().enumerate() {
-            let scale = T::from_f64(frame.scale);
-            nudge(&mut bodies[link], [step[3 * i] * scale, step[3 * i + 1] * scale, step[3 * i + 2]]);
-        }
-    }
-    Err(GroupError::NoAssembly { gap_m: before * frame.scale })
-}
-
-/// Moves a body by minus a Newton step; the direction stays a unit vector.
-fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
-    body.x -= step[0];
-    body.y -= step[1];
-    let (s, c) = (-step[2]).sin_cos();
-    let [x, y] = body.turned([c, s]);
-    let length = (x * x + y * y).sqrt();
-    (body.c, body.s) = (x / length, y / length);
 }

@@ -16,6 +16,7 @@ mod general;
 mod joint;
 mod kernel;
 mod linear;
+mod newton;
 mod pair;
 pub mod plane;
 mod registry;
@@ -24,9 +25,10 @@ mod wrench;
 pub use body::Body;
 pub use dyad::{Dyad, PinEnd, SlideEnd};
 pub use error::{GroupError, LEAST_HEALTH};
-pub use general::{derive_generally, health_generally, place_by_newton, reactions_generally};
+pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
 pub use kernel::{AssurGroup, Number, Order};
+pub use newton::place_by_newton;
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use registry::{
     BuildError, Builders, GroupKind, GroupPlugin, RegistryError, groups, kernel_of, plugin_for,
