@@ -1,1 +1,41 @@
+mod breaks;
+mod errors;
+mod kinds;
+mod phases;
+mod reduction;
+mod strokes;
 
+use assur_all as _;
+use assur_group::{Body, Order};
+use assur_kinematics::Linkage;
+
+use crate::{Loads, State};
+
+fn fixture(name: &str) -> String {
+    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(path).unwrap()
+}
+
+fn linkage(text: &str) -> Linkage {
+    Linkage::compile(assur_scene::read("test.toml", text).unwrap()).unwrap()
+}
+
+fn compiled(text: &str) -> (Linkage, Loads) {
+    let linkage = linkage(text);
+    let loads = Loads::compile(&linkage).unwrap();
+    (linkage, loads)
+}
+
+fn bodies(linkage: &Linkage, q: f64) -> Vec<Body<f64>> {
+    let mut position = linkage.position();
+    linkage.solve(q, Order::Second, &mut position).unwrap();
+    position.bodies
+}
+
+fn at(coordinate: f64, speed: f64) -> State {
+    State { coordinate, speed, ..State::default() }
+}
+
+fn near(found: f64, wanted: f64, size: f64) {
+    assert!((found - wanted).abs() <= 1e-12 * size.abs().max(1e-3), "{found} instead of {wanted}");
+}

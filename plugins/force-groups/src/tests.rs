@@ -17,7 +17,10 @@ fn compiled(text: &str) -> Linkage {
 }
 
 /// All loads and the reactions at one coordinate.
-fn solve(linkage: &Linkage, q: f64) -> Result<(Reactions, Vec<Wrench<f64>>, assur_kinematics::Position), ForceError> {
+fn solve(
+    linkage: &Linkage,
+    q: f64,
+) -> Result<(Reactions, Vec<Wrench<f64>>, assur_kinematics::Position), ForceError> {
     let loads = Loads::compile(linkage).unwrap();
     let mut position = linkage.position();
     linkage.solve(q, Order::Second, &mut position).unwrap();

@@ -1,0 +1,85 @@
+use assur_group::Wrench;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{Table, Value};
+
+use super::{fixture, linkage};
+use crate::registry::sorted;
+use crate::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, RegistryError};
+
+fn error(change: impl FnOnce(&mut assur_mechanism::Mechanism)) -> String {
+    let mut mechanism = linkage(&fixture("slider-crank")).mechanism;
+    change(&mut mechanism);
+    Loads::compile(&Linkage::compile(mechanism).unwrap()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_load_that_needs_a_motion() {
+    let text = error(|mechanism| {
+        mechanism.motion = None;
+        mechanism.forces[0].direction = assur_mechanism::Direction::AgainstMotion;
+    });
+    assert_eq!(text, "load `gas`: a force against the motion needs a motion; add `[motion]` with a speed");
+}
+
+#[test]
+fn a_point_without_a_stroke() {
+    let text = error(|mechanism| {
+        let Value::Stroke { axis, .. } = &mut mechanism.forces[0].value else {
+            panic!("the gas force follows a stroke")
+        };
+        *axis = 0.0;
+    });
+    assert!(text.starts_with("load `gas` follows a stroke, but its point moves only "), "{text}");
+    assert!(text.ends_with(" m along the axis; turn the axis"), "{text}");
+}
+
+#[test]
+fn a_moment_has_no_stroke() {
+    let text = error(|mechanism| {
+        let table = Table::constant(1.0);
+        let value = Value::Stroke { axis: 0.0, forward: table.clone(), back: table };
+        mechanism.moments.push(assur_mechanism::Moment { name: "drag".to_owned(), link: 1, value });
+    });
+    assert_eq!(
+        text,
+        "moment `drag` follows a stroke, but a moment has no point that could move; use a table over the angle"
+    );
+}
+
+#[derive(Debug)]
+struct Nothing;
+
+impl ForceAnalyzer for Nothing {
+    fn supports(&self, _: &Linkage) -> Result<(), String> {
+        Ok(())
+    }
+    fn solve(
+        &self,
+        _: &Linkage,
+        _: &Position,
+        _: &mut [Wrench<f64>],
+        _: &mut Reactions,
+    ) -> Result<(), ForceError> {
+        Ok(())
+    }
+}
+
+static ONE: AnalyzerPlugin = AnalyzerPlugin {
+    name: "same",
+    crate_name: "a",
+    summary: "",
+    source: "",
+    instance: &Nothing,
+    gives_reactions: false,
+};
+static OTHER: AnalyzerPlugin = AnalyzerPlugin { crate_name: "b", ..ONE };
+static THIRD: AnalyzerPlugin = AnalyzerPlugin { name: "another", ..ONE };
+
+#[test]
+fn the_registry_is_sorted_and_refuses_two_of_one_name() {
+    let names: Vec<_> = sorted(vec![&ONE, &THIRD]).unwrap().iter().map(|plugin| plugin.name).collect();
+    assert_eq!(names, ["another", "same"]);
+    let duplicate = RegistryError::Duplicate { name: "same", first: "a", second: "b" };
+    assert_eq!(sorted(vec![&OTHER, &ONE]).unwrap_err(), duplicate);
+    assert_eq!(sorted(Vec::new()).unwrap_err(), RegistryError::Empty);
+}

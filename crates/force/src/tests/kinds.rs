@@ -1,0 +1,177 @@
+//! Every kind of load on one turning link, by hand: the arm OA = 0.5 m turns about O; G = (1, 0).
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
+
+use assur_group::Wrench;
+
+use super::{at, bodies, compiled, near};
+use crate::{Cause, State};
+
+fn arm(load: &str) -> String {
+    format!(
+        r#"
+[ground]
+points = {{ O = 0, G = [1, 0] }}
+[link.arm]
+points = {{ O = 0, A = 0.5 }}
+mass = 2
+center = 0.25
+inertia = 0.1
+[input]
+link = "arm"
+[motion]
+speed = 3
+{load}
+"#
+    )
+}
+
+fn moment(load: &str, state: State) -> f64 {
+    let (linkage, loads) = compiled(&arm(load));
+    loads.reduced(&state, &bodies(&linkage, state.coordinate)).moment
+}
+
+#[test]
+fn inertia_of_a_turning_link() {
+    let (linkage, loads) = compiled(&arm(""));
+    let found = loads.reduced(&at(0.7, 3.0), &bodies(&linkage, 0.7));
+    near(found.inertia, 0.1 + 2.0 * 0.0625, 1.0);
+    near(found.inertia_derivative, 0.0, 1.0);
+    near(loads.kinetic_energy(3.0, &bodies(&linkage, 0.7)), 0.5 * 0.225 * 9.0, 1.0);
+}
+
+#[test]
+fn inertia_loads_are_against_the_acceleration() {
+    let (linkage, loads) = compiled(&arm(""));
+    let mut wrenches = vec![Wrench::ZERO; 2];
+    let state = State { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0 };
+    loads.inertia(&state, &bodies(&linkage, FRAC_PI_2), &mut wrenches);
+    // Upright: a = (-0.25 * 4, -0.25 * 9); about O: -J e.
+    near(wrenches[1].fx, 2.0, 1.0);
+    near(wrenches[1].fy, 4.5, 1.0);
+    near(wrenches[1].m, -0.225 * 4.0, 1.0);
+}
+
+#[test]
+fn weight() {
+    let (linkage, loads) = compiled(&format!("gravity = 10\n{}", arm("")));
+    let bodies = bodies(&linkage, FRAC_PI_3);
+    near(loads.reduced(&at(FRAC_PI_3, 0.0), &bodies).moment, -2.0 * 10.0 * 0.25 * 0.5, 1.0);
+    near(loads.potential_energy(&bodies), 2.0 * 10.0 * 0.25 * FRAC_PI_3.sin(), 1.0);
+}
+
+#[test]
+fn forces_by_their_directions() {
+    let force = |direction: &str| format!("[[force]]\nlink = \"arm\"\nat = \"A\"\nvalue = 8\n{direction}\n");
+    near(moment(&force("angle = 0"), at(FRAC_PI_6, 3.0)), -8.0 * 0.5 * 0.5, 1.0);
+    near(moment(&force("angle = \"90 deg\"\nframe = \"link\""), at(0.3, 3.0)), 4.0, 1.0);
+    let against = force("against_motion = true");
+    near(moment(&against, at(0.3, 3.0)), -4.0, 1.0);
+    near(moment(&against, at(0.3, -3.0)), 4.0, 1.0);
+    near(moment(&against, at(0.3, 0.0)), 0.0, 1.0);
+}
+
+#[test]
+fn a_point_that_stands_has_no_motion_to_be_against() {
+    let text = "[[force]]\nlink = \"arm\"\nat = \"O\"\nvalue = 8\nagainst_motion = true\n";
+    let (linkage, loads) = compiled(&arm(text));
+    for q in [0.1, 1.0, 2.5] {
+        let mut wrenches = vec![Wrench::ZERO; 2];
+        loads.apply(&at(q, 3.0), &bodies(&linkage, q), &mut wrenches);
+        assert_eq!(wrenches[1], Wrench::ZERO);
+    }
+}
+
+#[test]
+fn a_moment() {
+    near(moment("[[moment]]\nlink = \"arm\"\nvalue = 7\n", at(1.0, 0.0)), 7.0, 1.0);
+}
+
+#[test]
+fn spring_and_damper() {
+    // Upright: A = (0, 0.5), d = G - A = (1, -0.5), PF1 of A = (-0.5, 0), dL/dq = 0.5 / L.
+    let length = 1.25_f64.sqrt();
+    let text = "[[spring]]\nbetween = [\"A\", \"G\"]\nstiffness = 100\nlength = 0.2\n";
+    near(moment(text, at(FRAC_PI_2, 3.0)), -100.0 * (length - 0.2) * 0.5 / length, 100.0);
+    let damper = "[[spring]]\nbetween = [\"G\", \"A\"]\ndamping = 30\n";
+    near(moment(damper, at(FRAC_PI_2, 3.0)), -30.0 * 3.0 * 0.25 / 1.25, 100.0);
+    let (linkage, loads) = compiled(&arm(text));
+    let energy = loads.potential_energy(&bodies(&linkage, FRAC_PI_2));
+    near(energy, 50.0 * (length - 0.2) * (length - 0.2), 100.0);
+}
+
+#[test]
+fn a_spring_pulls_both_ends() {
+    let (linkage, loads) = compiled(&arm("[[spring]]\nbetween = [\"A\", \"G\"]\nstiffness = 100\n"));
+    let mut wrenches = vec![Wrench::ZERO; 2];
+    loads.apply(&at(FRAC_PI_2, 3.0), &bodies(&linkage, FRAC_PI_2), &mut wrenches);
+    // k d with a free length of 0; about the origins of arm and ground.
+    for (found, wanted) in wrenches.iter().zip([[-100.0, 50.0, 50.0], [100.0, -50.0, -50.0]]) {
+        near(found.fx, wanted[0], 100.0);
+        near(found.fy, wanted[1], 100.0);
+        near(found.m, wanted[2], 100.0);
+    }
+}
+
+#[test]
+fn contact_of_an_arc() {
+    let text = "[[contact]]\nlink = \"arm\"\ncenter = \"A\"\nradius = 0.1\nangle = \"30 deg\"\nforce = 10\nfriction = 0.2\n";
+    let root = 0.75_f64.sqrt();
+    let k = [-0.1 * 0.5, 0.5 - 0.1 * root];
+    let f = [10.0 * (0.5 + 0.2 * root), 10.0 * (root - 0.2 * 0.5)];
+    let wanted = k[0] * f[1] - k[1] * f[0];
+    near(moment(text, at(FRAC_PI_2, 3.0)), wanted, 10.0);
+    let during = format!("{text}during = [\"60 deg\", \"90 deg\"]\n");
+    for (q, touches) in [(FRAC_PI_2, 1.0), (FRAC_PI_2 + 0.01, 0.0), (FRAC_PI_2 - 2.0 * PI, 1.0), (0.0, 0.0)] {
+        near(moment(&during, at(q, 3.0)), touches * wanted, 10.0);
+    }
+}
+
+#[test]
+fn tables_over_the_angle_repeat_and_jump() {
+    let table = |more: &str| {
+        format!(
+            "[[moment]]\nlink = \"arm\"\nvalue = {{ over = \"angle\", table = [[0, 0], [\"180 deg\", 40], [\"180 deg\", 10]]{more} }}\n"
+        )
+    };
+    let of = |more: &str, degrees: f64| moment(&table(more), at(degrees.to_radians(), 3.0));
+    for (degrees, wanted) in
+        [(0.0, 0.0), (90.0, 20.0), (180.0, 10.0), (270.0, 10.0), (360.0, 0.0), (450.0, 20.0)]
+    {
+        near(of("", degrees), wanted, 40.0);
+        near(of("", degrees - 1080.0), wanted, 40.0);
+    }
+    near(of(", repeat = false", 450.0), 10.0, 40.0);
+    near(of(", repeat = false", -90.0), 0.0, 40.0);
+    near(of(", shape = \"step\"", 90.0), 0.0, 40.0);
+}
+
+#[test]
+fn tables_over_speed_and_time() {
+    let table = |over: &str| {
+        format!("[[moment]]\nlink = \"arm\"\nvalue = {{ over = \"{over}\", table = [[0, 60], [150, 0]] }}\n")
+    };
+    near(moment(&table("speed"), at(0.0, 50.0)), 40.0, 60.0);
+    near(moment(&table("speed"), at(0.0, -50.0)), 60.0, 60.0);
+    near(moment(&table("time"), State { time: 100.0, ..at(0.0, 1.0) }), 20.0, 60.0);
+    let (linkage, _) = compiled(&arm(""));
+    near(State::prescribed(&linkage.mechanism, 6.0).time, 2.0, 1.0);
+}
+
+#[test]
+fn causes_add_up_to_all_loads() {
+    let (linkage, loads) = compiled(&super::fixture("stephenson3"));
+    let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0 };
+    let bodies = bodies(&linkage, 1.0);
+    let mut all = vec![Wrench::ZERO; bodies.len()];
+    loads.apply(&state, &bodies, &mut all);
+    loads.inertia(&state, &bodies, &mut all);
+    let mut names = Vec::new();
+    loads.by_cause(&state, &bodies, &mut |cause, link, wrench| {
+        all[link].add_at([0.0; 2], [-wrench.fx, -wrench.fy], -wrench.m);
+        names.push(cause.name(&linkage.mechanism));
+    });
+    assert!(all.iter().all(|w| w.fx.abs() + w.fy.abs() + w.m.abs() < 1e-9), "{all:?}");
+    assert!(names.contains(&"inertia of block".to_owned()), "{names:?}");
+    assert!(Cause::Weight(1) < Cause::Inertia(1));
+}

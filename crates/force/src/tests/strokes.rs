@@ -1,0 +1,116 @@
+//! The stroke of the central slider-crank in closed form: y = r sin q + sqrt(l² - r² cos² q), extremes at +-90 degrees.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use proptest::prelude::*;
+
+use super::{at, bodies, compiled, fixture, near};
+use crate::root::root;
+
+const R: f64 = 0.06;
+const L: f64 = 0.24;
+
+/// The compressor with the gas force alone.
+fn compressor() -> String {
+    fixture("slider-crank").replace("gravity = \"9.81 m/s^2\"", "")
+}
+
+/// Height of the piston and its PF1.
+fn piston(q: f64) -> [f64; 2] {
+    let root = (L * L - R * R * q.cos() * q.cos()).sqrt();
+    [R * q.sin() + root, R * q.cos() + R * R * q.cos() * q.sin() / root]
+}
+
+/// The gas force of the scene by its printed table.
+fn gas(place: f64, forward: bool) -> f64 {
+    match (forward, place) {
+        (true, p) if p < 0.5 => 1400.0 * p,
+        (true, p) if p < 0.8 => 700.0 + 2300.0 * (p - 0.5) / 0.3,
+        (true, _) => 3000.0,
+        (false, p) => (3000.0 * (p - 0.8) / 0.2).max(0.0),
+    }
+}
+
+fn share(q: f64) -> f64 {
+    (piston(q)[0] - (L - R)) / (2.0 * R)
+}
+
+proptest! {
+    #[test]
+    fn gas_force_follows_the_stroke_both_ways(q in -9.0..9.0f64, turns in prop::bool::ANY) {
+        let (linkage, loads) = compiled(&compressor());
+        let speed = if turns { 90.0 } else { -90.0 };
+        let forward = piston(q)[1] * speed > 0.0;
+        let wanted = -gas(share(q), forward) * piston(q)[1];
+        let found = loads.reduced(&at(q, speed), &bodies(&linkage, q)).moment;
+        prop_assert!((found - wanted).abs() < 1e-9, "{} instead of {}", found, wanted);
+    }
+}
+
+/// Where the place reaches `share` on the way up: l² = r² + y² - 2 r y sin q.
+fn upward(share: f64) -> f64 {
+    let y = L - R + 2.0 * R * share;
+    ((R * R + y * y - L * L) / (2.0 * R * y)).asin()
+}
+
+#[test]
+fn pieces_end_at_the_rows_of_the_stroke() {
+    let (_, loads) = compiled(&compressor());
+    let mut phase = loads.phase();
+    let mut ends = |q: f64, speed: f64| loads.enter(&at(q, speed), &mut phase).coordinate;
+    let check = |found: [f64; 2], wanted: [f64; 2]| {
+        near(found[0], wanted[0], 10.0);
+        near(found[1], wanted[1], 10.0);
+    };
+    let (half, most) = (upward(0.5), upward(0.8));
+    check(ends(-1.0, 90.0), [-FRAC_PI_2, half]);
+    check(ends(half, 90.0), [half, most]);
+    check(ends(most, 90.0), [most, FRAC_PI_2]);
+    check(ends(FRAC_PI_2, 90.0), [FRAC_PI_2, PI - most]);
+    check(ends(PI, 90.0), [PI - most, 1.5 * PI]);
+    // Backwards the downstroke of before is the upstroke.
+    check(ends(PI + 1.0, -90.0), [PI - half, 1.5 * PI]);
+    check(ends(FRAC_PI_2, -90.0), [most, FRAC_PI_2]);
+    check(ends(4.0 * PI + half, -90.0), [3.5 * PI, 4.0 * PI + most]);
+}
+
+#[test]
+fn an_extreme_belongs_to_the_stroke_that_begins() {
+    let text = compressor().replace("back = [[0, 0], [0.8, 0], [1, 3000]]", "back = 5");
+    let (linkage, loads) = compiled(&text);
+    let force = |q: f64, speed: f64| {
+        let mut wrenches = vec![assur_group::Wrench::ZERO; 4];
+        loads.apply(&at(q, speed), &bodies(&linkage, q), &mut wrenches);
+        wrenches[3].fy
+    };
+    for speed in [90.0, -90.0] {
+        near(force(FRAC_PI_2, speed), -5.0, 5.0);
+        near(force(-FRAC_PI_2, speed), 0.0, 1e-6);
+        near(force(10.0 * PI + FRAC_PI_2, speed), -5.0, 5.0);
+    }
+}
+
+#[test]
+fn a_range_of_a_mechanism_that_cannot_turn_is_its_stroke() {
+    // The rod is too short for a full turn: from 60 to 120 degrees the piston rises and falls.
+    let text = compressor()
+        .replace("\"240 mm\"", "\"59 mm\"")
+        .replace("\"80 mm\"", "\"30 mm\"")
+        .replace("B = [0, 0.23]", "B = [0, 0.11]")
+        .replace("positions = 24", "positions = 5\nfrom = \"60 deg\"\nto = \"120 deg\"");
+    let (linkage, loads) = compiled(&text);
+    let height = |q: f64| bodies(&linkage, q)[3].y;
+    let (low, high) = (height(PI / 3.0), height(FRAC_PI_2));
+    let q = 1.2;
+    let place = (height(q) - low) / (high - low);
+    let found = loads.reduced(&at(q, 90.0), &bodies(&linkage, q)).moment;
+    near(found, -gas(place, true) * bodies(&linkage, q)[3].y1, 100.0);
+}
+
+#[test]
+fn roots_are_exact_even_where_newton_is_thrown_out() {
+    let cube = |x: f64| Ok::<_, ()>((x * x * x - 2.0, 3.0 * x * x));
+    near(root(cube, -5.0, 9.0).unwrap(), 2.0_f64.cbrt(), 1.0);
+    // No slope given: bisection alone.
+    near(root(|x: f64| Ok::<_, ()>((0.3 - x, 0.0)), -5.0, 9.0).unwrap(), 0.3, 1.0);
+}
