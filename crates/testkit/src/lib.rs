@@ -49,8 +49,10 @@ pub fn judge(
             let case = Case::new(plugin, sample, seed)?;
             checks::regular(&case, &mut dice, &mut tried)?;
         }
-        if let Some(sample) = sample(&mut dice, plugin, true) {
-            checks::singular(plugin, &sample, seed)?;
+    }
+    for seed in SAMPLES..2 * SAMPLES {
+        if let Some(sample) = sample(&mut Dice::new(seed), plugin, true) {
+            checks::singular(&Case::new(plugin, sample, seed)?)?;
         }
     }
     tried.enough(plugin)

@@ -6,9 +6,9 @@ mod numbers;
 mod places;
 mod refusals;
 
-use assur_group::{GroupError, GroupPlugin, kernel_of};
+use assur_group::{GroupError, GroupPlugin};
 
-use crate::{Case, Dice, Fault, Sample};
+use crate::{Case, Dice, Fault};
 
 /// Samples nearer to a singular position than this are left to the check of singular positions.
 const LEAST_HEALTH: f64 = 0.05;
@@ -61,17 +61,19 @@ pub(crate) fn regular(case: &Case, dice: &mut Dice, tried: &mut Tried) -> Result
     Ok(())
 }
 
-/// At a singular position the health is 0, up to the square root of rounding, or there is no place.
-pub(crate) fn singular(plugin: &GroupPlugin, sample: &Sample, seed: u64) -> Result<(), Fault> {
-    let fault = |what| Fault { check: "singular", seed, what };
-    let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;
-    let mut bodies = sample.bodies(0.0);
-    match kernel.place(&mut bodies, 0) {
-        Ok(health) if health.abs() < 1e-6 && kernel.health(&bodies) < 1e-6 => Ok(()),
-        Ok(health) => Err(fault(format!("health {health:.3e}, {:.3e} when asked", kernel.health(&bodies)))),
+/// At a singular position the health is 0, up to the square root of rounding, and the pairs still close; or there is
+/// no place.
+pub(crate) fn singular(case: &Case) -> Result<(), Fault> {
+    let fault = |what| Err(case.fault("singular", what));
+    let mut bodies = case.sample.bodies(0.0);
+    match case.kernel.place(&mut bodies, 0) {
+        Ok(health) if health.abs() < 1e-6 && case.kernel.health(&bodies) < 1e-6 => {
+            case.within("singular", "a pair", case.residual(&bodies), 1e-13)
+        }
+        Ok(health) => fault(format!("health {health:.3e}, {:.3e} when asked", case.kernel.health(&bodies))),
         Err(GroupError::Singular { health }) if health.abs() < 1e-14 => Ok(()),
         // Rounding may leave the group open by as much as rounding is.
         Err(GroupError::NoAssembly { gap_m }) if gap_m < 1e-13 => Ok(()),
-        Err(error) => Err(fault(error.to_string())),
+        Err(error) => fault(error.to_string()),
     }
 }
