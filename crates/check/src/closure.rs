@@ -1,0 +1,103 @@
+//! Closure: at every pair both bodies have the same place, PF1 and PF2.
+
+use assur_group::{Body, Pair, PairGeometry};
+
+use crate::subject::{Solved, Subject};
+use crate::worst::{Check, Worst};
+
+/// Roundings of one closed form, in units of the last place of the largest term: some twenty operations in each of the two
+/// bodies, the root and the division of the group that placed them.
+const ROUNDINGS: f64 = 64.0;
+
+const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
+const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term, and across a change \
+                      point those of the interpolation's nodes";
+
+/// What a pair leaves open: the gap and the size of the largest term, for each order.
+type Gap = [(f64, f64); 3];
+
+pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
+    let mut worst = NAMES.map(|name| Worst::new(name, REASON));
+    let linkage = subject.linkage;
+    for one in solved {
+        let bodies = &one.position.bodies;
+        for (id, named) in linkage.structure.pairs.iter().enumerate() {
+            let gap = gap(&named.pair, bodies);
+            for (order, (open, size)) in gap.into_iter().enumerate() {
+                let limit = ROUNDINGS * f64::EPSILON * size * subject.bridged(one, order);
+                let unit = subject.unit(order, true);
+                worst[order].offer(one.index, open / unit, limit / unit, || {
+                    format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
+                });
+            }
+        }
+        for (id, body) in bodies.iter().enumerate().skip(1) {
+            // The direction of a link is a unit vector.
+            let off = (body.c * body.c + body.s * body.s - 1.0).abs();
+            let limit = ROUNDINGS * f64::EPSILON * subject.bridged(one, 0) / one.health;
+            worst[0].offer(one.index, off, limit, || {
+                format!("direction of link {}", linkage.mechanism.links[id].name)
+            });
+        }
+    }
+    worst.into_iter().filter_map(Worst::into_check).collect()
+}
+
+fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {
+    let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => {
+            let (one, two) = (motion(a, at_a), motion(b, at_b));
+            let sizes = [0, 1, 2].map(|order| size(a, at_a, order) + size(b, at_b, order));
+            [0, 1, 2].map(|order| {
+                let open = (one[order][0] - two[order][0]).hypot(one[order][1] - two[order][1]);
+                (open, sizes[order])
+            })
+        }
+        PairGeometry::Slide { point, through, angle, tilt } => slide_gap(a, b, point, through, angle, tilt),
+    }
+}
+
+fn motion(body: &Body<f64>, at: [f64; 2]) -> [[f64; 2]; 3] {
+    let arm = body.arm(at);
+    [[body.x + arm[0], body.y + arm[1]], body.first(arm), body.second(arm)]
+}
+
+/// Size of the terms that make the motion of a place.
+fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
+    let arm = at[0].hypot(at[1]);
+    match order {
+        0 => body.x.hypot(body.y) + arm,
+        1 => body.x1.hypot(body.y1) + body.w1.abs() * arm,
+        _ => body.x2.hypot(body.y2) + (body.w2.abs() + body.w1 * body.w1) * arm,
+    }
+}
+
+/// The point stays on the line, in the frame of the guide: the component n of the relative motion is zero in every order; and
+/// the bodies turn alike (their angles are compared as lengths at the arm of the point).
+fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], angle: f64, tilt: f64) -> Gap {
+    let (s, c) = angle.sin_cos();
+    let along = [b.c * c - b.s * s, b.s * c + b.c * s];
+    let across = [-along[1], along[0]];
+    let (one, two) = (motion(a, point), motion(b, through));
+    let d = [0, 1, 2].map(|k| [one[k][0] - two[k][0], one[k][1] - two[k][1]]);
+    let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];
+    // (n d)' = n d' - w t d;  (n d)'' = n d'' - 2 w t d' - e t d - w² n d.
+    let (w, e) = (b.w1, b.w2);
+    let open = [
+        dot(across, d[0]),
+        dot(across, d[1]) - w * dot(along, d[0]),
+        dot(across, d[2]) - 2.0 * w * dot(along, d[1]) - e * dot(along, d[0]) - w * w * dot(across, d[0]),
+    ];
+    let (far, fast) = (d[0][0].hypot(d[0][1]), d[1][0].hypot(d[1][1]));
+    let extra = [far, w.abs() * far, 2.0 * w.abs() * fast + (e.abs() + w * w) * far];
+    let (ts, tc) = tilt.sin_cos();
+    let wanted = [along[0] * tc - along[1] * ts, along[1] * tc + along[0] * ts];
+    let turns = [wanted[0] * a.s - wanted[1] * a.c, a.w1 - b.w1, a.w2 - b.w2];
+    let rates = [1.0, a.w1.abs() + b.w1.abs(), a.w2.abs() + b.w2.abs()];
+    let lever = point[0].hypot(point[1]) + through[0].hypot(through[1]) + far;
+    [0, 1, 2].map(|k| {
+        let size = size(a, point, k) + size(b, through, k) + extra[k] + rates[k] * lever;
+        (open[k].abs().max(turns[k].abs() * lever), size)
+    })
+}

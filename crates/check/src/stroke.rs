@@ -1,0 +1,126 @@
+//! Sizes of loads, found once more: tables, and the stroke of a point from its places alone.
+
+use assur_force::State;
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_mechanism::{Over, Place, Range, Table, Value};
+
+/// Least and greatest place of a point along an axis, m.
+pub(crate) type Extremes = [f64; 2];
+
+/// Places of the cycle among which the extremes are bracketed.
+const GRID: usize = 720;
+
+/// Golden sections: 0.618^40 of two cells is some 1e-10 of the cycle; the place at an extreme is then right to its square.
+const SECTIONS: usize = 40;
+
+/// An argument may be off by so much, relative: rounding of coordinates and of the extremes.
+const HAIR: f64 = 1e-11;
+
+/// Everything that the size of a load may hang on.
+pub(crate) struct At<'a> {
+    pub(crate) state: &'a State,
+    /// Place of the load's point, m, and its PF1.
+    pub(crate) point: [f64; 2],
+    pub(crate) pf1: [f64; 2],
+    pub(crate) extremes: Option<Extremes>,
+    /// +1 or -1: sense of the motion.
+    pub(crate) sense: f64,
+    pub(crate) period: Option<f64>,
+    /// A length of the mechanism, m.
+    pub(crate) scale: f64,
+}
+
+/// The sizes that a load may have: one number, an interval of rounding, or both sides of a jump.
+pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
+    match value {
+        Value::Constant(size) => [*size; 2],
+        Value::Table { over, table, repeat } => {
+            let period = at.period.filter(|_| *repeat);
+            let x = match over {
+                Over::Coordinate => at.state.coordinate,
+                Over::Time => at.state.time,
+                Over::Speed => at.state.speed,
+            };
+            let hair = HAIR * x.abs().max(period.unwrap_or(0.0)).max(1e-3);
+            around(table, x, hair, period)
+        }
+        Value::Stroke { axis, forward, back } => on_stroke(*axis, [forward, back], at),
+    }
+}
+
+fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
+    let Some([low, high]) = at.extremes else { return [f64::NAN; 2] };
+    let (s, c) = axis.sin_cos();
+    let share = ((c * at.point[0] + s * at.point[1] - low) / (high - low)).clamp(0.0, 1.0);
+    let rate = at.sense * (c * at.pf1[0] + s * at.pf1[1]);
+    let hair = HAIR * (at.scale / (high - low)).max(1.0);
+    let (one, two) = (around(forward, share, hair, None), around(back, share, hair, None));
+    // In a reversal either table may hold.
+    let turning = 1e-7 * (high - low);
+    if rate > turning {
+        one
+    } else if rate < -turning {
+        two
+    } else {
+        [one[0].min(two[0]), one[1].max(two[1])]
+    }
+}
+
+/// Least and greatest value of a table within a hair of an argument.
+fn around(table: &Table, x: f64, hair: f64, period: Option<f64>) -> [f64; 2] {
+    let first = table.rows.first().map_or(0.0, |row| row[0]);
+    let value = |x: f64| match period {
+        Some(period) => table.at(first + (x - first).rem_euclid(period)),
+        None => table.at(x),
+    };
+    let all = [value(x - hair), value(x), value(x + hair)];
+    [all[0].min(all[1]).min(all[2]), all[0].max(all[1]).max(all[2])]
+}
+
+/// Extremes of a place along an axis over the cycle; where the mechanism can't take the whole cycle, over the range.
+pub(crate) fn extremes(linkage: &Linkage, place: Place, axis: f64) -> Option<Extremes> {
+    let input = &linkage.mechanism.input;
+    let cycle = input.period().and_then(|period| over(linkage, place, axis, [input.from, input.from + period]));
+    match (cycle, input.range) {
+        (None, Range::To(to)) => over(linkage, place, axis, [input.from, to]),
+        (cycle, _) => cycle,
+    }
+}
+
+fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Option<Extremes> {
+    let mut position = linkage.position();
+    let (s, c) = axis.sin_cos();
+    let mut along = |q: f64| {
+        linkage.solve(q, Order::Place, &mut position).ok()?;
+        let [x, y] = linkage.place_motion(place, &position).pf0;
+        Some(c * x + s * y)
+    };
+    let at = |i: usize| from + (to - from) * (i as f64 / GRID as f64);
+    let places = (0..=GRID).map(|i| along(at(i))).collect::<Option<Vec<_>>>()?;
+    let mut found = [f64::INFINITY, f64::NEG_INFINITY];
+    for i in 0..=GRID {
+        let ends = [at(i.saturating_sub(1)), at((i + 1).min(GRID))];
+        let near = [places[i.saturating_sub(1)], places[(i + 1).min(GRID)]];
+        for (k, sign) in [(0, -1.0), (1, 1.0)] {
+            if near.iter().all(|other| sign * places[i] >= sign * other) {
+                let best = greatest(ends, &mut |q| along(q).map(|x| sign * x))?;
+                found[k] = if k == 0 { found[k].min(-best) } else { found[k].max(best) };
+            }
+        }
+    }
+    Some(found)
+}
+
+/// Golden-section search for the greatest value.
+fn greatest([mut a, mut b]: [f64; 2], f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<f64> {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let mut best = f(a)?.max(f(b)?);
+    for _ in 0..SECTIONS {
+        let (x, y) = (b - ratio * (b - a), a + ratio * (b - a));
+        let (fx, fy) = (f(x)?, f(y)?);
+        best = best.max(fx).max(fy);
+        if fx >= fy { b = y } else { a = x }
+    }
+    Some(best)
+}

@@ -1,0 +1,147 @@
+//! What is checked: a linkage, and where there are loads their methods and states.
+
+use assur_force::{ForceAnalyzer, Loads, Reactions, State, analyzers};
+use assur_group::{Order, Wrench};
+use assur_kinematics::{Linkage, Position};
+
+use crate::worst::Check;
+use crate::{closure, forces, test_pf};
+
+/// A method whose answers are compared.
+#[derive(Debug, Clone, Copy)]
+pub struct Method<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The method.
+    pub analyzer: &'a dyn ForceAnalyzer,
+    /// Whether it finds reactions; otherwise the balancing load alone.
+    pub gives_reactions: bool,
+}
+
+/// What is checked.
+#[derive(Debug)]
+pub struct Subject<'a> {
+    /// The linkage.
+    pub linkage: &'a Linkage,
+    /// Its loads; `None`: only the transfer functions are checked.
+    pub loads: Option<&'a Loads>,
+    /// The state in each position of the scene. Positions without one are not checked for forces.
+    pub states: Vec<State>,
+    /// The methods. The first one that gives reactions is checked in full, all others against it.
+    pub methods: Vec<Method<'a>>,
+}
+
+/// A solved position of the scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Solved {
+    pub(crate) index: usize,
+    pub(crate) position: Position,
+    /// The smallest determinant of a group, at least the rounding unit.
+    pub(crate) health: f64,
+    /// Sum of 1/determinant over the groups, at least 1: each adds its rounding, magnified by that.
+    pub(crate) condition: f64,
+}
+
+/// Answer of one method in one position.
+pub(crate) type Answer = Option<Reactions>;
+
+/// Half the width, in units of the coordinate, of the bridge that kinematics lays across a change point.
+const BRIDGE: f64 = 0.0125;
+
+/// All registered methods that can treat the linkage; `first` is put in front.
+pub fn methods(linkage: &Linkage, first: &str) -> Vec<Method<'static>> {
+    let mut all: Vec<_> = analyzers()
+        .unwrap_or_default()
+        .into_iter()
+        .filter(|plugin| plugin.instance.supports(linkage).is_ok())
+        .map(|plugin| Method {
+            name: plugin.name,
+            analyzer: plugin.instance,
+            gives_reactions: plugin.gives_reactions,
+        })
+        .collect();
+    all.sort_by_key(|method| (method.name != first, method.name));
+    all
+}
+
+/// Every check of a linkage under its prescribed motion, by all registered methods, `groups` first.
+///
+/// Loads that need a motion which the scene has not leave out the checks of forces.
+pub fn checks(linkage: &Linkage) -> Vec<Check> {
+    let loads = Loads::compile(linkage).ok();
+    let input = &linkage.mechanism.input;
+    let coordinates = (0..input.positions).map(|index| input.coordinate(index));
+    let states = coordinates.map(|q| State::prescribed(&linkage.mechanism, q)).collect();
+    Subject { linkage, loads: loads.as_ref(), states, methods: methods(linkage, "groups") }.checks()
+}
+
+impl Subject<'_> {
+    /// Every check that applies, over all positions of the scene that can be solved.
+    pub fn checks(&self) -> Vec<Check> {
+        let solved = self.solved();
+        let mut all = closure::checks(self, &solved);
+        all.extend(test_pf::checks(self, &solved));
+        if let Some(loads) = self.loads {
+            all.extend(forces::checks(self, loads, &solved));
+        }
+        all
+    }
+
+    fn solved(&self) -> Vec<Solved> {
+        let mut position = self.linkage.position();
+        let mut all = Vec::new();
+        for index in 0..self.linkage.mechanism.input.positions {
+            if self.linkage.solve_index(index, Order::Second, &mut position).is_ok() {
+                let determinants = || position.health.iter().map(|health| health.abs().max(f64::EPSILON));
+                let health = determinants().fold(1.0, f64::min);
+                let condition = determinants().map(|health| 1.0 / health).sum::<f64>().max(1.0);
+                all.push(Solved { index, position: position.clone(), health, condition });
+            }
+        }
+        all
+    }
+
+    /// Unit of the coordinate: 1 rad, or the typical length of the mechanism for a sliding input, m.
+    pub(crate) fn coordinate_unit(&self) -> f64 {
+        if self.linkage.angular() { 1.0 } else { self.linkage.structure.scale }
+    }
+
+    /// Unit of a transfer function of this order: a typical length (or 1 rad) per unit of the coordinate.
+    pub(crate) fn unit(&self, order: usize, is_length: bool) -> f64 {
+        let top = if is_length { self.linkage.structure.scale } else { 1.0 };
+        let mut unit = top;
+        (0..order).for_each(|_| unit /= self.coordinate_unit());
+        unit
+    }
+
+    /// What multiplies rounding where a position is interpolated across a change point: there the determinant is only as
+    /// large as the distance, PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
+    pub(crate) fn bridged(&self, solved: &Solved, order: usize) -> f64 {
+        let period = if self.linkage.angular() { std::f64::consts::TAU } else { f64::INFINITY };
+        let near = |center: f64| {
+            let d = solved.position.coordinate - center;
+            let d = if period.is_finite() { d - period * (d / period).round() } else { d };
+            d.abs() < 2.0 * BRIDGE * self.coordinate_unit()
+        };
+        let bridged = self.linkage.change_points().iter().any(|(center, _)| near(*center));
+        let mut factor = 1.0;
+        if bridged {
+            (0..=order).for_each(|_| factor /= BRIDGE);
+        }
+        factor
+    }
+
+    /// The answer of each method in each position; none where it fails.
+    pub(crate) fn answers(&self, loads: &Loads, one: &Solved) -> Vec<Answer> {
+        let Some(state) = self.states.get(one.index) else { return vec![None; self.methods.len()] };
+        let mut wrenches = vec![Wrench::ZERO; self.linkage.structure.links];
+        let each = self.methods.iter().map(|method| {
+            let mut reactions = Reactions::new(self.linkage);
+            loads.apply(state, &one.position.bodies, &mut wrenches);
+            loads.inertia(state, &one.position.bodies, &mut wrenches);
+            let solved = method.analyzer.solve(self.linkage, &one.position, &mut wrenches, &mut reactions);
+            solved.ok().map(|()| reactions)
+        });
+        each.collect()
+    }
+}

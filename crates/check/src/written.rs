@@ -1,0 +1,239 @@
+//! The loads, written out from the scene once more, without the compiled ones that the methods use.
+
+use std::collections::BTreeMap;
+
+use assur_force::{Cause, Loads, State};
+use assur_group::{Body, Wrench};
+use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Spring, Value};
+
+use crate::stroke::{At, Extremes, extremes, sizes};
+use crate::subject::Subject;
+
+/// One load on one link.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Item {
+    /// About the origin of the link's frame.
+    pub(crate) wrench: Wrench<f64>,
+    /// The terms that were added up in it, as a force, N: measures its rounding.
+    pub(crate) size: f64,
+}
+
+/// All loads of one position, by what causes them and the link they act on.
+pub(crate) type Items = BTreeMap<(Cause, usize), Item>;
+
+/// Writes loads out; found once: the extremes of strokes.
+pub(crate) struct Writer<'a> {
+    mechanism: &'a Mechanism,
+    scale: f64,
+    strokes: Vec<Option<Extremes>>,
+}
+
+/// Bodies and state of one position, and what the compiled loads give there.
+struct Now<'a> {
+    bodies: &'a [Body<f64>],
+    state: &'a State,
+    given: BTreeMap<(Cause, usize), Wrench<f64>>,
+}
+
+impl Now<'_> {
+    fn given(&self, cause: Cause, link: usize) -> Wrench<f64> {
+        self.given.get(&(cause, link)).copied().unwrap_or(Wrench::ZERO)
+    }
+}
+
+/// What the compiled loads give, summed by cause and link.
+pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> BTreeMap<(Cause, usize), Wrench<f64>> {
+    let mut all = BTreeMap::new();
+    loads.by_cause(state, bodies, &mut |cause, link, wrench| {
+        let sum = all.entry((cause, link)).or_insert(Wrench::ZERO);
+        sum.add_at([0.0; 2], wrench.force(), wrench.m);
+    });
+    all
+}
+
+impl<'a> Writer<'a> {
+    pub(crate) fn new(subject: &Subject<'a>) -> Self {
+        let mechanism = &subject.linkage.mechanism;
+        let stroke = |force: &Force| match force.value {
+            Value::Stroke { axis, .. } => extremes(subject.linkage, force.at, axis),
+            _ => None,
+        };
+        let strokes = mechanism.forces.iter().map(stroke).collect();
+        Self { mechanism, scale: subject.linkage.structure.scale, strokes }
+    }
+
+    /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a point at rest
+    /// against whose motion a force acts), what the compiled loads chose is taken if it lies within.
+    pub(crate) fn items(&self, loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Items {
+        let now = Now { bodies, state, given: given(loads, state, bodies) };
+        let mut items = Items::new();
+        for id in 1..self.mechanism.links.len() {
+            self.masses(&now, id, &mut items);
+        }
+        for (id, force) in self.mechanism.forces.iter().enumerate().filter(|(_, f)| f.at.link != GROUND) {
+            items.insert((Cause::Force(id), force.at.link), self.force(&now, id, force));
+        }
+        for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
+            let m = now.given(Cause::Moment(id), moment.link).m;
+            let m = self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m);
+            let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: m.abs() / self.scale };
+            items.insert((Cause::Moment(id), moment.link), item);
+        }
+        for (id, spring) in self.mechanism.springs.iter().enumerate() {
+            if spring.ends[0].link != spring.ends[1].link {
+                self.spring(&now, id, spring, &mut items);
+            }
+        }
+        for (id, contact) in self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
+            items.insert((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact));
+        }
+        items
+    }
+
+    /// A force at a place of a link.
+    fn at(&self, body: &Body<f64>, at: [f64; 2], force: [f64; 2], terms: f64) -> Item {
+        let arm = body.arm(at);
+        let mut wrench = Wrench::ZERO;
+        wrench.add_at(arm, force, 0.0);
+        Item { wrench, size: terms * (1.0 + arm[0].hypot(arm[1]) / self.scale) }
+    }
+
+    fn masses(&self, now: &Now<'_>, id: usize, items: &mut Items) {
+        let (link, body) = (&self.mechanism.links[id], &now.bodies[id]);
+        if let Some(g) = self.mechanism.gravity.filter(|_| link.mass > 0.0) {
+            let force = [link.mass * g[0], link.mass * g[1]];
+            let item = self.at(body, link.center, force, force[0].hypot(force[1]));
+            items.insert((Cause::Weight(id), id), item);
+        }
+        let (w, e) = (now.state.speed, now.state.acceleration);
+        if (link.mass == 0.0 && link.inertia == 0.0) || (w == 0.0 && e == 0.0) {
+            return;
+        }
+        let arm = body.arm(link.center);
+        let (first, second) = (body.first(arm), body.second(arm));
+        let a = [0, 1].map(|k| second[k] * w * w + first[k] * e);
+        let turn = -link.inertia * (body.w2 * w * w + body.w1 * e);
+        let lever = arm[0].hypot(arm[1]);
+        let terms = (body.x2.hypot(body.y2) + (body.w2.abs() + body.w1 * body.w1) * lever) * w * w
+            + (body.x1.hypot(body.y1) + body.w1.abs() * lever) * e.abs();
+        let mut item = self.at(body, link.center, a.map(|a| -link.mass * a), link.mass * terms);
+        item.wrench.m += turn;
+        item.size += link.inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) / self.scale;
+        items.insert((Cause::Inertia(id), id), item);
+    }
+
+    /// Size of a load by its law; of several possible ones that closest to what is given.
+    fn size(
+        &self,
+        now: &Now<'_>,
+        value: &Value,
+        place: Place,
+        extremes: Option<Extremes>,
+        given: f64,
+    ) -> f64 {
+        let input = &self.mechanism.input;
+        let body = &now.bodies[place.link];
+        let arm = body.arm(place.at);
+        let sense = if now.state.speed == 0.0 { input.sign() } else { now.state.speed.signum() };
+        let [low, high] = sizes(value, &At {
+            state: now.state,
+            point: body.point(place.at),
+            pf1: body.first(arm),
+            extremes,
+            sense,
+            period: input.period(),
+            scale: self.scale,
+        });
+        // Not clamp(): that panics for NaN, and here NaN must come through as a failed check.
+        if given < low || !low.is_finite() { low } else if given > high { high } else { given }
+    }
+
+    fn force(&self, now: &Now<'_>, id: usize, force: &Force) -> Item {
+        let body = &now.bodies[force.at.link];
+        let given = now.given(Cause::Force(id), force.at.link).force();
+        let mut terms = 1.0;
+        let along = match force.direction {
+            Direction::Ground(angle) => [angle.cos(), angle.sin()],
+            Direction::Link(angle) => {
+                let (s, c) = angle.sin_cos();
+                [body.c * c - body.s * s, body.s * c + body.c * s]
+            }
+            Direction::AgainstMotion => {
+                let arm = body.arm(force.at.at);
+                let v = body.first(arm);
+                let speed = v[0].hypot(v[1]);
+                let parts = body.x1.hypot(body.y1) + body.w1.abs() * arm[0].hypot(arm[1]);
+                // At rest up to rounding: nothing, or any direction.
+                if now.state.speed == 0.0 || speed < 1e-11 * parts {
+                    return self.at(body, force.at.at, given, given[0].hypot(given[1]));
+                }
+                terms += parts / speed;
+                v.map(|v| -v / speed * now.state.speed.signum())
+            }
+        };
+        let found = given[0] * along[0] + given[1] * along[1];
+        let size = self.size(now, &force.value, force.at, self.strokes[id], found);
+        self.at(body, force.at.at, along.map(|a| size * a), size.abs() * terms)
+    }
+
+    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {
+        let ends = spring.ends.map(|end| &now.bodies[end.link]);
+        let places = [0, 1].map(|k| ends[k].point(spring.ends[k].at));
+        let d = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
+        let length = d[0].hypot(d[1]);
+        let along = if length > 0.0 { d.map(|d| d / length) } else { [0.0; 2] };
+        let rates = [0, 1].map(|k| ends[k].first(ends[k].arm(spring.ends[k].at)));
+        let rate = (rates[1][0] - rates[0][0]) * along[0] + (rates[1][1] - rates[0][1]) * along[1];
+        let pull = spring.stiffness * (length - spring.length) + spring.damping * rate * now.state.speed;
+        // Distances of the places and their velocities cancel; so do length and free length.
+        let far = places.iter().map(|p| p[0].hypot(p[1])).sum::<f64>();
+        let fast = rates.iter().map(|v| v[0].hypot(v[1])).sum::<f64>() * now.state.speed.abs();
+        let direction = if length > 0.0 { 1.0 + far / length } else { 0.0 };
+        let terms = direction * (pull.abs() + spring.damping * fast)
+            + spring.stiffness * (far + length + spring.length)
+            + spring.damping * fast;
+        for (k, sign) in [(0, 1.0), (1, -1.0)] {
+            let item = self.at(ends[k], spring.ends[k].at, along.map(|a| sign * pull * a), terms);
+            items.insert((Cause::Spring(id), spring.ends[k].link), item);
+        }
+    }
+
+    fn contact(&self, now: &Now<'_>, id: usize, contact: &Contact) -> Item {
+        let center = contact.center;
+        let body = &now.bodies[center.link];
+        let given = now.given(Cause::Contact(id), center.link).force();
+        let (s, c) = contact.angle.sin_cos();
+        let along = [s + contact.friction * c, c - contact.friction * s];
+        let square = along[0] * along[0] + along[1] * along[1];
+        let found = (given[0] * along[0] + given[1] * along[1]) / square;
+        let mut size = self.size(now, &contact.force, center, None, found);
+        match self.touching(contact, now.state.coordinate) {
+            Some(true) => {}
+            Some(false) => size = 0.0,
+            // On the end of the interval.
+            None => size = found,
+        }
+        let arm = body.arm(center.at);
+        let arm = [arm[0] - contact.radius * s, arm[1] - contact.radius * c];
+        let mut wrench = Wrench::ZERO;
+        wrench.add_at(arm, along.map(|a| size * a), 0.0);
+        let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
+        Item { wrench, size: size.abs() * square.sqrt() * lever }
+    }
+
+    /// Whether there is contact; `None` on an end of the interval.
+    fn touching(&self, contact: &Contact, coordinate: f64) -> Option<bool> {
+        let Some([from, to]) = contact.during else { return Some(true) };
+        let (mut before, mut after) = (coordinate - from, to - coordinate);
+        if let Some(period) = self.mechanism.input.period() {
+            if to - from >= period {
+                return Some(true);
+            }
+            before = before.rem_euclid(period);
+            after = to - from - before;
+            // Just before the interval begins once more is its beginning too.
+            before = before.min((period - before).abs().max(1e-9));
+        }
+        if before.abs() <= 1e-9 || after.abs() <= 1e-9 { None } else { Some(before > 0.0 && after > 0.0) }
+    }
+}
