@@ -48,7 +48,7 @@ impl<T: Real, const MISTAKE: u8> AssurGroup<T> for Faulty<T, MISTAKE> {
             ROUNDED => bodies[link].x = T::from_f64(bodies[link].x.to_f64()),
             _ => {}
         }
-        Ok(if MISTAKE == SURE { T::ONE } else { health })
+        Ok(if MISTAKE == SURE { health + T::from_f64(1e-3) } else { health })
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
@@ -74,7 +74,7 @@ impl<T: Real, const MISTAKE: u8> AssurGroup<T> for Faulty<T, MISTAKE> {
     fn health(&self, bodies: &[Body<T>]) -> f64 {
         match MISTAKE {
             HEALTH => 0.5 * self.0.health(bodies),
-            SURE => 1.0,
+            SURE => self.0.health(bodies) + 1e-3,
             _ => self.0.health(bodies),
         }
     }
