@@ -3,6 +3,8 @@
 //! `inventory` drops, without a word, a crate that no code names; so every program and test that wants plugins says
 //! `use assur_all as _;`.
 
+use assur_force_groups as _;
+use assur_force_newton_euler as _;
 use assur_group_prp as _;
 use assur_group_rpp as _;
 use assur_group_rpr as _;
