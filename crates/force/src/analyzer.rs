@@ -3,7 +3,7 @@
 use assur_group::{GroupError, Wrench};
 use assur_kinematics::{Linkage, Position};
 
-use crate::Reactions;
+use crate::{Construction, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -29,6 +29,22 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         loads: &mut [Wrench<f64>],
         out: &mut Reactions,
     ) -> Result<(), ForceError>;
+
+    /// The construction on paper that this method stands for, at one position; `None` for a method without one.
+    ///
+    /// `loads` as in [`solve`](Self::solve).
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](Self::solve).
+    fn construction(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _loads: &[Wrench<f64>],
+    ) -> Result<Option<Construction>, ForceError> {
+        Ok(None)
+    }
 }
 
 /// Why there are no reactions. Says the coordinate; the layer above adds the number of the position.
@@ -68,6 +84,21 @@ pub enum ForceError {
         coordinate: f64,
         /// Its transfer function, dimensionless.
         share: f64,
+    },
+    /// Two lines that the method cuts with each other are parallel.
+    #[error(
+        "coordinate {coordinate:.9}: {lines} are parallel (angle between them {angle:.3e} rad), so the pole is at infinity \
+         and this form has no solution there; use `{instead}`"
+    )]
+    Parallel {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// The two lines in words.
+        lines: String,
+        /// Angle between them, rad.
+        angle: f64,
+        /// The method that has a solution there.
+        instead: &'static str,
     },
     /// The method can't treat this mechanism.
     #[error("force analyzer `{analyzer}` can't treat this mechanism: {reason}")]

@@ -13,6 +13,9 @@ use crate::reversal::rests;
 use crate::stroke::{NoStroke, Span, Stroke};
 use crate::{LoadError, Loads};
 
+/// How far from the first position the search over a cycle starts, as part of the cycle: a good deal less than a cell.
+const BESIDE: f64 = 3.819_660_112_501_05e-4;
+
 /// Finds the motion of a link at a coordinate, or says why there is none.
 pub(crate) type Solve<'a> = dyn FnMut(f64, LinkId) -> Result<Body<f64>, String> + 'a;
 
@@ -205,7 +208,9 @@ impl Compiler<'_, '_> {
     /// Where to look for a stroke: a cycle and, where the scene gives a range, the range.
     fn spans(&self) -> Vec<Span> {
         let input = &self.mechanism.input;
-        let cycle = input.period().map(|length| Span { from: input.from, length, periodic: true });
+        // Dead points like round coordinates; a reversal on a grid point would be bracketed by rounding alone.
+        let beside = |length: f64| input.from + BESIDE * length;
+        let cycle = input.period().map(|length| Span { from: beside(length), length, periodic: true });
         let range = match input.range {
             Range::To(to) => {
                 let length = (to - input.from).abs();

@@ -12,6 +12,7 @@
 mod analyzer;
 mod breaks;
 mod compile;
+mod construction;
 mod dependence;
 mod error;
 mod law;
@@ -29,6 +30,7 @@ mod visit;
 mod wrenches;
 
 pub use analyzer::{ForceAnalyzer, ForceError};
+pub use construction::{Construction, Drawing, Step, StepKind};
 pub use dependence::Dependence;
 pub use error::LoadError;
 pub use loads::{Cause, Loads};

@@ -23,7 +23,7 @@ fn shaper() -> (Linkage, Loads, Position) {
     (linkage, loads, position)
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn loads_alone(bencher: Bencher) {
     let (linkage, loads, position) = shaper();
     let state = State::prescribed(&linkage.mechanism, 0.4);
@@ -35,7 +35,7 @@ fn loads_alone(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn loads_and_reactions(bencher: Bencher) {
     let (linkage, loads, position) = shaper();
     let state = State::prescribed(&linkage.mechanism, 0.4);

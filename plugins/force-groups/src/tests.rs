@@ -177,3 +177,19 @@ fn sliding_input_takes_a_force() {
     let (out, ..) = solve(&linkage, 0.1 * 8.0_f64.sqrt()).unwrap();
     assert!((out.balancing - (500.0 + 30.0 / 0.1)).abs() < 1e-9, "{}", out.balancing);
 }
+
+#[test]
+fn nothing_is_allocated() {
+    let balance = "[balance]\nlink = \"piston\"\nat = \"B\"\nangle = 0\n";
+    let elsewhere = format!("{SLIDER_CRANK}\n{balance}[input]\nlink = \"crank\"\n");
+    for text in [scene("shaper"), scene("conveyor"), elsewhere] {
+        let linkage = compiled(&text);
+        let (mut out, all, position) = solve(&linkage, 1.0).unwrap();
+        let mut loads = all.clone();
+        let counted = allocation_counter::measure(|| {
+            loads.copy_from_slice(&all);
+            assert!(Groups.solve(&linkage, &position, &mut loads, &mut out).is_ok());
+        });
+        assert_eq!(counted.count_total, 0);
+    }
+}

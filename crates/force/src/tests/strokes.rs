@@ -6,6 +6,7 @@ use proptest::prelude::*;
 
 use super::{at, bodies, compiled, fixture, near};
 use crate::root::root;
+use crate::stroke::{Span, Stroke};
 
 const R: f64 = 0.06;
 const L: f64 = 0.24;
@@ -113,4 +114,37 @@ fn roots_are_exact_even_where_newton_is_thrown_out() {
     near(root(cube, -5.0, 9.0).unwrap(), 2.0_f64.cbrt(), 1.0);
     // No slope given: bisection alone.
     near(root(|x: f64| Ok::<_, ()>((0.3 - x, 0.0)), -5.0, 9.0).unwrap(), 0.3, 1.0);
+}
+
+#[test]
+fn a_dead_point_in_the_first_position_is_found() {
+    for from in ["90 deg", "270 deg"] {
+        let text = compressor().replace("positions = 24", &format!("positions = 24\nfrom = \"{from}\""));
+        let (_, loads) = compiled(&text.replace("B = [0, 0.23]", "B = [0, 1]"));
+        let mut phase = loads.phase();
+        let ends = loads.enter(&at(PI, 90.0), &mut phase).coordinate;
+        near(ends[1], 1.5 * PI, 10.0);
+        near(loads.enter(&at(ends[1], 90.0), &mut phase).coordinate[0], 1.5 * PI, 10.0);
+    }
+}
+
+#[test]
+fn two_reversals_close_together_are_found() {
+    // x' = (q - c)² - d²: both signs within 1/2880 of the range.
+    let (c, d) = (0.5003, 1e-4);
+    let mut body = |q: f64| {
+        let mut body = assur_group::Body::<f64>::ground();
+        let u = q - c;
+        (body.x, body.x1, body.x2) = (u * u * u / 3.0 - d * d * u, u * u - d * d, 2.0 * u);
+        Ok::<_, String>(body)
+    };
+    let flat = assur_mechanism::Table::constant(1.0);
+    let span = Span { from: 0.0, length: 1.0, periodic: false };
+    let stroke = Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0).unwrap();
+    let (piece, ends) = stroke.piece(c, 1.0);
+    assert!(piece.back);
+    near(ends[0], c - d, 1.0);
+    near(ends[1], c + d, 1.0);
+    assert!(!stroke.piece(c + 2.0 * d, 1.0).0.back && !stroke.piece(c - 2.0 * d, 1.0).0.back);
+    assert!(stroke.piece(c + 2.0 * d, -1.0).0.back);
 }
