@@ -1,0 +1,151 @@
+//! Why there is no motion to report.
+
+use assur_integrator::{IntegrationError, MotionError, RegistryError};
+use assur_motor::{CatalogueError, FlywheelError, LookupError, RatedDataError, SelectionError};
+
+/// What went wrong, where, and what to do.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum DynamicsError {
+    /// The scene asks for no such motion.
+    #[error("the scene has no motion of kind \"{kind}\"")]
+    NoMotion {
+        /// The kind.
+        kind: &'static str,
+    },
+    /// The machine has no cycle.
+    #[error("a steady regime needs a cycle of the input; give `input.cycle`")]
+    NoCycle,
+    /// Loads over time don't repeat with the cycle.
+    #[error(
+        "a load follows a table over time, which does not repeat with the cycle: there is no steady regime"
+    )]
+    OverTime,
+    /// A key that a transient motion can't have.
+    #[error("{what} needs a motion of kind \"steady\": give a number")]
+    SteadyOnly {
+        /// What.
+        what: &'static str,
+    },
+    /// The mechanism has no such position, or its equation no value.
+    #[error("the equation of motion has no value at coordinate {coordinate:.9}: {source}")]
+    Equation {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+        /// Why.
+        source: MotionError,
+    },
+    /// Nothing has inertia.
+    #[error(
+        "the reduced inertia with flywheel and rotor is {inertia:e} at coordinate {coordinate:.9}: it must be positive; \
+         give some link a mass, or a flywheel"
+    )]
+    NoInertia {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+        /// Inertia, kg m².
+        inertia: f64,
+    },
+    /// The speed falls to zero in the cycle.
+    #[error(
+        "the machine comes to rest at coordinate {coordinate:.6}: the drive is too weak there; take a stronger motor or a \
+         larger flywheel"
+    )]
+    Stalled {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+    },
+    /// The speed stays at a jump of a moment over speed.
+    #[error(
+        "the speed is held at coordinate {coordinate:.6} by a jump in a table over speed; join its rows by a steep line"
+    )]
+    Held {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+    },
+    /// The collocation fails.
+    #[error("the speed can't be followed at coordinate {coordinate:.6}: the moments change too steeply")]
+    NoPath {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+    },
+    /// The work of a cycle is not zero and nothing restores the speed.
+    #[error(
+        "there is no steady regime: the work of a cycle is {work:.6e} J and nothing depends on the speed (a cycle begins \
+         with {energy:.6e} J); use `torque = \"balance\"`, a motor or a load over speed"
+    )]
+    NoRegime {
+        /// Work of a cycle, J.
+        work: f64,
+        /// Kinetic energy at the start, J.
+        energy: f64,
+    },
+    /// The iteration does not close the cycle.
+    #[error(
+        "no steady regime after {cycles} cycles: the relative change over a cycle still is {residual:.3e}"
+    )]
+    NotPeriodic {
+        /// Cycles.
+        cycles: usize,
+        /// What is left.
+        residual: f64,
+    },
+    /// No flywheel and ratio are found.
+    #[error(
+        "no ratio and flywheel give the wanted regime: after {trials} trials the mean speed misses by {:.3e} % and the \
+         unevenness by {:.3e} %; give one of them", 100.0 * mean_miss, 100.0 * unevenness_miss
+    )]
+    NotTuned {
+        /// Trials.
+        trials: usize,
+        /// Relative miss of the mean speed.
+        mean_miss: f64,
+        /// Relative miss of the unevenness.
+        unevenness_miss: f64,
+    },
+    /// No ratio lets the motor carry the mean load.
+    #[error(
+        "the motor is too weak for every ratio: the mean resistance needs {needed:.3} W, the motor gives at most {most:.3} W"
+    )]
+    TooWeak {
+        /// Needed on the motor shaft, W.
+        needed: f64,
+        /// Most on the stable branch, W.
+        most: f64,
+    },
+    /// The machine drives its drive: no motor is needed.
+    #[error(
+        "the loads do {work:.6e} J of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor"
+    )]
+    NoLoad {
+        /// Work of the loads over a cycle, J.
+        work: f64,
+    },
+    /// The integrator failed.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// No such integrator.
+    #[error(transparent)]
+    Registry(#[from] RegistryError),
+    /// No integrator suits.
+    #[error("no linked integrator can treat this equation ({equation})")]
+    NoIntegrator {
+        /// The equation in words.
+        equation: String,
+    },
+    /// The motor's data make no characteristic.
+    #[error("motor: {0}")]
+    Rated(#[from] RatedDataError),
+    /// No such motor.
+    #[error(transparent)]
+    Lookup(#[from] LookupError),
+    /// The catalogues can't be read.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// No motor can be chosen.
+    #[error(transparent)]
+    Selection(#[from] SelectionError),
+    /// The flywheel has no size.
+    #[error(transparent)]
+    Flywheel(#[from] FlywheelError),
+}

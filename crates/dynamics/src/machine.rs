@@ -1,0 +1,83 @@
+//! The mechanism with its loads, without its drive, as an equation of motion.
+
+use assur_force::{Loads, Phase};
+use assur_group::Order;
+use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_kinematics::{Linkage, Position};
+
+/// The equation of motion of a compiled mechanism under its loads. Evaluating it allocates nothing.
+#[derive(Debug, Clone)]
+pub struct Machine<'a> {
+    linkage: &'a Linkage,
+    loads: &'a Loads,
+    position: Position,
+    phase: Phase,
+    dependence: Dependence,
+}
+
+impl<'a> Machine<'a> {
+    /// Takes a compiled mechanism and its compiled loads.
+    pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
+        let found = loads.dependence();
+        let dependence = Dependence {
+            inertia_constant: found.inertia_constant,
+            moment_on_coordinate: found.moment_on_coordinate,
+            moment_on_speed: found.moment_on_speed,
+            moment_on_time: found.moment_on_time,
+        };
+        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
+    }
+
+    /// The mechanism.
+    pub fn linkage(&self) -> &'a Linkage {
+        self.linkage
+    }
+
+    /// Potential energy of weights and springs at a coordinate, J.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError::Mechanism`] if there is no such position.
+    pub fn potential_energy(&mut self, coordinate: f64) -> Result<f64, MotionError> {
+        self.solve(coordinate)?;
+        Ok(self.loads.potential_energy(&self.position.bodies))
+    }
+
+    #[inline]
+    fn solve(&mut self, coordinate: f64) -> Result<(), MotionError> {
+        self.linkage.solve(coordinate, Order::Second, &mut self.position).map_err(MotionError::mechanism)
+    }
+}
+
+/// The state as the loads see it.
+#[inline]
+pub(crate) fn load_state(state: &State) -> assur_force::State {
+    assur_force::State {
+        coordinate: state.coordinate,
+        speed: state.speed,
+        acceleration: 0.0,
+        time: state.time,
+    }
+}
+
+impl Motion for Machine<'_> {
+    fn dependence(&self) -> Dependence {
+        self.dependence
+    }
+
+    fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
+        let bounds = self.loads.enter(&load_state(state), &mut self.phase);
+        Ok(Piece { coordinate: bounds.coordinate, speed: bounds.speed, time: bounds.time })
+    }
+
+    #[inline]
+    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        self.solve(state.coordinate)?;
+        let found = self.loads.reduced_in_phase(&self.phase, &load_state(state), &self.position.bodies);
+        Ok(Reduced {
+            inertia: found.inertia,
+            inertia_derivative: found.inertia_derivative,
+            moment: found.moment,
+        })
+    }
+}

@@ -1,0 +1,232 @@
+//! Flywheel and gear ratio together (S stage 6): such that the periodic speed has the wanted mean and unevenness.
+//!
+//! The unknowns are the level (the ratio of the motor; without a motor the energy at the start of the cycle) and the
+//! flywheel. Each trial is a closed cycle; Newton's method takes the derivatives of its least and greatest speed from the
+//! variational equation and keeps within a factor of the last trial.
+
+use super::arc::Solution;
+use super::report::Trial;
+use super::shooting::{Closing, Shooter, Swing};
+use super::sweep::Setup;
+use crate::DynamicsError;
+use crate::shaft::{Shaft, Source};
+
+/// Trials of ratio and flywheel.
+const MOST_TRIALS: usize = 60;
+
+/// Relative misses below this are rounding.
+const ROUNDING: f64 = 2e-12;
+
+/// What is given and what is wanted. Speeds are positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wish {
+    /// Mean speed that the level is to give; `None`: whatever comes out.
+    pub(crate) mean: Option<f64>,
+    /// Unevenness that the flywheel is to give; `None`: the flywheel is given.
+    pub(crate) unevenness: Option<f64>,
+    pub(crate) closing: Closing,
+    /// The flywheel sits on the motor shaft.
+    pub(crate) on_motor: bool,
+    /// Rotor on the motor shaft, kg m².
+    pub(crate) rotor: f64,
+}
+
+/// The unknowns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Unknowns {
+    pub(crate) source: Source,
+    /// T at the start of the cycle.
+    pub(crate) energy: f64,
+    /// On its own shaft.
+    pub(crate) flywheel: f64,
+}
+
+/// A regime with its unknowns.
+#[derive(Debug, Clone)]
+pub(crate) struct Tuned {
+    pub(crate) unknowns: Unknowns,
+    pub(crate) solution: Solution,
+    pub(crate) swing: Swing,
+    pub(crate) trials: Vec<Trial>,
+}
+
+impl Wish {
+    pub(crate) fn setup(&self, unknowns: &Unknowns, sense: f64) -> Setup {
+        let ratio = unknowns.ratio().unwrap_or(0.0);
+        let flywheel = unknowns.flywheel;
+        let own = if self.on_motor { flywheel } else { 0.0 };
+        let on_input = if self.on_motor { 0.0 } else { flywheel };
+        let inertia = on_input + ratio * ratio * (self.rotor + own);
+        let by_flywheel = if self.on_motor { ratio * ratio } else { 1.0 };
+        let by_ratio = if unknowns.ratio().is_some() { 2.0 * ratio * (self.rotor + own) } else { 0.0 };
+        Setup {
+            shaft: Shaft { source: unknowns.source, sense, inertia },
+            inertia_by: [by_ratio, by_flywheel],
+        }
+    }
+
+    /// How far a cycle is from what is wanted: mean (relative), unevenness (its inverse, relative: that is nearly linear
+    /// in the flywheel).
+    fn misses(&self, swing: &Swing) -> [f64; 2] {
+        let mean = self.mean.map_or(0.0, |wanted| swing.mean() / wanted - 1.0);
+        [mean, self.unevenness.map_or(0.0, |wanted| wanted / swing.unevenness() - 1.0)]
+    }
+}
+
+impl Unknowns {
+    pub(crate) fn ratio(&self) -> Option<f64> {
+        if let Source::Motor { ratio, .. } = self.source { Some(ratio) } else { None }
+    }
+
+    /// The ratio where there is a motor, else the initial energy.
+    fn level(&self) -> f64 {
+        self.ratio().unwrap_or(self.energy)
+    }
+
+    fn set_level(&mut self, level: f64) {
+        if let Source::Motor { ratio, .. } = &mut self.source {
+            *ratio = level;
+        } else {
+            self.energy = level;
+        }
+    }
+}
+
+/// The search for one machine and one wish.
+#[derive(Debug)]
+pub(crate) struct Tuner<'s, 'a> {
+    pub(crate) shooter: &'s mut Shooter<'a>,
+    pub(crate) wish: Wish,
+    pub(crate) trials: Vec<Trial>,
+}
+
+impl Tuner<'_, '_> {
+    fn regime(
+        &mut self,
+        unknowns: &Unknowns,
+        near: Option<&Solution>,
+    ) -> Result<(Solution, Swing), DynamicsError> {
+        let setup = self.wish.setup(unknowns, self.shooter.road.way.sense);
+        self.shooter.check_inertia(&setup)?;
+        let solution =
+            self.shooter.close(setup, self.wish.closing, unknowns.energy, near.cloned(), &mut Vec::new())?;
+        let swing = solution.swing().ok_or(DynamicsError::NoCycle)?;
+        self.trials.push(Trial {
+            number: self.trials.len() + 1,
+            ratio: unknowns.ratio(),
+            flywheel: unknowns.flywheel,
+            mean_speed: self.shooter.road.way.sense * swing.mean(),
+            unevenness: swing.unevenness(),
+        });
+        Ok((solution, swing))
+    }
+
+    /// Finds ratio (or energy) and flywheel from a first guess.
+    pub(crate) fn tune(mut self, mut unknowns: Unknowns) -> Result<Tuned, DynamicsError> {
+        let (mut solution, mut swing) = self.regime(&unknowns, None)?;
+        let mut before = f64::INFINITY;
+        for _ in 0..MOST_TRIALS {
+            let misses = self.wish.misses(&swing);
+            let worst = misses[0].abs().max(misses[1].abs());
+            if worst <= ROUNDING || (worst < 1e-10 && worst > 0.3 * before) {
+                unknowns.take(&solution);
+                return Ok(Tuned { unknowns, solution, swing, trials: self.trials });
+            }
+            before = worst;
+            unknowns.take(&solution);
+            let step = self.step(&solution, &swing, misses);
+            let bare = self.wish.unevenness.is_some() && unknowns.flywheel + step[1] < 0.0;
+            if bare && let Some(found) = self.without_flywheel(&unknowns) {
+                return Ok(found);
+            }
+            (unknowns, solution, swing) = self.damped(&unknowns, step, misses, &solution)?;
+        }
+        let misses = self.wish.misses(&swing);
+        Err(DynamicsError::NotTuned {
+            trials: self.trials.len(),
+            mean_miss: misses[0],
+            unevenness_miss: misses[1],
+        })
+    }
+
+    /// Newton's step of level and flywheel.
+    fn step(&self, solution: &Solution, swing: &Swing, misses: [f64; 2]) -> [f64; 2] {
+        let directions = solution.directions(self.wish.closing);
+        let [level, flywheel] = directions.map(|direction| {
+            let [mean, unevenness] = swing.change(&direction);
+            let delta = swing.unevenness();
+            let by_mean = self.wish.mean.map_or(0.0, |wanted| mean / wanted);
+            [by_mean, self.wish.unevenness.map_or(0.0, |wanted| -unevenness * wanted / (delta * delta))]
+        });
+        match (self.wish.mean, self.wish.unevenness) {
+            (Some(_), Some(_)) => {
+                let determinant = level[0] * flywheel[1] - flywheel[0] * level[1];
+                let a = (-misses[0] * flywheel[1] + misses[1] * flywheel[0]) / determinant;
+                let b = (-misses[1] * level[0] + misses[0] * level[1]) / determinant;
+                [a, b]
+            }
+            (Some(_), None) => [-misses[0] / level[0], 0.0],
+            (None, Some(_)) => [0.0, -misses[1] / flywheel[1]],
+            (None, None) => [0.0, 0.0],
+        }
+    }
+
+    /// Makes the step, shorter where the trial fails or is worse.
+    fn damped(
+        &mut self,
+        from: &Unknowns,
+        step: [f64; 2],
+        misses: [f64; 2],
+        near: &Solution,
+    ) -> Result<(Unknowns, Solution, Swing), DynamicsError> {
+        const SHORTEST: f64 = 1e-6;
+        let norm = |misses: [f64; 2]| misses[0].hypot(misses[1]);
+        let mut part = 1.0;
+        let mut last = None;
+        while part > SHORTEST {
+            let mut next = *from;
+            let level = from.level();
+            next.set_level((level + part * step[0]).clamp(0.6 * level, 1.6 * level));
+            next.flywheel =
+                (from.flywheel + part * step[1]).clamp(0.1 * from.flywheel, 10.0 * from.flywheel.max(1e-12));
+            match self.regime(&next, Some(near)) {
+                Ok((solution, swing)) => {
+                    let now = norm(self.wish.misses(&swing));
+                    if now < (1.0 - 0.1 * part) * norm(misses) || now < 1e-9 {
+                        return Ok((next, solution, swing));
+                    }
+                }
+                Err(error @ (DynamicsError::Equation { .. } | DynamicsError::Held { .. })) => {
+                    return Err(error);
+                }
+                Err(error) => last = Some(error),
+            }
+            part *= 0.5;
+        }
+        Err(last.unwrap_or(DynamicsError::NotTuned {
+            trials: self.trials.len(),
+            mean_miss: misses[0],
+            unevenness_miss: misses[1],
+        }))
+    }
+
+    /// The regime without a flywheel, if its unevenness is within what is allowed.
+    fn without_flywheel(&mut self, near: &Unknowns) -> Option<Tuned> {
+        let wanted = self.wish.unevenness?;
+        let wish = Wish { unevenness: None, ..self.wish };
+        let tuner = Tuner { shooter: &mut *self.shooter, wish, trials: self.trials.clone() };
+        let found = tuner.tune(Unknowns { flywheel: 0.0, ..*near }).ok()?;
+        self.trials.clone_from(&found.trials);
+        (found.swing.unevenness() <= wanted).then_some(found)
+    }
+}
+
+impl Unknowns {
+    /// What closing the cycle found: initial energy, constant moment.
+    fn take(&mut self, solution: &Solution) {
+        self.energy = solution.start;
+        if let Source::Constant(_) = self.source {
+            self.source = solution.setup.shaft.source;
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Steady regimes of whole scenes.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+
+use super::{compiled, fixture};
+use crate::steady;
+
+#[test]
+fn the_engine_of_example_2() {
+    let (linkage, loads) = compiled(&fixture("flywheel"));
+    let found = steady(&linkage, &loads).unwrap();
+    let regime = &found.regime;
+    eprintln!("{regime:#?}");
+    // E example 2, in closed form.
+    assert_relative_eq!(regime.torque.unwrap(), -20.0, max_relative = 1e-12);
+    assert_relative_eq!(regime.flywheel, PI / 20.0, max_relative = 1e-11);
+    assert_relative_eq!(regime.coordinate_at_min, 0.5 * PI, max_relative = 1e-9);
+    assert_relative_eq!(regime.coordinate_at_max, 1.5 * PI, max_relative = 1e-9);
+    assert_relative_eq!(regime.excess_work, 10.0 * PI, max_relative = 1e-11);
+    assert_relative_eq!(regime.dynamic_unevenness, 0.04 / PI, max_relative = 1e-9);
+    assert_relative_eq!(regime.mean_speed, 100.0, max_relative = 1e-11);
+    assert_relative_eq!(regime.unevenness, 0.02, max_relative = 1e-11);
+}
+
+#[test]
+fn the_shaper_with_its_drive() {
+    let (linkage, loads) = compiled(&fixture("shaper-drive"));
+    let found = steady(&linkage, &loads).unwrap();
+    let regime = &found.regime;
+    eprintln!(
+        "{:?} {:?} {:?} {:?} {:?}",
+        regime.flywheel, regime.ratio, regime.effort, regime.flywheel_by_method, regime.trials
+    );
+    // An independent solution.
+    assert_relative_eq!(regime.flywheel, 101.9001, max_relative = 1e-6);
+    assert_relative_eq!(regime.ratio.unwrap(), 24.33661, max_relative = 3e-7);
+    assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-11);
+    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-11);
+}
