@@ -1,16 +1,53 @@
 //! The terminal UI.
+//!
+//! [`run`] is the way in. Inside, the state, the one table of commands and the views are separate: commands change the
+//! state, views are pure functions from it to a frame, the session waits for events and draws only after one that
+//! changed something. Nothing here calculates; reading and calculating run in a thread beside.
 
+mod act;
+mod command;
+mod csv;
+mod draw;
+mod key;
+mod line;
+mod locale;
+mod menu;
+mod number;
+mod prompt;
+mod quantities;
+mod series;
+mod session;
+mod state;
+mod study;
+mod svg;
+mod terminal;
+mod text;
+mod theme;
+mod view;
+mod work;
+mod writing;
+
+#[cfg(test)]
+mod tests;
+
+use std::io::IsTerminal;
 use std::path::PathBuf;
+
+use state::{Look, State};
+use study::Source;
+use theme::Theme;
 
 /// What the command line asks of the terminal UI.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// Draw with ASCII characters only.
+    /// Draw with ASCII characters only; also chosen where the locale is not UTF-8.
     pub ascii: bool,
-    /// Capture the mouse.
+    /// Capture the mouse, for choosing a position on a chart.
     pub mouse: bool,
-    /// Frames a second of the animation; `None`: the default.
+    /// Frames a second of the animation; `None`: 10.
     pub fps: Option<u8>,
+    /// Height of a character cell in its widths; `None`: 2.
+    pub cell_ratio: Option<f64>,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
@@ -19,11 +56,15 @@ pub struct Options {
 
 /// Why the terminal UI could not open.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ScreenError {
+    /// Standard input or output is no terminal.
+    #[error("error: the terminal UI needs a terminal; `assur analyze SCENE` prints the same as text")]
+    NoTerminal,
     /// The terminal refused.
-    #[error("the terminal can't be used: {0}")]
+    #[error("error: the terminal can't be used: {0}")]
     Terminal(#[from] std::io::Error),
-    /// The scene could not be read; the text is complete.
+    /// The scene can't be read; the text is complete, with file, line and column.
     #[error("{0}")]
     Scene(String),
 }
@@ -32,7 +73,34 @@ pub enum ScreenError {
 ///
 /// # Errors
 ///
-/// [`ScreenError`] before the screen is taken: a bad scene, a terminal that refuses.
-pub fn run(_path: Option<PathBuf>, _options: Options) -> Result<u8, ScreenError> {
+/// [`ScreenError`], with the terminal untouched or given back: a bad scene, no terminal, a terminal that refuses.
+#[expect(clippy::needless_pass_by_value, reason = "the command line gives its options away")]
+pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
+    let study = match path {
+        Some(path) => Some(work::open(Source::File(path)).map_err(ScreenError::Scene)?),
+        None => None,
+    };
+    if !(std::io::stdin().is_terminal() && std::io::stdout().is_terminal()) {
+        return Err(ScreenError::NoTerminal);
+    }
+    let mut state = State::new(study, look(&options));
+    state.size = crossterm::terminal::size().unwrap_or(state.size);
+    act::preview_menu(&mut state);
+    session::run(state, options.mouse)?;
     Ok(0)
+}
+
+/// How to draw, from options, locale and `NO_COLOR`.
+fn look(options: &Options) -> Look {
+    let variable = |name: &str| std::env::var(name).ok();
+    let colorless = variable("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let ascii = options.ascii || !locale::is_utf8(variable);
+    let default = Look::default();
+    Look {
+        ascii,
+        marker: if ascii { draw::raster::Marker::Ascii } else { default.marker },
+        theme: if colorless { Theme::Mono } else { default.theme },
+        ratio: options.cell_ratio.filter(|ratio| (0.5..=5.0).contains(ratio)).unwrap_or(default.ratio),
+        fps: options.fps.filter(|fps| (1..=60).contains(fps)).unwrap_or(default.fps),
+    }
 }

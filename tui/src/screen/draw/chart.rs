@@ -1,0 +1,184 @@
+//! One curve or more over the positions, with a cursor and marks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::label::Labels;
+use super::raster::{Raster, Stroke, short, whole};
+use crate::screen::number::plain;
+use crate::screen::series::extent;
+use crate::screen::state::Look;
+use crate::screen::theme::Role;
+use crate::screen::view::put;
+
+/// What is marked on a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    Extreme,
+    Zero,
+    Inflection,
+}
+
+impl Mark {
+    fn sign(self) -> &'static str {
+        match self {
+            Self::Extreme => "o",
+            Self::Zero => "x",
+            Self::Inflection => "+",
+        }
+    }
+}
+
+/// A chart.
+#[derive(Debug)]
+pub(crate) struct Chart<'a> {
+    pub(crate) title: String,
+    /// Values by position, the first curve is the one with the marks.
+    pub(crate) curves: Vec<(&'a [f64], Style)>,
+    /// Places as position numbers (also between two), and what is there.
+    pub(crate) marks: Vec<(f64, Mark)>,
+    pub(crate) cursor: usize,
+    /// Whether the first position follows the last.
+    pub(crate) closed: bool,
+}
+
+/// Column of a position in so many columns.
+pub(crate) fn column_of(position: usize, count: usize, width: u16) -> u16 {
+    short(whole(column(position as f64, count, width)))
+}
+
+fn column(position: f64, count: usize, width: u16) -> f64 {
+    let last = count.saturating_sub(1).max(1) as f64;
+    position / last * f64::from(width.saturating_sub(1)) + 0.5
+}
+
+/// The position nearest to a column.
+pub(crate) fn position_of(at: u16, count: usize, width: u16) -> usize {
+    let last = count.saturating_sub(1);
+    let part = f64::from(at) / f64::from(width.saturating_sub(1).max(1));
+    whole((part * last as f64).round()).min(last)
+}
+
+impl Chart<'_> {
+    /// Draws the chart; `labels` columns at the left are for the axis.
+    pub(crate) fn draw(&self, area: Rect, labels: u16, look: Look, buffer: &mut Buffer) {
+        if area.width <= labels + 2 || area.height < 2 {
+            return;
+        }
+        let plain_style = look.theme.style(Role::Plain);
+        put(buffer, area, labels, 0, &self.title, look.theme.style(Role::Header));
+        let plot = Rect {
+            x: area.x + labels,
+            y: area.y + 1,
+            width: area.width - labels - 1,
+            height: area.height - 1,
+        };
+        let Some([low, high]) = self.range() else { return };
+        let frame = Frame { plot, low, high, count: self.curves.iter().map(|c| c.0.len()).max().unwrap_or(0) };
+        let mut raster = Raster::new(plot, look.marker);
+        if low < 0.0 && high > 0.0 {
+            let zero = frame.row(0.0);
+            let ends = [[0.0, zero], [f64::from(plot.width), zero]];
+            raster.line(ends[0], ends[1], Stroke::Dotted(4), look.theme.style(Role::Dim));
+        }
+        for (values, style) in &self.curves {
+            curve(&frame, values, *style, &mut raster);
+        }
+        raster.paint(plot, buffer);
+        self.draw_marks(&frame, &raster, plain_style, buffer);
+        self.draw_cursor(&frame, look, buffer);
+        frame.axis(area, labels, plain_style, buffer);
+    }
+
+    /// Range of all curves, never empty.
+    fn range(&self) -> Option<[f64; 2]> {
+        let [low, high] = self.curves.iter().filter_map(|(values, _)| extent(values)).reduce(|a, b| {
+            [a[0].min(b[0]), a[1].max(b[1])]
+        })?;
+        let least = 1e-9 * low.abs().max(high.abs()).max(1e-12);
+        Some(if high - low > least { [low, high] } else { [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())] })
+    }
+
+    fn draw_marks(&self, frame: &Frame, raster: &Raster, style: Style, buffer: &mut Buffer) {
+        let Some((values, _)) = self.curves.first() else { return };
+        let mut labels = Labels::new(frame.plot);
+        for &(at, mark) in &self.marks {
+            let value = if mark == Mark::Zero { 0.0 } else { between(values, at) };
+            labels.put([frame.column(at.min(values.len().saturating_sub(1) as f64)), frame.row(value)], mark.sign(), style);
+        }
+        labels.write(raster, buffer);
+    }
+
+    /// The cursor: a reversed column, so that it is seen without color.
+    fn draw_cursor(&self, frame: &Frame, look: Look, buffer: &mut Buffer) {
+        let x = frame.plot.x + column_of(self.cursor, frame.count, frame.plot.width);
+        for y in frame.plot.y..frame.plot.bottom() {
+            if let Some(cell) = buffer.cell_mut((x, y)) {
+                if cell.symbol() == " " {
+                    cell.set_char('│');
+                }
+                cell.set_style(look.theme.style(Role::Key));
+            }
+        }
+    }
+}
+
+/// Value between two positions, linear.
+fn between(values: &[f64], at: f64) -> f64 {
+    let count = values.len().max(1);
+    let i = whole(at.floor().max(0.0)) % count;
+    let part = at - at.floor();
+    let (a, b) = (values.get(i).copied().unwrap_or(f64::NAN), values.get((i + 1) % count).copied().unwrap_or(f64::NAN));
+    if part > 0.0 { a + part * (b - a) } else { a }
+}
+
+fn curve(frame: &Frame, values: &[f64], style: Style, raster: &mut Raster) {
+    let at = |i: usize| [frame.column(i as f64), frame.row(values[i])];
+    for i in 0..values.len() {
+        if i + 1 < values.len() && values[i + 1].is_finite() && values[i].is_finite() {
+            raster.line(at(i), at(i + 1), Stroke::Solid, style);
+        } else if values[i].is_finite() {
+            raster.dot(at(i), '*', style);
+        }
+    }
+}
+
+/// The plotted area and its ranges.
+#[derive(Debug)]
+struct Frame {
+    plot: Rect,
+    low: f64,
+    high: f64,
+    count: usize,
+}
+
+impl Frame {
+    fn column(&self, position: f64) -> f64 {
+        column(position, self.count, self.plot.width)
+    }
+
+    fn row(&self, value: f64) -> f64 {
+        let part = (self.high - value) / (self.high - self.low);
+        part * (f64::from(self.plot.height) - 0.25) + 0.1
+    }
+
+    /// The least and the greatest value at the left, zero between them.
+    fn axis(&self, area: Rect, labels: u16, style: Style, buffer: &mut Buffer) {
+        let mut rows = vec![(0, self.high), (self.plot.height - 1, self.low)];
+        if self.low < 0.0 && self.high > 0.0 {
+            let row = short(whole(self.row(0.0)));
+            if row > 0 && row + 1 < self.plot.height {
+                rows.push((row, 0.0));
+            }
+        }
+        for (row, value) in rows {
+            let text = plain(value);
+            let column = labels.saturating_sub(short(text.len()) + 1);
+            put(buffer, area, column, row + 1, &text, style);
+        }
+        for row in 0..self.plot.height {
+            put(buffer, area, labels - 1, row + 1, "│", style);
+        }
+    }
+}

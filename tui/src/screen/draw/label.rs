@@ -1,0 +1,81 @@
+//! Names beside their places, without one covering the other.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
+
+use super::raster::{Raster, short};
+
+/// The cells that are taken, of one area.
+#[derive(Debug)]
+pub(crate) struct Labels {
+    area: Rect,
+    texts: Vec<(Rect, String, Style)>,
+    /// Texts that give way to whatever is drawn in their cell.
+    faint: Vec<(Rect, &'static str, Style)>,
+}
+
+impl Labels {
+    pub(crate) fn new(area: Rect) -> Self {
+        Self { area, texts: Vec::new(), faint: Vec::new() }
+    }
+
+    /// Takes exactly a cell; outside the area nothing happens.
+    pub(crate) fn put(&mut self, at: [f64; 2], text: &str, style: Style) {
+        if let Some(spot) = self.spot([at[0].floor(), at[1].floor()], text.width()) {
+            self.texts.push((spot, text.to_owned(), style));
+        }
+    }
+
+    /// Takes a cell unless something is drawn there.
+    pub(crate) fn faint(&mut self, at: [f64; 2], text: &'static str, style: Style) {
+        if let Some(spot) = self.spot([at[0].floor(), at[1].floor()], text.width()) {
+            self.faint.push((spot, text, style));
+        }
+    }
+
+    /// Writes beside a cell: where nothing is drawn if there is such a place, else where no other name stands.
+    pub(crate) fn beside(&mut self, raster: &Raster, at: [f64; 2], text: &str, style: Style) {
+        let width = text.width() as f64;
+        let (x, y) = (at[0].floor(), at[1].floor());
+        let left = x - width;
+        let offers =
+            [[x + 1.0, y - 1.0], [left, y - 1.0], [x + 1.0, y + 1.0], [left, y + 1.0], [x + 2.0, y], [left - 1.0, y]];
+        let spots: Vec<Rect> = offers
+            .into_iter()
+            .filter_map(|offer| self.spot(offer, text.width()))
+            .filter(|spot| self.texts.iter().all(|(other, ..)| !other.intersects(*spot)))
+            .collect();
+        let free = |spot: &&Rect| {
+            (spot.x..spot.right())
+                .all(|x| raster.is_free(usize::from(x - self.area.x), usize::from(spot.y - self.area.y)))
+        };
+        if let Some(spot) = spots.iter().find(free).or(spots.first()) {
+            self.texts.push((*spot, text.to_owned(), style));
+        }
+    }
+
+    /// Writes all of them over what was drawn.
+    pub(crate) fn write(&self, raster: &Raster, buffer: &mut Buffer) {
+        for (spot, text, style) in &self.faint {
+            if raster.is_free(usize::from(spot.x - self.area.x), usize::from(spot.y - self.area.y)) {
+                buffer.set_stringn(spot.x, spot.y, text, usize::from(spot.width), *style);
+            }
+        }
+        for (spot, text, style) in &self.texts {
+            buffer.set_stringn(spot.x, spot.y, text, usize::from(spot.width), *style);
+        }
+    }
+
+    fn spot(&self, [x, y]: [f64; 2], width: usize) -> Option<Rect> {
+        let inside = x >= 0.0
+            && y >= 0.0
+            && x + width as f64 <= f64::from(self.area.width)
+            && y < f64::from(self.area.height);
+        inside.then(|| {
+            let (x, y) = (super::raster::whole(x), super::raster::whole(y));
+            Rect::new(self.area.x + short(x), self.area.y + short(y), short(width), 1)
+        })
+    }
+}

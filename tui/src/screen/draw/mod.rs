@@ -1,0 +1,8 @@
+//! Drawing with dots into cells: rasters, scales, and the figure of a mechanism.
+
+pub(crate) mod chart;
+pub(crate) mod figure;
+pub(crate) mod label;
+pub(crate) mod plot;
+pub(crate) mod raster;
+pub(crate) mod scale;

@@ -1,0 +1,188 @@
+//! What the `:` line and the `/` line understand.
+
+use super::command::{self, COMMANDS};
+use super::draw::raster::Marker;
+use super::series::Key;
+use super::state::State;
+use super::text::fill;
+use super::theme::{Role, Theme};
+
+/// Names farther than this from what was typed are no suggestion.
+const FAR: usize = 3;
+
+/// Words of the line that take a value, and their values.
+fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
+    let names = |wanted: fn(&Key) -> bool| -> Vec<String> {
+        let Some(study) = &state.study else { return Vec::new() };
+        let mut names: Vec<String> = study
+            .transfers
+            .iter()
+            .filter(|transfer| wanted(&transfer.key))
+            .map(|transfer| study.name_of(&transfer.key).to_owned())
+            .collect();
+        names.dedup();
+        names
+    };
+    let views = COMMANDS.iter().filter(|c| c.group == command::Group::Views).map(|c| c.name.to_owned());
+    vec![
+        ("point", names(|key| matches!(key, Key::Point(_)))),
+        ("link", names(|key| matches!(key, Key::Link(_)))),
+        ("slide", names(|key| matches!(key, Key::Slide(_)))),
+        ("view", views.collect()),
+    ]
+}
+
+/// What `:set` takes.
+fn settings() -> Vec<(&'static str, Vec<String>)> {
+    let list = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect();
+    vec![
+        ("theme", Theme::ALL.iter().map(|theme| theme.name().to_owned()).collect()),
+        ("marker", list(&["braille", "half-block", "ascii"])),
+        ("ascii", list(&["on", "off"])),
+        ("fps", list(&["1", "5", "10", "20", "30"])),
+        ("cell", list(&["2.0"])),
+    ]
+}
+
+/// Whole lines that what was typed may become.
+pub(crate) fn completions(state: &State, typed: &str) -> Vec<String> {
+    let mut all: Vec<String> = COMMANDS.iter().map(|command| command.name.to_owned()).collect();
+    for (word, values) in words(state) {
+        all.extend(values.iter().map(|value| format!("{word} {value}")));
+    }
+    for (setting, values) in settings() {
+        all.extend(values.iter().map(|value| format!("set {setting} {value}")));
+    }
+    all.retain(|line| line.starts_with(typed));
+    all
+}
+
+/// Runs a line.
+pub(crate) fn run(state: &mut State, line: &str) {
+    if line.is_empty() {
+        return;
+    }
+    if let Ok(position) = line.parse::<usize>() {
+        state.go_to(position);
+        return;
+    }
+    let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+    match (word, rest.trim()) {
+        ("set", rest) => set(state, rest),
+        ("q", "") => run(state, "quit"),
+        ("view", name) => view(state, name),
+        ("point" | "link" | "slide", name) => quantity(state, word, name),
+        (name, "") => match command::named(name) {
+            Some(command) if command.fits(state.view) => (command.run)(state),
+            _ => unknown(state, name),
+        },
+        _ => unknown(state, word),
+    }
+}
+
+fn unknown(state: &mut State, name: &str) {
+    let known: Vec<String> = completions(state, "");
+    let offer = suggestion(state, name, &known);
+    state.say(Role::Bad, fill(state.texts.unknown_command, &[&name, &offer]));
+}
+
+/// `; did you mean ...?` or nothing.
+fn suggestion(state: &State, name: &str, known: &[String]) -> String {
+    let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
+    match near {
+        Some((distance, candidate)) if distance <= FAR => fill(state.texts.did_you_mean, &[candidate]),
+        _ => String::new(),
+    }
+}
+
+fn view(state: &mut State, name: &str) {
+    let command = command::named(name).filter(|c| c.group == command::Group::Views && c.fits(state.view));
+    match command {
+        Some(command) => (command.run)(state),
+        None => unknown(state, name),
+    }
+}
+
+fn quantity(state: &mut State, word: &str, name: &str) {
+    let Some(study) = &state.study else { return };
+    let found = study.transfers.iter().position(|transfer| {
+        let kind = match transfer.key {
+            Key::Point(_) => "point",
+            Key::Link(_) => "link",
+            Key::Slide(_) => "slide",
+        };
+        kind == word && study.name_of(&transfer.key).eq_ignore_ascii_case(name)
+    });
+    if let Some(transfer) = found {
+        state.chosen.transfer = transfer;
+        return;
+    }
+    let known = words(state).into_iter().find(|(known, _)| *known == word).map(|(_, names)| names);
+    let offer = suggestion(state, name, &known.unwrap_or_default());
+    state.say(Role::Bad, fill(state.texts.unknown_name, &[&format!("{word} {name}"), &offer]));
+}
+
+fn set(state: &mut State, rest: &str) {
+    let (name, value) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+    let value = value.trim();
+    let done = match name {
+        "theme" => Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| state.look.theme = *theme),
+        "marker" => marker(value).map(|marker| state.look.marker = marker),
+        "ascii" => switch(value).map(|ascii| state.look.ascii = ascii),
+        "fps" => value.parse().ok().filter(|fps| (1..=60).contains(fps)).map(|fps| state.look.fps = fps),
+        "cell" => value.parse().ok().filter(|r| (0.5..=5.0).contains(r)).map(|ratio| state.look.ratio = ratio),
+        _ => None,
+    };
+    if done.is_none() {
+        match settings().into_iter().find(|(known, _)| *known == name) {
+            Some((_, values)) => {
+                let taken = values.join(", ");
+                state.say(Role::Bad, fill(state.texts.unknown_value, &[&name, &taken, &value]));
+            }
+            None => unknown(state, &format!("set {name}")),
+        }
+    }
+}
+
+fn marker(name: &str) -> Option<Marker> {
+    match name {
+        "braille" => Some(Marker::Braille),
+        "half-block" => Some(Marker::HalfBlock),
+        "ascii" => Some(Marker::Ascii),
+        _ => None,
+    }
+}
+
+fn switch(value: &str) -> Option<bool> {
+    match value {
+        "on" => Some(true),
+        "off" => Some(false),
+        _ => None,
+    }
+}
+
+/// A number is a position; a word is looked for in the columns and quantities, from the present one on.
+pub(crate) fn search(state: &mut State, text: &str) {
+    if text.is_empty() {
+        return;
+    }
+    if let Ok(position) = text.parse::<usize>() {
+        state.go_to(position);
+        return;
+    }
+    let wanted = text.to_lowercase();
+    let Some(study) = &state.study else { return };
+    let count = study.series.len();
+    let fits = |column: &usize| {
+        let series = &study.series[*column];
+        series.of.to_lowercase().contains(&wanted) || series.short.to_lowercase().contains(&wanted)
+    };
+    let found = (1..=count).map(|step| (state.chosen.column + step) % count).find(fits);
+    let Some(column) = found else {
+        state.say(Role::Bad, fill(state.texts.not_found, &[&text]));
+        return;
+    };
+    let transfer = study.transfers.iter().position(|transfer| transfer.orders.contains(&column));
+    state.chosen.column = column;
+    state.chosen.transfer = transfer.unwrap_or(state.chosen.transfer);
+}

@@ -1,0 +1,107 @@
+//! Every quantity over the positions, in the unit that is shown.
+
+use super::number::number;
+
+/// One quantity over the positions.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Series {
+    /// `point D x`, without the order.
+    pub(crate) of: String,
+    /// Column header: `D.x'`.
+    pub(crate) short: String,
+    /// Unit of the values.
+    pub(crate) unit: String,
+    /// The values; NaN where there is none.
+    pub(crate) values: Vec<f64>,
+}
+
+impl Series {
+    /// Value and unit at a position.
+    pub(crate) fn show(&self, position: usize) -> String {
+        match self.values.get(position) {
+            Some(value) if value.is_finite() => format!("{} {}", number(*value), self.unit),
+            _ => "-".to_owned(),
+        }
+    }
+}
+
+/// A quantity with its two derivatives: indices of three series.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Transfer {
+    /// `point D x`.
+    pub(crate) name: String,
+    /// The name that `:point D` looks for, and its kind.
+    pub(crate) key: Key,
+    /// PF0, PF1, PF2.
+    pub(crate) orders: [usize; 3],
+}
+
+/// Whose quantity it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Key {
+    /// A point, by its index.
+    Point(usize),
+    /// A link.
+    Link(usize),
+    /// A slide.
+    Slide(usize),
+}
+
+/// Places (between positions: linear) where a series passes zero, as position numbers.
+pub(crate) fn zeros(values: &[f64], closed: bool) -> Vec<f64> {
+    let count = values.len();
+    let most = values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |most, v| most.max(v.abs()));
+    // Rounding around an identical zero is no passage.
+    let least = 1e-9 * most;
+    let pairs = if closed { count } else { count.saturating_sub(1) };
+    let mut found = Vec::new();
+    for i in 0..pairs {
+        let (a, b) = (values[i], values[(i + 1) % count]);
+        if !(a.is_finite() && b.is_finite()) || a.abs().max(b.abs()) <= least {
+            continue;
+        }
+        if a.abs() <= least {
+            found.push(i as f64);
+        } else if b.abs() > least && a * b < 0.0 {
+            found.push(i as f64 + a / (a - b));
+        }
+    }
+    found
+}
+
+/// Least and greatest finite value.
+pub(crate) fn extent(values: &[f64]) -> Option<[f64; 2]> {
+    values.iter().filter(|v| v.is_finite()).fold(None, |found, &v| match found {
+        None => Some([v, v]),
+        Some([low, high]) => Some([low.min(v), high.max(v)]),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{extent, zeros};
+
+    #[test]
+    fn zeros_of_a_sine() {
+        let sine: Vec<f64> = (0..12).map(|i| (f64::from(i) * std::f64::consts::TAU / 12.0 + 0.1).sin()).collect();
+        let found = zeros(&sine, true);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!((found[0] - (6.0 - 1.2 / std::f64::consts::TAU)).abs() < 0.01, "{found:?}");
+        assert!((found[1] - (12.0 - 1.2 / std::f64::consts::TAU)).abs() < 0.01, "{found:?}");
+        assert_eq!(zeros(&sine, false).len(), 1);
+    }
+
+    #[test]
+    fn a_zero_that_is_met_counts_once() {
+        assert_eq!(zeros(&[1.0, 0.0, -1.0, 0.0], true), [1.0, 3.0]);
+        assert!(zeros(&[0.0, 0.0], true).is_empty());
+        assert!(zeros(&[1.0, f64::NAN, -1.0], false).is_empty());
+        assert!(zeros(&[], true).is_empty());
+    }
+
+    #[test]
+    fn the_extent_ignores_what_is_no_number() {
+        assert_eq!(extent(&[f64::NAN, 2.0, -1.0]), Some([-1.0, 2.0]));
+        assert_eq!(extent(&[f64::NAN]), None);
+    }
+}

@@ -1,0 +1,174 @@
+//! The loop: waits for an event, applies it and all that are queued behind it, draws once.
+
+use std::io;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crossterm::event::{self, Event as Input, KeyEventKind};
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+use signal_hook::iterator::Signals;
+
+use super::state::{State, Wish};
+use super::terminal::{self, Screen};
+use super::work::{self, Report};
+use super::{command, view, writing};
+
+/// What can wake the loop.
+#[derive(Debug)]
+pub(crate) enum Event {
+    /// A key, the mouse, a new size, the focus.
+    Input(Input),
+    /// The worker has something.
+    Work(Report),
+    /// Somebody asked the process to stop (SIGTSTP).
+    Suspend,
+    /// The process goes on after it was stopped.
+    Continued,
+    /// There is no more input.
+    Closed,
+}
+
+/// Runs until the user leaves.
+pub(crate) fn run(mut state: State, mouse: bool) -> io::Result<()> {
+    let (sender, events) = channel();
+    listen_to_signals(sender.clone())?;
+    let mut screen = Screen::take(mouse)?;
+    listen_to_input(sender.clone())?;
+    let mut next_tick = Instant::now();
+    loop {
+        for wish in std::mem::take(&mut state.wishes) {
+            grant(wish, &mut state, &mut screen, &sender)?;
+        }
+        if state.leaving {
+            return Ok(());
+        }
+        if state.wishes.is_empty() {
+            screen.draw(|frame| view::draw(&state, frame))?;
+        }
+        if !wait(&mut state, &events, &mut next_tick) {
+            return Ok(());
+        }
+    }
+}
+
+/// Blocks until an event has changed the state; `false` when there will be none any more.
+fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) -> bool {
+    loop {
+        if !state.wishes.is_empty() {
+            return true;
+        }
+        let first = if state.animates() {
+            match events.recv_timeout(next_tick.saturating_duration_since(Instant::now())) {
+                Ok(event) => event,
+                Err(RecvTimeoutError::Timeout) => {
+                    *next_tick = Instant::now() + Duration::from_secs(1) / u32::from(state.look.fps.max(1));
+                    state.tick();
+                    return true;
+                }
+                Err(RecvTimeoutError::Disconnected) => return false,
+            }
+        } else {
+            match events.recv() {
+                Ok(event) => event,
+                Err(_) => return false,
+            }
+        };
+        let mut changed = apply(state, first);
+        while let Ok(event) = events.try_recv() {
+            changed |= apply(state, event);
+        }
+        if changed || state.leaving {
+            return true;
+        }
+    }
+}
+
+/// Applies one event; tells whether the frame may differ.
+fn apply(state: &mut State, event: Event) -> bool {
+    match event {
+        Event::Input(Input::Key(key)) if key.kind != KeyEventKind::Release => {
+            #[cfg(debug_assertions)]
+            if std::env::var_os("ASSUR_PANIC_ON_KEY").is_some() {
+                panic!("a panic on request (ASSUR_PANIC_ON_KEY)");
+            }
+            command::press(state, key);
+            true
+        }
+        Event::Input(Input::Mouse(mouse)) => view::click(state, mouse),
+        Event::Input(Input::Resize(columns, rows)) => {
+            state.size = (columns, rows);
+            true
+        }
+        Event::Input(Input::FocusGained) => std::mem::replace(&mut state.focused, true) != state.focused,
+        Event::Input(Input::FocusLost) => {
+            state.focused = false;
+            false
+        }
+        Event::Input(_) => false,
+        Event::Work(report) => state.take_report(report),
+        Event::Suspend => {
+            state.wishes.push(Wish::Suspend);
+            true
+        }
+        Event::Continued => {
+            state.wishes.push(Wish::Retake);
+            true
+        }
+        Event::Closed => {
+            state.leaving = true;
+            true
+        }
+    }
+}
+
+/// Does what a command can't do to the state alone.
+fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Event>) -> io::Result<()> {
+    match wish {
+        Wish::Quit => state.leaving = true,
+        Wish::Redraw => screen.forget()?,
+        Wish::Retake => screen.retake()?,
+        Wish::Suspend => {
+            terminal::give_back();
+            signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
+            screen.retake()?;
+        }
+        Wish::Work(job) => work::start(job, sender.clone()),
+        Wish::Write(file) => writing::grant(state, file),
+    }
+    Ok(())
+}
+
+/// A thread that reads the terminal: blocking, so that an idle program takes no time at all.
+fn listen_to_input(sender: Sender<Event>) -> io::Result<()> {
+    thread::Builder::new().name("assur-input".into()).spawn(move || {
+        while let Ok(input) = event::read() {
+            if sender.send(Event::Input(input)).is_err() {
+                return;
+            }
+        }
+        let _ = sender.send(Event::Closed);
+    })?;
+    Ok(())
+}
+
+/// A thread that ends the program when it is told to: after a hang-up the thread that reads would spin.
+fn listen_to_signals(sender: Sender<Event>) -> io::Result<()> {
+    let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGCONT])?;
+    thread::Builder::new().name("assur-signals".into()).spawn(move || {
+        for signal in signals.forever() {
+            let sent = match signal {
+                SIGTSTP => sender.send(Event::Suspend),
+                SIGCONT => sender.send(Event::Continued),
+                _ => {
+                    terminal::give_back_soon();
+                    std::process::exit(128 + signal);
+                }
+            };
+            if sent.is_err() {
+                return;
+            }
+        }
+    })?;
+    Ok(())
+}

@@ -1,0 +1,213 @@
+//! Everything a frame depends on. Commands change it, views read it.
+
+use super::draw::raster::Marker;
+use super::draw::scale::Zoom;
+use super::menu::Menu;
+use super::prompt::Prompt;
+use super::study::Study;
+use super::text::{ENGLISH, Texts, fill};
+use super::theme::{Role, Theme};
+use super::work::{Job, Report};
+use super::writing::OutputFile;
+
+/// What is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum View {
+    Menu,
+    Mechanism,
+    Curves,
+    Structure,
+    Table,
+}
+
+/// What a command wants that it can't do itself.
+#[derive(Debug)]
+pub(crate) enum Wish {
+    Quit,
+    Redraw,
+    Retake,
+    Suspend,
+    Work(Job),
+    Write(OutputFile),
+}
+
+/// How things are drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    /// Characters beyond ASCII are replaced.
+    pub(crate) ascii: bool,
+    pub(crate) marker: Marker,
+    pub(crate) theme: Theme,
+    /// Height of a cell in its widths.
+    pub(crate) ratio: f64,
+    /// Frames a second of the animation.
+    pub(crate) fps: u8,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { ascii: false, marker: Marker::Braille, theme: Theme::Default, ratio: 2.0, fps: 10 }
+    }
+}
+
+/// Which arrows the drawing has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Arrows {
+    None,
+    Velocity,
+    Acceleration,
+    Both,
+}
+
+/// Which paths the drawing has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Traces {
+    All,
+    Chosen,
+    None,
+}
+
+/// The help screen.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Help {
+    pub(crate) scroll: usize,
+    pub(crate) filter: String,
+}
+
+/// What is chosen in each view.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Chosen {
+    /// Index in [`Study::transfers`].
+    pub(crate) transfer: usize,
+    pub(crate) group: usize,
+    /// Column of the table.
+    pub(crate) column: usize,
+}
+
+/// The whole state.
+#[derive(Debug)]
+pub(crate) struct State {
+    pub(crate) texts: &'static Texts,
+    pub(crate) study: Option<Study>,
+    pub(crate) menu: Menu,
+    pub(crate) view: View,
+    pub(crate) position: usize,
+    pub(crate) chosen: Chosen,
+    pub(crate) look: Look,
+    pub(crate) zoom: Zoom,
+    pub(crate) arrows: Arrows,
+    pub(crate) traces: Traces,
+    /// Column and sense by which the table is sorted.
+    pub(crate) sorted: Option<(usize, bool)>,
+    pub(crate) playing: bool,
+    pub(crate) focused: bool,
+    pub(crate) help: Option<Help>,
+    pub(crate) prompt: Option<Prompt>,
+    /// A file that exists and may be overwritten if the user says so.
+    pub(crate) question: Option<OutputFile>,
+    /// One line until the next key.
+    pub(crate) message: Option<(Role, String)>,
+    /// Faults of a scene that was read again, over the old result.
+    pub(crate) fault: Option<String>,
+    pub(crate) size: (u16, u16),
+    pub(crate) wishes: Vec<Wish>,
+    pub(crate) leaving: bool,
+}
+
+impl State {
+    /// The state at the start: the menu, or a scene.
+    pub(crate) fn new(study: Option<Study>, look: Look) -> Self {
+        let position = study.as_ref().map_or(0, Study::first_position);
+        let view = if study.is_some() { View::Mechanism } else { View::Menu };
+        Self {
+            texts: &ENGLISH,
+            study,
+            menu: Menu::default(),
+            view,
+            position,
+            chosen: Chosen::default(),
+            look,
+            zoom: Zoom::WHOLE,
+            arrows: Arrows::Velocity,
+            traces: Traces::All,
+            sorted: None,
+            playing: false,
+            focused: true,
+            help: None,
+            prompt: None,
+            question: None,
+            message: None,
+            fault: None,
+            size: (80, 24),
+            wishes: Vec::new(),
+            leaving: false,
+        }
+    }
+
+    /// Whether the clock moves the mechanism.
+    pub(crate) fn animates(&self) -> bool {
+        self.playing && self.focused && self.study.is_some()
+    }
+
+    /// One step of the animation.
+    pub(crate) fn tick(&mut self) {
+        self.step(1);
+    }
+
+    /// Number of positions; 1 without a scene.
+    pub(crate) fn positions(&self) -> usize {
+        self.study.as_ref().map_or(1, Study::positions).max(1)
+    }
+
+    /// Moves by so many positions, round the cycle.
+    pub(crate) fn step(&mut self, by: isize) {
+        let count = isize::try_from(self.positions()).unwrap_or(isize::MAX);
+        let now = isize::try_from(self.position).unwrap_or(0);
+        self.position = usize::try_from((now + by).rem_euclid(count)).unwrap_or(0);
+    }
+
+    /// Goes to a position, and says so where there is none of that number.
+    pub(crate) fn go_to(&mut self, position: usize) {
+        if position < self.positions() {
+            self.position = position;
+        } else {
+            let last = self.positions() - 1;
+            self.say(Role::Bad, fill(self.texts.no_position, &[&position, &last]));
+        }
+    }
+
+    /// Shows one line until the next key.
+    pub(crate) fn say(&mut self, role: Role, text: impl Into<String>) {
+        self.message = Some((role, text.into()));
+    }
+
+    /// Takes what the worker found; tells whether the frame may differ.
+    pub(crate) fn take_report(&mut self, report: Report) -> bool {
+        match report {
+            Report::Opened(Ok(study)) => self.open(*study),
+            Report::Opened(Err(text)) => self.fault = Some(text),
+            Report::Preview(index, preview) => self.menu.keep(index, preview),
+        }
+        true
+    }
+
+    /// Shows a scene: a new one from its start, the same one again where it was.
+    fn open(&mut self, study: Study) {
+        let again = self.study.as_ref().is_some_and(|old| old.source == study.source);
+        if !again {
+            self.position = study.first_position();
+            self.chosen = Chosen::default();
+            self.zoom = Zoom::WHOLE;
+            self.view = View::Mechanism;
+        }
+        self.position = self.position.min(study.positions().saturating_sub(1));
+        self.chosen.transfer = self.chosen.transfer.min(study.transfers.len().saturating_sub(1));
+        self.chosen.group = self.chosen.group.min(study.linkage.structure.groups.len().saturating_sub(1));
+        self.chosen.column = self.chosen.column.min(study.series.len().saturating_sub(1));
+        self.fault = None;
+        self.study = Some(study);
+        if again {
+            self.say(Role::Good, self.texts.reloaded);
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! A scene that is open: its linkage, its positions, and what is drawn and tabulated of them.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use assur_group::Order;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{GROUND, Range};
+
+use super::draw::scale::Bounds;
+use super::quantities;
+use super::series::{Key, Series, Transfer};
+
+/// Where a scene is from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// A file.
+    File(PathBuf),
+    /// One of the shipped scenes, by its file name.
+    Shipped(&'static str),
+}
+
+impl Source {
+    /// The name that is shown.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Shipped(name) => (*name).to_owned(),
+        }
+    }
+}
+
+/// An open scene.
+#[derive(Debug)]
+pub(crate) struct Study {
+    pub(crate) source: Source,
+    pub(crate) linkage: Arc<Linkage>,
+    /// The solved positions, by number; `None` where there is no assembly.
+    pub(crate) poses: Vec<Option<Position>>,
+    /// Why a position has none.
+    pub(crate) failures: Vec<Option<String>>,
+    /// Paths of the points over the whole cycle, m; empty for points of the ground.
+    pub(crate) paths: Vec<Vec<[f64; 2]>>,
+    /// Least and greatest displacement of each slide, m.
+    pub(crate) strokes: Vec<[f64; 2]>,
+    /// All that the drawing covers over the whole cycle.
+    pub(crate) bounds: Bounds,
+    /// Every quantity over the positions.
+    pub(crate) series: Vec<Series>,
+    /// Those that come with two derivatives.
+    pub(crate) transfers: Vec<Transfer>,
+}
+
+/// Positions between the scene's own that make a path smooth.
+const PATH_POINTS: usize = 240;
+
+impl Study {
+    /// Reads and compiles a scene.
+    ///
+    /// # Errors
+    ///
+    /// The faults as text, complete with file and line.
+    pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
+        let name = source.name();
+        let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
+        let linkage = Linkage::compile(mechanism).map_err(|error| format!("error: {error}\n  {name}\n"))?;
+        Ok(Self::of(source, Arc::new(linkage)))
+    }
+
+    /// Solves all positions of a linkage.
+    pub(crate) fn of(source: Source, linkage: Arc<Linkage>) -> Self {
+        let (mut poses, mut failures) = (Vec::new(), Vec::new());
+        for index in 0..linkage.mechanism.input.positions {
+            let mut position = linkage.position();
+            let solved = linkage.solve_index(index, Order::Second, &mut position);
+            failures.push(solved.as_ref().err().map(ToString::to_string));
+            poses.push(solved.is_ok().then_some(position));
+        }
+        let fine = fine_positions(&linkage);
+        let paths = paths(&linkage, &fine);
+        let strokes = strokes(&linkage, &fine);
+        let bounds = bounds(&linkage, &fine, &paths, &strokes);
+        let (series, transfers) = quantities::of(&linkage, &poses);
+        Self { source, linkage, poses, failures, paths, strokes, bounds, series, transfers }
+    }
+
+    /// Number of positions.
+    pub(crate) fn positions(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// Whether the positions close a cycle: the first follows the last.
+    pub(crate) fn closed(&self) -> bool {
+        matches!(self.linkage.mechanism.input.range, Range::Cycle(_)) && self.failures.iter().all(Option::is_none)
+    }
+
+    /// The first position that exists, or 0.
+    pub(crate) fn first_position(&self) -> usize {
+        self.poses.iter().position(Option::is_some).unwrap_or(0)
+    }
+}
+
+/// Positions close together, for what is drawn of the whole cycle.
+fn fine_positions(linkage: &Linkage) -> Vec<Option<Position>> {
+    let input = &linkage.mechanism.input;
+    let (from, to) = match input.range {
+        Range::Cycle(cycle) => (input.from, input.from + input.direction.sign() * cycle),
+        Range::To(to) => (input.from, to),
+    };
+    (0..=PATH_POINTS)
+        .map(|i| {
+            let mut position = linkage.position();
+            let coordinate = from + (to - from) * i as f64 / PATH_POINTS as f64;
+            linkage.solve(coordinate, Order::Place, &mut position).is_ok().then_some(position)
+        })
+        .collect()
+}
+
+fn paths(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<Vec<[f64; 2]>> {
+    let points = &linkage.mechanism.points;
+    (0..points.len())
+        .map(|id| {
+            if points[id].places.iter().any(|place| place.link == GROUND) {
+                return Vec::new();
+            }
+            fine.iter().map(|p| p.as_ref().map_or([f64::NAN; 2], |p| linkage.point_motion(id, p).pf0)).collect()
+        })
+        .collect()
+}
+
+fn strokes(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<[f64; 2]> {
+    (0..linkage.mechanism.slides.len())
+        .map(|id| {
+            let displacements = fine.iter().flatten().map(|position| linkage.slide_motion(id, position).pf0);
+            displacements.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s), h.max(s)])
+        })
+        .collect()
+}
+
+fn bounds(
+    linkage: &Linkage,
+    fine: &[Option<Position>],
+    paths: &[Vec<[f64; 2]>],
+    strokes: &[[f64; 2]],
+) -> Bounds {
+    let mut bounds = Bounds::EMPTY;
+    for point in &linkage.mechanism.points {
+        point.places.iter().filter(|place| place.link == GROUND).for_each(|place| bounds.add(place.at));
+    }
+    paths.iter().flatten().for_each(|at| bounds.add(*at));
+    for (slide, &[low, high]) in linkage.mechanism.slides.iter().zip(strokes) {
+        for position in fine.iter().flatten().step_by(8) {
+            let body = &position.bodies[slide.on];
+            let (s, c) = slide.angle.sin_cos();
+            let (through, along) = (body.point(slide.through), body.turned([c, s]));
+            for d in [low, high] {
+                bounds.add([through[0] + d * along[0], through[1] + d * along[1]]);
+            }
+        }
+    }
+    bounds
+}
+
+impl Study {
+    /// Name of what a quantity belongs to.
+    pub(crate) fn name_of(&self, key: &Key) -> &str {
+        let mechanism = &self.linkage.mechanism;
+        match *key {
+            Key::Point(id) => &mechanism.points[id].name,
+            Key::Link(id) => &mechanism.links[id].name,
+            Key::Slide(id) => &mechanism.slides[id].name,
+        }
+    }
+}

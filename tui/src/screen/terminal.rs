@@ -1,0 +1,132 @@
+//! Taking the terminal, and giving it back on every way out.
+
+use std::io::{self, BufWriter, Stdout, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::time::Duration;
+
+use crossterm::cursor::Show;
+use crossterm::event::{DisableFocusChange, DisableMouseCapture, EnableFocusChange, EnableMouseCapture};
+use crossterm::style::ResetColor;
+use crossterm::terminal::{
+    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
+    disable_raw_mode, enable_raw_mode,
+};
+use crossterm::{execute, queue};
+use ratatui::backend::CrosstermBackend;
+use ratatui::{Frame, Terminal};
+
+/// Threads whose panics are caught and reported on the screen carry this name.
+pub(crate) const WORKER: &str = "assur-work";
+
+/// Bytes of a whole frame fit, so that a frame is one write.
+const FRAME_BYTES: usize = 1 << 16;
+/// How long a way out waits for a frame that is just being written.
+const PATIENCE: (usize, Duration) = (20, Duration::from_millis(10));
+
+static TAKEN: AtomicBool = AtomicBool::new(false);
+static MOUSE: AtomicBool = AtomicBool::new(false);
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// The terminal while the UI has it.
+pub(crate) struct Screen {
+    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+}
+
+impl Screen {
+    /// Takes the terminal: raw mode, alternate screen, and a panic hook that gives both back.
+    pub(crate) fn take(mouse: bool) -> io::Result<Self> {
+        MOUSE.store(mouse, Ordering::SeqCst);
+        hook_panics();
+        enter()?;
+        let out = BufWriter::with_capacity(FRAME_BYTES, io::stdout());
+        let terminal = Terminal::new(CrosstermBackend::new(out)).inspect_err(|_| give_back())?;
+        Ok(Self { terminal })
+    }
+
+    /// Draws one frame as one synchronized update.
+    pub(crate) fn draw(&mut self, paint: impl FnOnce(&mut Frame<'_>)) -> io::Result<()> {
+        let _writing = writing();
+        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
+        self.terminal.draw(paint)?;
+        queue!(self.terminal.backend_mut(), EndSynchronizedUpdate)?;
+        io::Write::flush(self.terminal.backend_mut())
+    }
+
+    /// Forgets what is on the terminal, so that the next frame is written whole.
+    pub(crate) fn forget(&mut self) -> io::Result<()> {
+        let _writing = writing();
+        self.terminal.clear()
+    }
+
+    /// Takes the terminal again after [`give_back`], or after the process was stopped behind our back.
+    pub(crate) fn retake(&mut self) -> io::Result<()> {
+        // Raw mode is remembered by crossterm; leaving it first makes it ask the terminal anew.
+        if TAKEN.load(Ordering::SeqCst) {
+            disable_raw_mode()?;
+        }
+        enter()?;
+        self.forget()
+    }
+}
+
+impl Drop for Screen {
+    fn drop(&mut self) {
+        give_back();
+    }
+}
+
+fn writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn enter() -> io::Result<()> {
+    enable_raw_mode()?;
+    TAKEN.store(true, Ordering::SeqCst);
+    execute!(io::stdout(), EnterAlternateScreen, EnableFocusChange)?;
+    if MOUSE.load(Ordering::SeqCst) {
+        execute!(io::stdout(), EnableMouseCapture)?;
+    }
+    Ok(())
+}
+
+/// Gives the terminal back; does nothing where it is not taken. Faults are of no use on a way out.
+pub(crate) fn give_back() {
+    if !TAKEN.swap(false, Ordering::SeqCst) {
+        return;
+    }
+    let mut out = io::stdout();
+    if MOUSE.load(Ordering::SeqCst) {
+        let _ = queue!(out, DisableMouseCapture);
+    }
+    let _ = queue!(out, EndSynchronizedUpdate, ResetColor, DisableFocusChange, LeaveAlternateScreen, Show);
+    let _ = out.flush();
+    let _ = disable_raw_mode();
+}
+
+/// [`give_back`] from another thread: lets a frame end first, but not forever.
+pub(crate) fn give_back_soon() {
+    for _ in 0..PATIENCE.0 {
+        match WRITING.try_lock() {
+            Err(TryLockError::WouldBlock) => std::thread::sleep(PATIENCE.1),
+            guard => {
+                give_back();
+                drop(guard);
+                return;
+            }
+        }
+    }
+    give_back();
+}
+
+/// A panic gives the terminal back before it is printed; one of a worker is caught and shown by the UI instead.
+fn hook_panics() {
+    let before = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        if std::thread::current().name() == Some(WORKER) {
+            return;
+        }
+        give_back();
+        before(info);
+    }));
+}

@@ -1,0 +1,96 @@
+//! Roles and their styles. Color is never the only sign: each role has a modifier or a word beside it.
+
+use ratatui::style::{Color, Modifier, Style};
+
+/// A palette.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Theme {
+    /// The 16 colors of the terminal, which follow its light or dark scheme.
+    Default,
+    /// No color at all.
+    Mono,
+    /// Okabe and Ito's palette, told apart by most color-blind readers.
+    OkabeIto,
+}
+
+/// What a style is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Role {
+    Plain,
+    Dim,
+    Header,
+    Tab,
+    Key,
+    Link,
+    Ground,
+    Chosen,
+    Trace,
+    Velocity,
+    Acceleration,
+    First,
+    Second,
+    Third,
+    Cursor,
+    Good,
+    Bad,
+    Bar,
+}
+
+impl Theme {
+    /// All, in the order of the key that changes them.
+    pub(crate) const ALL: [Self; 3] = [Self::Default, Self::Mono, Self::OkabeIto];
+
+    /// As `:set theme` names it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Default => "default",
+            Self::Mono => "mono",
+            Self::OkabeIto => "okabe-ito",
+        }
+    }
+
+    /// The style of a role.
+    pub(crate) fn style(self, role: Role) -> Style {
+        let style = Style::new().add_modifier(modifier(role));
+        match self {
+            Self::Mono => style,
+            Self::Default => ansi(role).map_or(style, |color| style.fg(color)),
+            Self::OkabeIto => okabe_ito(role).map_or(style, |color| style.fg(color)),
+        }
+    }
+}
+
+fn modifier(role: Role) -> Modifier {
+    match role {
+        Role::Header | Role::Key | Role::Bad => Modifier::BOLD,
+        Role::Tab | Role::Cursor | Role::Bar => Modifier::REVERSED,
+        Role::Chosen => Modifier::BOLD.union(Modifier::REVERSED),
+        _ => Modifier::empty(),
+    }
+}
+
+fn ansi(role: Role) -> Option<Color> {
+    match role {
+        Role::Dim | Role::Trace => Some(Color::DarkGray),
+        Role::Key | Role::First => Some(Color::Cyan),
+        Role::Velocity | Role::Good | Role::Second => Some(Color::Green),
+        Role::Acceleration | Role::Third => Some(Color::Magenta),
+        Role::Bad => Some(Color::Red),
+        Role::Link => Some(Color::Blue),
+        Role::Chosen => Some(Color::Yellow),
+        _ => None,
+    }
+}
+
+fn okabe_ito(role: Role) -> Option<Color> {
+    match role {
+        Role::Dim | Role::Trace => Some(Color::Indexed(245)),
+        Role::Key | Role::First => Some(Color::Rgb(86, 180, 233)),
+        Role::Velocity | Role::Second | Role::Good => Some(Color::Rgb(0, 158, 115)),
+        Role::Acceleration | Role::Third => Some(Color::Rgb(204, 121, 167)),
+        Role::Bad => Some(Color::Rgb(213, 94, 0)),
+        Role::Link => Some(Color::Rgb(0, 114, 178)),
+        Role::Chosen => Some(Color::Rgb(230, 159, 0)),
+        _ => None,
+    }
+}

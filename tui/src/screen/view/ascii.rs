@@ -1,0 +1,68 @@
+//! The last pass: nothing beyond ASCII leaves the program.
+
+use ratatui::buffer::Buffer;
+
+/// Replaces every character beyond ASCII by the nearest that there is.
+pub(crate) fn replace(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        if cell.symbol().is_ascii() {
+            continue;
+        }
+        let first = cell.symbol().chars().next().unwrap_or(' ');
+        cell.set_char(nearest(first));
+    }
+}
+
+/// The ASCII twin of a character.
+pub(crate) fn nearest(c: char) -> char {
+    match c {
+        c if c.is_ascii() => c,
+        '─' | '━' | '–' | '—' | '╌' => '-',
+        '│' | '┃' | '╎' => '|',
+        '┌' | '┐' | '└' | '┘' | '├' | '┤' | '┬' | '┴' | '┼' | '╭' | '╮' | '╰' | '╯' => '+',
+        '█' | '▀' | '▄' | '▌' | '▐' => '#',
+        '░' | '▒' | '▓' => ':',
+        '→' | '▶' => '>',
+        '←' | '◀' => '<',
+        '↑' | '▲' => '^',
+        '↓' | '▼' => 'v',
+        '╱' => '/',
+        '╲' => '\\',
+        '·' | '•' | '∙' => '.',
+        '°' => 'o',
+        '²' => '2',
+        '³' => '3',
+        '×' => 'x',
+        '−' => '-',
+        '…' => '.',
+        '’' | '‘' => '\'',
+        '“' | '”' => '"',
+        '\u{2801}'..='\u{28ff}' => '*',
+        '\u{2800}' => ' ',
+        other => cyrillic(other),
+    }
+}
+
+/// Cyrillic letters that look like Latin ones, as in the designations of motors; anything else is a question mark.
+fn cyrillic(c: char) -> char {
+    const TWINS: &str = "АAВBЕEКKМMНHОOРPСCТTУYХXаaеeоoрpсcуyхxіiІI";
+    let mut twins = TWINS.chars();
+    while let (Some(from), Some(to)) = (twins.next(), twins.next()) {
+        if from == c {
+            return to;
+        }
+    }
+    '?'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn designations_get_their_latin_twin() {
+        let latin: String = "4АА50А2У3".chars().map(nearest).collect();
+        assert_eq!(latin, "4AA50A2Y3");
+        assert!("─│┌█→╱·°²⣿ж漢".chars().map(nearest).all(|c| c.is_ascii()));
+    }
+}

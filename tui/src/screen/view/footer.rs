@@ -1,0 +1,91 @@
+//! The last two rows: a message or the `:` line, and the keys of this view.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::widgets::{Block, Clear, Widget};
+use unicode_width::UnicodeWidthStr;
+
+use super::put;
+use crate::screen::command::{COMMANDS, Command};
+use crate::screen::draw::raster::short;
+use crate::screen::state::State;
+use crate::screen::text::{Texts, fill};
+use crate::screen::theme::Role;
+
+/// Help and hint of a command.
+pub(crate) fn texts_of(texts: &Texts, name: &str) -> (&'static str, &'static str) {
+    texts.commands.iter().find(|(known, ..)| *known == name).map_or(("", ""), |(_, help, hint)| (help, hint))
+}
+
+/// Draws the footer.
+pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    if let Some(prompt) = &state.prompt {
+        let text = format!("{}{}", prompt.sign(), prompt.text);
+        // The end of a long line is what is being written.
+        let skip = text.chars().count().saturating_sub(usize::from(area.width).saturating_sub(2));
+        let text: String = text.chars().skip(skip).collect();
+        put(buffer, area, 0, 0, &text, theme.style(Role::Plain));
+        put(buffer, area, short(text.width()), 0, " ", theme.style(Role::Cursor));
+    } else if let Some(file) = &state.question {
+        let text = fill(state.texts.exists, &[&file.path.display()]);
+        put(buffer, area, 1, 0, &text, theme.style(Role::Bad));
+    } else if let Some((role, text)) = &state.message {
+        put(buffer, area, 1, 0, text, theme.style(*role));
+    } else if let Some(failure) = failure(state) {
+        put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
+    }
+    draw_hints(state, area, buffer);
+}
+
+/// Why this position, or else another one, has no assembly.
+fn failure(state: &State) -> Option<String> {
+    let study = state.study.as_ref().filter(|_| state.view != crate::screen::state::View::Menu)?;
+    let here = study.failures.get(state.position)?;
+    let text = here.as_ref().or_else(|| study.failures.iter().flatten().next())?;
+    let known = text.contains(state.texts.no_assembly);
+    Some(if known { text.clone() } else { format!("{}: {text}", state.texts.no_assembly) })
+}
+
+fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let mut column = 1;
+    let more = state.texts.keys_more;
+    let room = area.width.saturating_sub(short(more.width()) + 2);
+    for command in COMMANDS.iter().filter(|command| command.fits(state.view)) {
+        let (_, hint) = texts_of(state.texts, command.name);
+        let Some(key) = command.keys.first().filter(|_| !hint.is_empty()) else { continue };
+        let key = keys_of_hint(command, &key.name());
+        let width = short(key.width() + hint.width() + 3);
+        if column + width > room {
+            break;
+        }
+        put(buffer, area, column, 1, &key, theme.style(Role::Key));
+        put(buffer, area, column + short(key.width()) + 1, 1, hint, theme.style(Role::Plain));
+        column += width;
+    }
+    put(buffer, area, room, 1, more, theme.style(Role::Plain));
+}
+
+/// Pairs of opposite keys stand together: `Left/Right step`.
+fn keys_of_hint(command: &Command, key: &str) -> String {
+    match command.name {
+        "next-position" => "Left/Right".to_owned(),
+        "next-row" | "next-item" | "next-group" | "next-scene" => "Up/Down".to_owned(),
+        _ => key.to_owned(),
+    }
+}
+
+/// The faults of a scene that was not taken.
+pub(crate) fn draw_fault(state: &State, fault: &str, area: Rect, buffer: &mut Buffer) {
+    let lines = short(fault.lines().count());
+    let height = (lines + 2).min(area.height);
+    let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
+    Clear.render(place, buffer);
+    let block = Block::bordered().title(state.texts.fault_title).style(state.look.theme.style(Role::Plain));
+    let inner = block.inner(place);
+    block.render(place, buffer);
+    for (row, line) in fault.lines().enumerate() {
+        put(buffer, inner, 0, short(row), line, state.look.theme.style(Role::Plain));
+    }
+}

@@ -1,0 +1,99 @@
+//! The help: every command by group, with its keys; typing searches.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::widgets::{Block, Clear, Widget};
+
+use super::footer::texts_of;
+use super::put;
+use crate::screen::command::{COMMANDS, Command, Group};
+use crate::screen::draw::raster::short;
+use crate::screen::state::{Help, State};
+use crate::screen::theme::Role;
+
+const KEYS_AT: u16 = 2;
+const NAME_AT: u16 = 17;
+const HELP_AT: u16 = 36;
+
+/// One row of the help.
+enum Row {
+    Title(&'static str),
+    Command(&'static Command),
+    Text(&'static str),
+    Empty,
+}
+
+/// Draws the help over the body.
+pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+    let Some(help) = &state.help else { return };
+    let theme = state.look.theme;
+    Clear.render(area, buffer);
+    let search = if help.filter.is_empty() { state.texts.help_filter.to_owned() } else { format!("/{}", help.filter) };
+    let block = Block::bordered().title(state.texts.help_title).title_bottom(search);
+    let inner = block.inner(area);
+    block.render(area, buffer);
+    let rows = rows(state, help);
+    for (line, row) in rows.iter().skip(help.scroll).take(usize::from(inner.height)).enumerate() {
+        let line = short(line);
+        match row {
+            Row::Title(title) => put(buffer, inner, 0, line, title, theme.style(Role::Header)),
+            Row::Text(text) => put(buffer, inner, 0, line, text, theme.style(Role::Plain)),
+            Row::Empty => {}
+            Row::Command(command) => {
+                put(buffer, inner, KEYS_AT, line, &keys(command), theme.style(Role::Key));
+                put(buffer, inner, NAME_AT, line, command.name, theme.style(Role::Plain));
+                put(buffer, inner, HELP_AT, line, texts_of(state.texts, command.name).0, theme.style(Role::Plain));
+            }
+        }
+    }
+    let shown = help.scroll + usize::from(inner.height);
+    if rows.len() > shown || help.scroll > 0 {
+        let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
+        put(buffer, area, area.width.saturating_sub(short(text.len()) + 2), 0, &text, theme.style(Role::Plain));
+    }
+}
+
+/// Keys of a command: `Right l`.
+fn keys(command: &Command) -> String {
+    command.keys.iter().map(|key| key.name()).collect::<Vec<_>>().join(" ")
+}
+
+fn rows(state: &State, help: &Help) -> Vec<Row> {
+    let wanted = help.filter.to_lowercase();
+    let fits = |command: &&Command| {
+        let (text, _) = texts_of(state.texts, command.name);
+        wanted.is_empty()
+            || command.name.contains(&wanted)
+            || text.to_lowercase().contains(&wanted)
+            || keys(command).to_lowercase().contains(&wanted)
+    };
+    let mut rows = Vec::new();
+    for group in Group::ALL {
+        let of_group: Vec<_> = COMMANDS.iter().filter(|command| command.group == group).filter(fits).collect();
+        if of_group.is_empty() {
+            continue;
+        }
+        rows.push(Row::Title(title(state, group)));
+        rows.extend(of_group.into_iter().map(Row::Command));
+        rows.push(Row::Empty);
+    }
+    rows.push(Row::Text(state.texts.help_linear));
+    rows
+}
+
+fn title(state: &State, group: Group) -> &'static str {
+    match group {
+        Group::Move => state.texts.group_move,
+        Group::Choose => state.texts.group_choose,
+        Group::Views => state.texts.group_view,
+        Group::Look => state.texts.group_look,
+        Group::Program => state.texts.group_program,
+    }
+}
+
+/// The farthest that the help can be scrolled.
+pub(crate) fn last_scroll(state: &State) -> usize {
+    let Some(help) = &state.help else { return 0 };
+    // Two rows of header, two of footer, two of border.
+    rows(state, help).len().saturating_sub(usize::from(state.size.1.saturating_sub(6)))
+}

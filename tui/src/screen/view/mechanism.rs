@@ -1,0 +1,137 @@
+//! The mechanism to scale, with names, paths and arrows.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::Style;
+
+use super::panel;
+use crate::screen::draw::plot::{Pen, arrow, draw_figure, names};
+use crate::screen::draw::label::Labels;
+use crate::screen::draw::raster::{Raster, Stroke, whole};
+use crate::screen::draw::scale::Scale;
+use crate::screen::number::plain;
+use crate::screen::series::Key;
+use crate::screen::state::{Arrows, State, Traces};
+use crate::screen::study::Study;
+use crate::screen::theme::Role;
+
+/// Columns of the numbers beside the drawing.
+const PANEL: u16 = 26;
+/// Longest arrow, in parts of the smaller side of the drawing.
+const LONGEST: f64 = 0.3;
+
+/// Draws the view.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let [drawing, beside] = Layout::horizontal([Constraint::Min(0), Constraint::Length(PANEL)]).areas(area);
+    picture(state, study, state.position, drawing, &[], buffer);
+    panel::draw(state, study, beside, buffer);
+}
+
+/// The drawing alone; the links in `marked` stand out.
+pub(crate) fn picture(
+    state: &State,
+    study: &Study,
+    position: usize,
+    area: Rect,
+    marked: &[usize],
+    buffer: &mut Buffer,
+) {
+    let scale = Scale::fit(study.bounds, area, state.look.ratio, state.zoom);
+    let mut raster = Raster::new(area, state.look.marker);
+    let mut labels = Labels::new(area);
+    traces(state, study, &scale, &mut raster);
+    let pose = study.poses.get(position).and_then(Option::as_ref);
+    let mut pen = Pen { scale: &scale, raster: &mut raster, labels: &mut labels, look: state.look };
+    if let Some(pose) = pose {
+        draw_figure(&mut pen, study, pose, marked);
+        arrows(state, study, pose, area, &mut pen);
+        names(&mut pen, study, pose);
+    }
+    raster.paint(area, buffer);
+    labels.write(&raster, buffer);
+    scale_bar(state, &scale, area, buffer);
+}
+
+fn traces(state: &State, study: &Study, scale: &Scale, raster: &mut Raster) {
+    let chosen = chosen_point(state, study);
+    let style = state.look.theme.style(Role::Trace);
+    for (id, path) in study.paths.iter().enumerate() {
+        let wanted = match state.traces {
+            Traces::All => true,
+            Traces::Chosen => chosen == Some(id),
+            Traces::None => false,
+        };
+        if wanted {
+            let cells: Vec<[f64; 2]> = path.iter().map(|at| scale.cell(*at)).collect();
+            raster.polyline(&cells, Stroke::Dotted(2), style);
+        }
+    }
+}
+
+/// The point that is chosen, if a point is.
+pub(crate) fn chosen_point(state: &State, study: &Study) -> Option<usize> {
+    match study.transfers.get(state.chosen.transfer)?.key {
+        Key::Point(id) => Some(id),
+        _ => None,
+    }
+}
+
+fn arrows(
+    state: &State,
+    study: &Study,
+    pose: &assur_kinematics::Position,
+    area: Rect,
+    pen: &mut Pen<'_>,
+) {
+    let theme = state.look.theme;
+    let of = |velocity: bool| match state.arrows {
+        Arrows::None => false,
+        Arrows::Velocity => velocity,
+        Arrows::Acceleration => !velocity,
+        Arrows::Both => true,
+    };
+    for (wanted, order, role) in [(of(true), 1, Role::Velocity), (of(false), 2, Role::Acceleration)] {
+        let Some(unit) = arrow_unit(state, study, area, order).filter(|_| wanted) else { continue };
+        for id in 0..study.linkage.mechanism.points.len() {
+            let motion = study.linkage.point_motion(id, pose);
+            let v = if order == 1 { motion.pf1 } else { motion.pf2 };
+            arrow(pen, motion.pf0, v, unit, theme.style(role));
+        }
+    }
+}
+
+/// Cells (widths) that an arrow of 1 m/rad (m/rad²) is long; the same in all positions, so that lengths compare.
+pub(crate) fn arrow_unit(state: &State, study: &Study, area: Rect, order: usize) -> Option<f64> {
+    let most = study
+        .transfers
+        .iter()
+        .filter(|transfer| matches!(transfer.key, Key::Point(_)))
+        .flat_map(|transfer| &study.series[transfer.orders[order]].values)
+        .filter(|value| value.is_finite())
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let side = f64::from(area.width).min(f64::from(area.height) * state.look.ratio);
+    (most > 0.0).then(|| LONGEST * side / most)
+}
+
+/// `|----| 100 mm` in the lower left corner.
+fn scale_bar(state: &State, scale: &Scale, area: Rect, buffer: &mut Buffer) {
+    if area.height < 2 {
+        return;
+    }
+    let length = round_length(12.0 * scale.meters);
+    let cells = (length / scale.meters).round();
+    let dashes = "-".repeat(whole(cells.clamp(2.0, 40.0)).saturating_sub(1));
+    let text = format!("|{dashes}| {} mm", plain(1e3 * length));
+    let style: Style = state.look.theme.style(Role::Dim);
+    super::put(buffer, area, 0, area.height - 1, &text, style);
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
+pub(crate) fn round_length(most: f64) -> f64 {
+    if !(most.is_finite() && most > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(most.log10().floor());
+    let times = [5.0, 2.0, 1.0].into_iter().find(|times| times * power <= most);
+    times.unwrap_or(1.0) * power
+}

@@ -1,0 +1,82 @@
+//! Views: pure functions from the state to a frame.
+
+pub(crate) mod ascii;
+pub(crate) mod curves;
+pub(crate) mod footer;
+pub(crate) mod header;
+pub(crate) mod help;
+pub(crate) mod mechanism;
+pub(crate) mod menu;
+pub(crate) mod panel;
+pub(crate) mod structure;
+pub(crate) mod table;
+
+use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
+use ratatui::Frame;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::Style;
+
+use super::state::{State, View};
+use super::text::fill;
+
+/// Smallest terminal that holds the views.
+const LEAST: (u16, u16) = (80, 24);
+
+/// Draws the whole frame.
+pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
+    let area = frame.area();
+    let buffer = frame.buffer_mut();
+    if area.width < LEAST.0 || area.height < LEAST.1 {
+        let text = fill(state.texts.needs, &[&LEAST.0, &LEAST.1, &area.width, &area.height]);
+        put(buffer, area, 0, 0, &text, Style::new());
+    } else {
+        let [header, body, footer] = parts(area);
+        header::draw(state, header, buffer);
+        draw_view(state, body, buffer);
+        footer::draw(state, footer, buffer);
+        if state.help.is_some() {
+            help::draw(state, body, buffer);
+        } else if let Some(fault) = &state.fault {
+            footer::draw_fault(state, fault, body, buffer);
+        }
+    }
+    if state.look.ascii {
+        ascii::replace(buffer);
+    }
+}
+
+/// Header, body, footer.
+fn parts(area: Rect) -> [Rect; 3] {
+    Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
+}
+
+fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
+    match (state.view, &state.study) {
+        (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
+        (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),
+        (View::Structure, Some(study)) => structure::draw(state, study, area, buffer),
+        (View::Table, Some(study)) => table::draw(state, study, area, buffer),
+        (View::Menu, _) | (_, None) => menu::draw(state, area, buffer),
+    }
+}
+
+/// A click chooses a position on a chart; tells whether the frame may differ.
+pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
+    let pressed = matches!(mouse.kind, MouseEventKind::Down(MouseButton::Left) | MouseEventKind::Drag(MouseButton::Left));
+    if !pressed || state.view != View::Curves {
+        return false;
+    }
+    let body = parts(Rect::new(0, 0, state.size.0, state.size.1))[1];
+    match curves::position_at(state, body, mouse.column) {
+        Some(position) => std::mem::replace(&mut state.position, position) != position,
+        None => false,
+    }
+}
+
+/// Writes a text into an area, cut at its right edge; outside nothing happens.
+pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
+    if row < area.height && column < area.width {
+        buffer.set_stringn(area.x + column, area.y + row, text, usize::from(area.width - column), style);
+    }
+}

@@ -1,0 +1,79 @@
+//! The numbers beside the drawing: coordinate, speed, the chosen quantity, every link and slide.
+
+use assur_mechanism::Motion;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{mechanism, put};
+use crate::screen::draw::raster::short;
+use crate::screen::number::{digits, plain};
+use crate::screen::state::State;
+use crate::screen::study::Study;
+use crate::screen::theme::Role;
+
+/// Draws the panel.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let lines = lines(state, study, area);
+    for (row, (role, text)) in lines.iter().enumerate() {
+        put(buffer, area, 1, short(row), text, state.look.theme.style(*role));
+    }
+}
+
+fn lines(state: &State, study: &Study, area: Rect) -> Vec<(Role, String)> {
+    let mut lines = Vec::new();
+    let texts = state.texts;
+    lines.push((Role::Plain, format!("{} {}", texts.coordinate, study.series[0].show(state.position))));
+    if let Some(Motion::Prescribed { speed, .. }) = study.linkage.mechanism.motion {
+        let unit = if study.linkage.angular() { "rad/s" } else { "m/s" };
+        lines.push((Role::Plain, format!("{} {} {unit}", texts.speed, digits(speed, 5))));
+    }
+    if study.failures.get(state.position).is_some_and(Option::is_some) {
+        lines.push((Role::Bad, texts.no_assembly_here.to_owned()));
+        return lines;
+    }
+    lines.push((Role::Plain, String::new()));
+    chosen(state, study, &mut lines);
+    arrow_scale(state, study, area, &mut lines);
+    lines
+}
+
+/// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others as far as there is room.
+fn chosen(state: &State, study: &Study, lines: &mut Vec<(Role, String)>) {
+    let Some(transfer) = study.transfers.get(state.chosen.transfer) else { return };
+    lines.push((Role::Header, transfer.name.clone()));
+    for (order, index) in transfer.orders.into_iter().enumerate() {
+        lines.push((Role::Plain, format!(" PF{order} {}", study.series[index].show(state.position))));
+    }
+    lines.push((Role::Plain, String::new()));
+    for other in &study.transfers {
+        if other.name != transfer.name {
+            let series = &study.series[other.orders[0]];
+            lines.push((Role::Plain, format!("{} {}", series.short, series.show(state.position))));
+        }
+    }
+}
+
+/// What an arrow of a round length means.
+fn arrow_scale(state: &State, study: &Study, area: Rect, lines: &mut Vec<(Role, String)>) {
+    use crate::screen::state::Arrows;
+    let unit = if study.linkage.angular() { "rad" } else { "m" };
+    let kinds = match state.arrows {
+        Arrows::None => &[][..],
+        Arrows::Velocity => &[(1, Role::Velocity)],
+        Arrows::Acceleration => &[(2, Role::Acceleration)],
+        Arrows::Both => &[(1, Role::Velocity), (2, Role::Acceleration)],
+    };
+    let keep = usize::from(area.height).saturating_sub(kinds.len() + 1);
+    lines.truncate(keep);
+    while lines.len() < keep {
+        lines.push((Role::Plain, String::new()));
+    }
+    let drawing = Rect { width: state.size.0.saturating_sub(area.width), ..area };
+    for &(order, role) in kinds {
+        let Some(cells) = mechanism::arrow_unit(state, study, drawing, order) else { continue };
+        let round = mechanism::round_length(8.0 / cells);
+        let dashes = "-".repeat(crate::screen::draw::raster::whole((round * cells).clamp(1.0, 12.0)));
+        let (name, power) = if order == 1 { (state.texts.velocity_by, "") } else { (state.texts.acceleration_by, "2") };
+        lines.push((role, format!("{name} {dashes}> {} m/{unit}{power}", plain(round))));
+    }
+}

@@ -1,0 +1,83 @@
+//! Formula, groups as a tree, and the chosen group marked in the drawing.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::{mechanism, put};
+use crate::screen::draw::raster::short;
+use crate::screen::number::plain;
+use crate::screen::state::State;
+use crate::screen::study::Study;
+use crate::screen::text::fill;
+use crate::screen::theme::Role;
+
+/// Draws the view.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let [top, rest] = Layout::vertical([Constraint::Length(3), Constraint::Min(0)]).areas(area);
+    let [tree, drawing] = Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest);
+    let theme = state.look.theme;
+    let structure = &study.linkage.structure;
+    put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
+    let w = &structure.mobility;
+    let mobility = fill(state.texts.mobility, &[&w.moving_links, &w.pairs, &w.value]);
+    let class = fill(state.texts.class_of, &[&assur_structure::roman(structure.class())]);
+    put(buffer, top, 1, 1, &format!("{mobility};  {class}"), theme.style(Role::Plain));
+    let lines = lines(state, study);
+    let first = lines.iter().position(|line| line.0).unwrap_or(0);
+    let height = usize::from(tree.height);
+    let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
+    for (row, (chosen, text)) in lines.iter().skip(skip).take(height).enumerate() {
+        let style = theme.style(if *chosen { Role::Cursor } else { Role::Plain });
+        let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
+        put(buffer, wide, 1, short(row), text, style);
+    }
+    let marked = structure.groups.get(state.chosen.group).map_or(&[][..], |group| &group.frame.links);
+    mechanism::picture(state, study, state.position, drawing, marked, buffer);
+}
+
+/// The tree; the heading of the chosen group is flagged, and only that group is open.
+fn lines(state: &State, study: &Study) -> Vec<(bool, String)> {
+    let (linkage, texts) = (&study.linkage, state.texts);
+    let mechanism = &linkage.mechanism;
+    let input = &mechanism.links[mechanism.input.link].name;
+    let pair = match mechanism.input.pair {
+        assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
+        assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
+    };
+    let mut lines = vec![(false, fill(texts.input_link, &[input, pair]))];
+    for (index, group) in linkage.structure.groups.iter().enumerate() {
+        let chosen = index == state.chosen.group;
+        let sign = if chosen { "> " } else { "  " };
+        lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
+        if chosen {
+            lines.extend(details(state, study, group, index).into_iter().map(|line| (false, format!("     {line}"))));
+        }
+    }
+    lines
+}
+
+fn details(state: &State, study: &Study, group: &assur_structure::Group, index: usize) -> Vec<String> {
+    let (linkage, texts) = (&study.linkage, state.texts);
+    let links: Vec<&str> =
+        group.frame.links.iter().map(|&link| linkage.mechanism.links[link].name.as_str()).collect();
+    let names = |pairs: &[assur_group::Pair]| {
+        let names: Vec<&str> =
+            pairs.iter().map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id)).collect();
+        names.join(", ")
+    };
+    let mut lines = vec![
+        fill(texts.class_and_order, &[&assur_structure::roman(group.class), &group.plugin.number, &group.order]),
+        fill(texts.links_of, &[&links.join(", ")]),
+        fill(texts.inner_pairs, &[&names(&group.frame.inner)]),
+        fill(texts.outer_pairs, &[&names(&group.frame.outer)]),
+    ];
+    if let Some(Some(pose)) = study.poses.get(state.position) {
+        let way = linkage.ways.at(pose.coordinate)[index];
+        lines.push(fill(texts.ways, &[&way, &linkage.groups()[index].ways()]));
+        lines.push(fill(texts.health, &[&plain(pose.health[index].abs())]));
+    }
+    lines.push(fill(texts.plugin, &[&group.plugin.name, &group.plugin.crate_name]));
+    lines.push(fill(texts.source, &[&group.plugin.source]));
+    lines.push(fill(texts.singular, &[&group.plugin.singular]));
+    lines
+}
