@@ -48,6 +48,8 @@ pub struct InputReport {
     pub link: String,
     /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
     pub angular: bool,
+    /// Whether the balancing load is a moment (N m), otherwise a force (N).
+    pub balancing_is_moment: bool,
 }
 
 /// A position that has no solution, or only a part of one.

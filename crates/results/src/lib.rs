@@ -4,13 +4,18 @@
 //! touch no file. Everything is SI, angles in rad; only the text report converts (degrees, millimeters).
 
 mod analysis;
+pub mod csv;
 mod dynamics;
+mod fold;
+pub mod json;
 mod named;
 mod position;
 mod structure;
+pub mod text;
 
 pub use analysis::{Analysis, CheckRow, Failure, InputReport, Trajectory};
 pub use dynamics::{Dynamics, MotorReport};
+pub use fold::to_ascii;
 pub use named::Named;
 pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
 pub use structure::{GroupReport, StructureReport};

@@ -1,0 +1,19 @@
+//! Runs the plan of a scene: position after position, from transfer functions to named reactions.
+//!
+//! [`Study::of`] takes a mechanism apart, plans and compiles it; [`Study::analyze`] calculates everything that the scene
+//! asks for. Knows no concrete plugin, no file and no terminal.
+
+mod angles;
+mod error;
+mod forces;
+mod motions;
+mod names;
+mod run;
+mod structure;
+mod study;
+
+pub use error::AnalysisError;
+pub use study::{DEFAULT_ANALYZER, DEFAULT_INTEGRATOR, Options, Study, methods};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,150 @@
+//! Position after position.
+
+use std::sync::Arc;
+
+use assur_force::State;
+use assur_kinematics::{Linkage, Position, PositionError};
+use assur_mechanism::Balance;
+use assur_results::{Analysis, Failure, InputReport, Named, PositionResult, Reduced};
+
+use crate::Study;
+use crate::angles::Angles;
+use crate::forces::Forces;
+use crate::names::Names;
+use crate::{motions, structure};
+
+impl Study {
+    /// Calculates everything that the scene asks for. A position without a solution is told among the failures, with what
+    /// could still be calculated there.
+    pub fn analyze(&self) -> Analysis {
+        let mechanism = &self.linkage.mechanism;
+        let mut run = Run::new(self);
+        for index in 0..mechanism.input.positions {
+            run.position(index);
+        }
+        Analysis {
+            format: Analysis::FORMAT,
+            title: mechanism.title.clone(),
+            input: InputReport {
+                link: mechanism.links[mechanism.input.link].name.clone(),
+                angular: self.linkage.angular(),
+                balancing_is_moment: match mechanism.balance {
+                    Some(balance) => matches!(balance, Balance::Moment(_)),
+                    None => self.linkage.angular(),
+                },
+            },
+            structure: structure::report(&self.linkage, !self.plan.is_partial()),
+            positions: run.positions,
+            failures: run.failures,
+            trajectory: Vec::new(),
+            dynamics: None,
+            checks: Vec::new(),
+        }
+    }
+}
+
+/// One run over the positions.
+struct Run<'a> {
+    study: &'a Study,
+    names: Names,
+    groups: Vec<Arc<str>>,
+    angles: Angles,
+    forces: Option<Forces<'a>>,
+    position: Position,
+    positions: Vec<PositionResult>,
+    failures: Vec<Failure>,
+}
+
+impl<'a> Run<'a> {
+    fn new(study: &'a Study) -> Self {
+        let linkage = &study.linkage;
+        let forces = match (&study.loads, study.analyzer) {
+            (Some(loads), Some(analyzer)) => Some(Forces::new(linkage, loads, analyzer)),
+            _ => None,
+        };
+        Self {
+            study,
+            names: Names::of(&linkage.mechanism),
+            groups: (0..linkage.structure.groups.len()).map(|index| index.to_string().into()).collect(),
+            angles: Angles::new(linkage),
+            forces,
+            position: linkage.position(),
+            positions: Vec::with_capacity(linkage.mechanism.input.positions),
+            failures: Vec::new(),
+        }
+    }
+
+    fn position(&mut self, index: usize) {
+        let linkage = &self.study.linkage;
+        if let Err(error) = linkage.solve_index(index, self.study.plan.order, &mut self.position) {
+            self.fail(index, error.coordinate, &error);
+            return;
+        }
+        let mut result = self.motion(linkage, index);
+        let state = State::prescribed(&linkage.mechanism, self.position.coordinate);
+        if let (true, Some(loads)) = (self.study.plan.reduction, &self.study.loads) {
+            let found = loads.reduced(&state, &self.position.bodies);
+            result.reduced = Some(Reduced {
+                inertia: found.inertia,
+                inertia_derivative: found.inertia_derivative,
+                moment: found.moment,
+            });
+        }
+        if let Some(forces) = &mut self.forces {
+            match forces.solve(&state, &self.position, &self.study.plan.wanted, &self.names) {
+                Ok((reactions, balancing)) => {
+                    result.reactions = reactions;
+                    result.balancing = Some(balancing);
+                }
+                Err(error) => {
+                    let message = format!("position {index}: {error}");
+                    self.failures.push(Failure { index, coordinate: result.coordinate, message });
+                }
+            }
+        }
+        self.positions.push(result);
+    }
+
+    fn fail(&mut self, index: usize, coordinate: f64, error: &PositionError) {
+        self.failures.push(Failure { index, coordinate, message: error.to_string() });
+    }
+
+    /// Places, transfer functions, rates and condition.
+    fn motion(&mut self, linkage: &Linkage, index: usize) -> PositionResult {
+        let (plan, position) = (&self.study.plan, &self.position);
+        let angles = self.angles.follow(linkage, position);
+        let links = motions::links(linkage, &plan.wanted, &self.names, position, angles);
+        let points = motions::points(linkage, &plan.wanted, &self.names, position);
+        let slides = motions::slides(linkage, &plan.wanted, &self.names, position);
+        let moves = linkage.mechanism.motion.is_some();
+        let state = State::prescribed(&linkage.mechanism, position.coordinate);
+        let rates = |second| {
+            let all = (&links, &points, &slides);
+            plan.velocities.then(|| motions::rates(all, state.speed, state.acceleration, second))
+        };
+        PositionResult {
+            index,
+            coordinate: position.coordinate,
+            speed: moves.then_some(state.speed),
+            acceleration: moves.then_some(state.acceleration),
+            velocities: rates(false),
+            accelerations: rates(true),
+            reduced: None,
+            reactions: None,
+            balancing: None,
+            condition: self.condition(),
+            links,
+            points,
+            slides,
+        }
+    }
+
+    /// 1 / |health| of the groups that are solved; a group in a singular position has none that is a number.
+    fn condition(&self) -> Named<f64> {
+        let healths = self.groups.iter().zip(&self.position.health).zip(&self.study.plan.groups_needed);
+        healths
+            .filter(|((_, health), needed)| **needed && health.abs() > f64::MIN_POSITIVE)
+            .map(|((name, health), _)| (Arc::clone(name), 1.0 / health.abs()))
+            .collect()
+    }
+}

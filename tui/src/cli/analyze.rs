@@ -1,0 +1,48 @@
+//! `assur analyze`.
+
+use assur_results::{Analysis, Failure, csv, json};
+
+use super::args::{AnalyzeArgs, Format};
+use super::fault::{Fault, Status};
+use super::style::Style;
+use super::{output, scene};
+
+/// Failures that are told in full.
+const MOST: usize = 3;
+
+pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
+    if args.format == Format::Csv && args.output.is_none() {
+        return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
+    }
+    let study = scene::study(&args.scene, style)?;
+    let analysis = study.analyze();
+    let target = args.output.as_deref();
+    match (args.format, target) {
+        (Format::Json, _) => {
+            let text = json::to_json(&analysis, style.ascii_data).map_err(Fault::other)?;
+            output::print_or_write(&text, target)?;
+        }
+        (Format::Csv, Some(folder)) => {
+            let files = csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?;
+            output::write_folder(folder, &files)?;
+        }
+        (Format::Text | Format::Csv, _) => {
+            let text = assur_results::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            output::print_or_write(&text, target)?;
+        }
+    }
+    tell_failures(&analysis, style);
+    Ok(if analysis.failures.is_empty() { Status::Done } else { Status::Failed })
+}
+
+/// Positions without a solution go to standard error, the first ones in full.
+fn tell_failures(analysis: &Analysis, style: Style) {
+    for Failure { message, .. } in analysis.failures.iter().take(MOST) {
+        style.tell(&format!("error: {message}"));
+    }
+    if analysis.failures.len() > MOST {
+        let rest: Vec<_> =
+            analysis.failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
+        style.tell(&format!("error: no solution in {} more positions: {}", rest.len(), rest.join(", ")));
+    }
+}

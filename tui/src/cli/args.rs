@@ -1,0 +1,115 @@
+//! Commands and options.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Planar linkages by Assur groups: positions, transfer functions, reactions, with checks.
+#[derive(Debug, Parser)]
+#[command(name = "assur", version, args_conflicts_with_subcommands = true, max_term_width = 100)]
+#[command(
+    after_help = "Exit status: 0 done; 1 no assembly, no solution, or a check that fails; 2 bad scene or usage."
+)]
+pub(crate) struct Cli {
+    /// Scene to open in the terminal UI; without a terminal, prints what `analyze` prints
+    pub(crate) scene: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) methods: MethodArgs,
+    /// Print no character beyond ASCII (the default where the locale is not UTF-8)
+    #[arg(long, global = true)]
+    pub(crate) ascii: bool,
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+/// What is done.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Calculate everything that a scene asks for
+    Analyze(AnalyzeArgs),
+    /// Run every check on a scene, one line each
+    Check(SceneArgs),
+    /// Tell what is modelled, what is left out and why, and which method each stage uses
+    Explain(SceneArgs),
+    /// List every registered group, force analyzer, integrator and catalogue
+    Plugins,
+    /// List motors of the catalogues
+    Motors(MotorArgs),
+    /// Write a commented starter scene that runs
+    New {
+        /// File to write; must not exist
+        file: PathBuf,
+    },
+    /// Print a completion script for a shell
+    #[command(display_order = 100)]
+    Completions {
+        /// Which shell
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page
+    #[command(display_order = 101)]
+    Man,
+}
+
+/// Methods by name.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct MethodArgs {
+    /// Force analyzer (see `assur plugins`)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) analyzer: Option<String>,
+    /// Integrator (see `assur plugins`)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) integrator: Option<String>,
+}
+
+/// A scene and methods.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct SceneArgs {
+    /// Scene file
+    pub(crate) scene: PathBuf,
+    #[command(flatten)]
+    pub(crate) methods: MethodArgs,
+}
+
+/// Arguments of `analyze`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct AnalyzeArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Form of the results
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// Write to this file (csv: into this folder) instead of standard output
+    #[arg(short, long, value_name = "FILE_OR_FOLDER")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// Form of results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Tables to read
+    Text,
+    /// One JSON object, SI units, all digits
+    Json,
+    /// Files positions.csv, reactions.csv, trajectory.csv (those that apply) in a folder
+    Csv,
+}
+
+/// Arguments of `motors`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct MotorArgs {
+    /// Only this catalogue
+    #[arg(long, value_name = "NAME")]
+    pub(crate) catalogue: Option<String>,
+    /// Least rated power, for example "1.1 kW"
+    #[arg(long, value_name = "POWER")]
+    pub(crate) min_power: Option<String>,
+    /// Greatest rated power
+    #[arg(long, value_name = "POWER")]
+    pub(crate) max_power: Option<String>,
+    /// Number of poles
+    #[arg(long, value_name = "N")]
+    pub(crate) poles: Option<u32>,
+    /// Only designations that contain this
+    pub(crate) designation: Option<String>,
+}

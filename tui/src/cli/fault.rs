@@ -1,0 +1,77 @@
+//! What ends a command.
+
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Status {
+    /// All is well.
+    Done,
+    /// No assembly, no solution, or a check that fails.
+    Failed,
+    /// A bad scene or usage.
+    Bad,
+    /// As the terminal UI says.
+    Code(u8),
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Done => Self::SUCCESS,
+            Status::Failed => Self::from(1),
+            Status::Bad => Self::from(2),
+            Status::Code(code) => Self::from(code),
+        }
+    }
+}
+
+/// Why a command could not do its work; all end with status 2, but a reader that went away with 0.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Fault {
+    /// The reader of standard output has gone (`| head`): nothing to tell, nobody to tell it to.
+    #[error("the reader of the output has gone")]
+    Reader,
+    /// A file can't be read.
+    #[error("error: {}: {problem}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A file can't be written; what was there is untouched.
+    #[error("error: can't write {}: {problem}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        problem: String,
+    },
+    /// Standard output refuses.
+    #[error("error: can't write to standard output: {0}")]
+    Stdout(io::Error),
+    /// The faults of a scene, ready to print.
+    #[error("{0}")]
+    Scene(String),
+    /// Anything else, in words.
+    #[error("error: {0}")]
+    Other(String),
+    /// The terminal UI could not open.
+    #[error("{0}")]
+    Screen(#[from] crate::screen::ScreenError),
+}
+
+impl Fault {
+    /// A fault in words.
+    pub(crate) fn other(what: impl ToString) -> Self {
+        Self::Other(what.to_string())
+    }
+
+    /// From writing to standard output.
+    pub(crate) fn stdout(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe { Self::Reader } else { Self::Stdout(error) }
+    }
+}

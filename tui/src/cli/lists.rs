@@ -1,0 +1,73 @@
+//! `assur plugins` and `assur motors`.
+
+use assur_motor::{Motor, MotorFilter, catalogues, list_motors, rpm};
+use assur_results::text::columns;
+use assur_scene::{Dimension, quantity};
+
+use super::args::MotorArgs;
+use super::fault::{Fault, Status};
+use super::output;
+use super::style::Style;
+
+/// Every registered plugin: kind, name, crate, one line.
+pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
+    let mut rows = vec![["sort", "name", "crate", "what"].map(String::from).to_vec()];
+    let mut add = |sort: &str, name: &str, crate_name: &str, summary: &str| {
+        rows.push([sort, name, crate_name, summary].map(String::from).to_vec());
+    };
+    for plugin in assur_group::groups().map_err(Fault::other)? {
+        add("group", plugin.name, plugin.crate_name, plugin.summary);
+    }
+    for plugin in assur_force::analyzers().map_err(Fault::other)? {
+        add("force analyzer", plugin.name, plugin.crate_name, plugin.summary);
+    }
+    for plugin in assur_integrator::integrators().map_err(Fault::other)? {
+        add("integrator", plugin.name, plugin.crate_name, plugin.summary);
+    }
+    for plugin in catalogues().map_err(Fault::other)? {
+        add("catalogue", plugin.name, plugin.crate_name, plugin.summary);
+    }
+    output::print(&columns(&rows, 0, style.ascii))?;
+    Ok(Status::Done)
+}
+
+/// Rows of the motor catalogues.
+pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
+    let filter = MotorFilter {
+        catalogue: args.catalogue.clone(),
+        min_power: args.min_power.as_deref().map(power).transpose()?,
+        max_power: args.max_power.as_deref().map(power).transpose()?,
+        poles: args.poles,
+        designation: args.designation.clone(),
+    };
+    let all = catalogues().map_err(Fault::other)?;
+    let motors = list_motors(&all, &filter).map_err(Fault::other)?;
+    let header = ["catalogue", "motor", "poles", "kW", "sync rpm", "rpm", "Mmax/Mn", "J kg m^2", "remarks"];
+    let mut rows = vec![header.map(String::from).to_vec()];
+    rows.extend(motors.iter().map(|motor| row(motor, style)));
+    output::print(&columns(&rows, 3, style.ascii))?;
+    if motors.is_empty() {
+        style.tell("no motor fits");
+    }
+    Ok(Status::Done)
+}
+
+fn row(motor: &Motor, style: Style) -> Vec<String> {
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value}"));
+    let designation = if style.ascii { motor.latin_designation() } else { motor.designation.clone() };
+    vec![
+        motor.catalogue.clone(),
+        designation,
+        motor.poles.to_string(),
+        format!("{}", motor.rated_power / 1e3),
+        format!("{:.0}", rpm(motor.synchronous_speed)),
+        format!("{:.0}", rpm(motor.rated_speed)),
+        or_dash(motor.max_torque_ratio),
+        or_dash(motor.rotor_inertia),
+        motor.flags.join(" "),
+    ]
+}
+
+fn power(text: &str) -> Result<f64, Fault> {
+    quantity(text, Dimension::Power).map_err(Fault::other)
+}

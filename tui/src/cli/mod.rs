@@ -1,0 +1,89 @@
+//! The command line: reads files, hands them to the crates, writes what they find. Nothing here calculates.
+
+mod analyze;
+mod args;
+mod check;
+mod explain;
+mod fault;
+mod lists;
+mod output;
+mod scene;
+mod shell;
+mod starter;
+mod style;
+
+use std::ffi::OsString;
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
+
+use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
+use fault::{Fault, Status};
+use style::Style;
+
+/// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
+/// scene or usage.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return usage(&error),
+    };
+    let style = Style::of(cli.ascii);
+    match command(cli, style) {
+        Ok(status) => status.into(),
+        Err(Fault::Reader) => ExitCode::SUCCESS,
+        Err(fault) => {
+            style.tell(&fault.to_string());
+            Status::Bad.into()
+        }
+    }
+}
+
+/// Help and version go to standard output, faults of usage to standard error.
+fn usage(error: &clap::Error) -> ExitCode {
+    let _ = error.print();
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => ExitCode::SUCCESS,
+        _ => Status::Bad.into(),
+    }
+}
+
+fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
+    match cli.command {
+        Some(Command::Analyze(args)) => analyze::run(&args, style),
+        Some(Command::Check(args)) => check::run(&args, style),
+        Some(Command::Explain(args)) => explain::run(&args, style),
+        Some(Command::Plugins) => lists::plugins(style),
+        Some(Command::Motors(args)) => lists::motors(&args, style),
+        Some(Command::New { file }) => starter::run(&file),
+        Some(Command::Completions { shell }) => shell::completions(shell),
+        Some(Command::Man) => shell::man(),
+        None => scene_or_screen(cli, style),
+    }
+}
+
+/// `assur SCENE`: the terminal UI; where standard output is not a terminal, what `analyze` prints.
+fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
+    let interactive = std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
+    match cli.scene {
+        Some(scene) if !interactive => {
+            let scene = SceneArgs { scene, methods: cli.methods };
+            analyze::run(&AnalyzeArgs { scene, format: Format::Text, output: None }, style)
+        }
+        None if !interactive => {
+            style.tell(&Cli::command().render_help().to_string());
+            Ok(Status::Bad)
+        }
+        scene => {
+            let options = crate::screen::Options {
+                ascii: style.ascii,
+                analyzer: cli.methods.analyzer,
+                integrator: cli.methods.integrator,
+                ..crate::screen::Options::default()
+            };
+            Ok(Status::Code(crate::screen::run(scene, options)?))
+        }
+    }
+}

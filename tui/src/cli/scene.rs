@@ -1,0 +1,66 @@
+//! Reading a scene file.
+
+use std::fs;
+use std::path::Path;
+
+use assur_analysis::{Options, Study};
+use assur_mechanism::Mechanism;
+
+use super::args::{MethodArgs, SceneArgs};
+use super::fault::Fault;
+use super::style::Style;
+
+/// Reads a scene file.
+pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
+    let text = text_of(path)?;
+    assur_scene::read(&path.display().to_string(), &text).map_err(|errors| {
+        let text = errors.to_string();
+        Fault::Scene(if style.ascii { keep_columns(&text) } else { text })
+    })
+}
+
+/// Reads and compiles a scene file.
+pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Study, Fault> {
+    let options = options(&args.methods)?;
+    let mechanism = read(&args.scene, style)?;
+    Study::of(mechanism, &options).map_err(|error| in_file(&args.scene, &error.to_string()))
+}
+
+/// The methods asked for, which must exist even where the scene has no use for them.
+pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
+    if let Some(name) = &methods.analyzer {
+        assur_force::find(name).map_err(Fault::other)?;
+    }
+    if let Some(name) = methods.integrator.as_deref().filter(|name| *name != "auto") {
+        assur_integrator::find(name).map_err(Fault::other)?;
+    }
+    Ok(Options { analyzer: methods.analyzer.clone(), integrator: methods.integrator.clone() })
+}
+
+/// A fault of the scene as a whole.
+pub(crate) fn in_file(path: &Path, message: &str) -> Fault {
+    Fault::Read { path: path.to_owned(), problem: message.to_owned() }
+}
+
+fn text_of(path: &Path) -> Result<String, Fault> {
+    let fault = |problem: String| Fault::Read { path: path.to_owned(), problem };
+    if path.is_dir() {
+        return Err(fault("is a folder, not a scene file".to_owned()));
+    }
+    let bytes = fs::read(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            fault("there is no such file (`assur new FILE` writes a scene to begin with)".to_owned())
+        }
+        _ => fault(format!("can't be read: {error}")),
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+        fault(format!("is not UTF-8 text (byte {at}, line {line}); save it as UTF-8"))
+    })
+}
+
+/// ASCII with a question mark for each other character, so that marks stay below what they mark.
+fn keep_columns(text: &str) -> String {
+    text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect()
+}

@@ -1,0 +1,32 @@
+//! `assur completions` and `assur man`.
+
+use clap::CommandFactory;
+
+use super::args::Cli;
+use super::fault::{Fault, Status};
+use super::output;
+
+/// A completion script.
+pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "assur", &mut script);
+    output::print(&String::from_utf8_lossy(&script))?;
+    Ok(Status::Done)
+}
+
+/// The manual page, with all commands.
+pub(crate) fn man() -> Result<Status, Fault> {
+    let mut page = Vec::new();
+    let mut command = Cli::command();
+    command.build();
+    clap_mangen::Man::new(command.clone()).render(&mut page).map_err(Fault::other)?;
+    for sub in command.get_subcommands().filter(|sub| sub.get_name() != "help") {
+        let man = clap_mangen::Man::new(sub.clone());
+        let title = format!("assur {}", sub.get_name()).to_uppercase();
+        page.extend(format!(".SH {}\n", title.replace('-', "\\-")).bytes());
+        man.render_description_section(&mut page).map_err(Fault::other)?;
+        man.render_options_section(&mut page).map_err(Fault::other)?;
+    }
+    output::print(&String::from_utf8_lossy(&page))?;
+    Ok(Status::Done)
+}

@@ -1,0 +1,41 @@
+//! Which characters are printed.
+
+use std::borrow::Cow;
+use std::io::Write;
+
+use assur_results::to_ascii;
+
+/// Which characters are printed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Style {
+    /// In text: nothing beyond ASCII.
+    pub(crate) ascii: bool,
+    /// The same in forms for programs, whose encoding is UTF-8 whatever the locale.
+    pub(crate) ascii_data: bool,
+}
+
+impl Style {
+    /// ASCII if asked for; text also where the locale is not UTF-8.
+    pub(crate) fn of(ascii: bool) -> Self {
+        Self { ascii: ascii || !locale_is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
+    }
+
+    /// Text as it may be printed.
+    pub(crate) fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
+    }
+
+    /// Writes to standard error; nothing can be done where that fails.
+    pub(crate) fn tell(self, message: &str) {
+        let message = self.text(message.trim_end());
+        let _ = writeln!(std::io::stderr().lock(), "{message}");
+    }
+}
+
+/// Whether the first that is set of `LC_ALL`, `LC_CTYPE`, `LANG` names UTF-8.
+fn locale_is_utf8(variable: impl Fn(&str) -> Option<String>) -> bool {
+    let names = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter();
+    let locale = names.filter_map(variable).find(|value| !value.is_empty()).unwrap_or_default();
+    let locale = locale.to_ascii_lowercase();
+    locale.contains("utf-8") || locale.contains("utf8")
+}
