@@ -134,9 +134,13 @@ fn forces_of_a_joint_add_up_to_nothing() {
 }
 
 #[test]
-fn the_test_reaches_every_scene() {
+fn shaken_mechanisms_are_mostly_solvable() {
     for name in SCENES {
-        let linkage = Linkage::compile(mechanism(name)).unwrap();
-        assert!(both(&linkage, 0.3).is_some(), "{name}");
+        let solved = (0..40).filter(|seed| {
+            let linkage = Linkage::compile(shaken(name, &mut Dice(*seed))).unwrap();
+            both(&linkage, 0.3).is_some()
+        });
+        // Otherwise the agreement above would compare nothing.
+        assert!(solved.count() >= 30, "{name}");
     }
 }

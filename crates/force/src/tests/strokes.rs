@@ -118,13 +118,15 @@ fn roots_are_exact_even_where_newton_is_thrown_out() {
 
 #[test]
 fn a_dead_point_in_the_first_position_is_found() {
-    for from in ["90 deg", "270 deg"] {
-        let text = compressor().replace("positions = 24", &format!("positions = 24\nfrom = \"{from}\""));
+    // Rounding gives PF1 either sign at either end of the cycle; among these are all four cases.
+    for from in (-15..16).map(|half_turns| 90 + 180 * half_turns) {
+        let text = compressor().replace("positions = 24", &format!("positions = 24\nfrom = \"{from} deg\""));
         let (_, loads) = compiled(&text.replace("B = [0, 0.23]", "B = [0, 1]"));
         let mut phase = loads.phase();
-        let ends = loads.enter(&at(PI, 90.0), &mut phase).coordinate;
-        near(ends[1], 1.5 * PI, 10.0);
-        near(loads.enter(&at(ends[1], 90.0), &mut phase).coordinate[0], 1.5 * PI, 10.0);
+        for dead in [0.5 * PI, 1.5 * PI] {
+            near(loads.enter(&at(dead - 0.01, 90.0), &mut phase).coordinate[1], dead, 10.0);
+            near(loads.enter(&at(dead, 90.0), &mut phase).coordinate[0], dead, 10.0);
+        }
     }
 }
 
