@@ -41,12 +41,13 @@ pub fn choose(
     let by_name = |name: &str| registry.iter().find(|plugin| plugin.name == name).copied();
     let suits = |plugin: &IntegratorPlugin| (plugin.instance)().supports(dependence).is_ok();
     let (case, words) = (dependence.case(), dependence.words());
-    let preferences = preferences(dependence, tolerance);
+    let preferences = preferences(*dependence, tolerance);
     let preferred = preferences
         .iter()
         .find_map(|(name, why)| by_name(name).filter(|plugin| suits(plugin)).map(|plugin| (plugin, *why)));
     let (integrator, why) = preferred.or_else(|| {
-        let best = registry.iter().copied().filter(|plugin| suits(plugin)).max_by_key(|plugin| plugin.order)?;
+        let best =
+            registry.iter().copied().filter(|plugin| suits(plugin)).max_by_key(|plugin| plugin.order)?;
         Some((best, "the method of the highest order that is linked and can treat it"))
     })?;
     let reason = format!("case {case} of D ({words}): {why}");
@@ -54,16 +55,20 @@ pub fn choose(
 }
 
 /// Names in the order of preference, each with its reason.
-fn preferences(dependence: &Dependence, tolerance: f64) -> Vec<(&'static str, &'static str)> {
+fn preferences(dependence: Dependence, tolerance: f64) -> Vec<(&'static str, &'static str)> {
     let mut names = Vec::with_capacity(4);
     if dependence.case() == 1 {
         names.push(("closed-form", "uniformly accelerated motion has a closed form, exact"));
     }
     if dependence.is_work_of_coordinate() {
-        names.push(("energy", "the work along the coordinate gives the speed by one quadrature, without steps in time"));
+        names.push((
+            "energy",
+            "the work along the coordinate gives the speed by one quadrature, without steps in time",
+        ));
     }
     let five = ("dopri5", "a loose tolerance: cheap explicit steps of order 5 meet it");
-    let eight = ("dop853", "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations");
+    let eight =
+        ("dop853", "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations");
     if tolerance > COARSE {
         names.extend([five, eight]);
     } else {

@@ -41,7 +41,8 @@ impl Walls {
     }
 
     fn aim(&mut self, side: usize, value: f64) {
-        let nearer = if side % 2 == 0 { value >= self.value[side] } else { value <= self.value[side] };
+        let nearer =
+            if side.is_multiple_of(2) { value >= self.value[side] } else { value <= self.value[side] };
         if nearer {
             self.value[side] = value;
             self.goal[side] = true;

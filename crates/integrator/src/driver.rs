@@ -4,10 +4,11 @@ use crate::crossing::{SIDES, Side, Walls, turning};
 use crate::recorder::Recorder;
 use crate::{
     Attempt, Entered, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Pace, Piece,
-    Request, Scale, State, Statistics, Stepper, Trajectory, Until, enter, first_step,
+    Request, Scale, State, Statistics, Stepper, Trajectory, enter, first_step,
 };
 
 mod hold;
+mod landing;
 mod report;
 
 /// A cut this near to the end of a step takes its state from the dense output, whose error falls to zero there as
@@ -17,8 +18,8 @@ const NEAR_END: f64 = 0.95;
 /// A predicted crossing is aimed this much too far, so that it is met inside the step.
 const OVERSHOOT: f64 = 1.02;
 
-/// Landings without progress of time after which the pieces are contradictory.
-const MAX_STALLS: usize = 50;
+/// At a fixed step stability is looked at once in so many steps.
+const STABILITY_PERIOD: usize = 64;
 
 /// Solves the equation by the steps of `stepper`.
 ///
@@ -105,7 +106,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
                 self.go_on(piece, acceleration);
                 self.recorder.begin(&self.node);
                 self.step = self.initial_step();
-                Ok(())
+                self.check_stability()
             }
         }
     }
@@ -254,6 +255,9 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.stalls = 0;
         self.scale.extend(&to.state);
         self.node = to;
+        if self.statistics.steps.is_multiple_of(STABILITY_PERIOD) {
+            self.check_stability()?;
+        }
         match (plan.time, plan.wall) {
             (Some(_), _) => self.land_in_time(),
             (None, Some(side)) => self.land_if_at(side, plan.h),
@@ -273,79 +277,5 @@ impl<'a, S: Stepper> Drive<'a, S> {
             self.error_before = error.max(1e-4);
         }
         self.after_rejection = false;
-    }
-
-    /// A step aimed at a wall that ended a little before it: the rest is uniformly accelerated.
-    fn land_if_at(&mut self, side: Side, h: f64) -> Result<(), IntegrationError> {
-        /// Part of the step: the error of the parabola is its cube.
-        const NEAR: f64 = 1e-5;
-        match self.walls.time_to(side, &self.node).filter(|dt| *dt <= NEAR * h) {
-            Some(dt) => self.land(side, self.node.advanced(dt)),
-            None if self.is_on(side) => self.land(side, self.node.state),
-            None => Ok(()),
-        }
-    }
-
-    fn is_on(&self, side: Side) -> bool {
-        self.walls.snap(side, self.node.state) == self.node.state
-    }
-
-    fn land_in_time(&mut self) -> Result<(), IntegrationError> {
-        let state = self.node.state;
-        if state.time >= self.request.latest() {
-            return match self.request.until {
-                Until::Time(_) => {
-                    self.finished = true;
-                    Ok(())
-                }
-                _ => Err(self.not_reached("the limit of time is over")),
-            };
-        }
-        self.events.push(Event { state, kind: EventKind::Time });
-        self.enter_next(false)
-    }
-
-    /// On a wall: the end, or the next piece.
-    fn land(&mut self, side: Side, state: State) -> Result<(), IntegrationError> {
-        let state = self.walls.snap(side, state);
-        let stalled = state.time <= self.node.state.time;
-        self.stalls = if stalled { self.stalls + 1 } else { 0 };
-        if self.stalls > MAX_STALLS {
-            return Err(IntegrationError::EmptyPiece { at: state });
-        }
-        self.statistics.steps += usize::from(!stalled);
-        self.scale.extend(&state);
-        let before = self.node.state.speed;
-        self.node.state = state;
-        if self.walls.is_goal(side) {
-            self.finished = true;
-            let at = state;
-            self.node.acceleration = self
-                .equation
-                .acceleration(at.time, at.coordinate, at.speed)
-                .map_err(|source| IntegrationError::Equation { at, source })?;
-            return Ok(());
-        }
-        let in_speed = matches!(side, Side::SpeedLow | Side::SpeedHigh);
-        if !in_speed {
-            self.events.push(Event { state, kind: EventKind::Coordinate });
-        } else if state.speed != 0.0 {
-            self.events.push(Event { state, kind: EventKind::Speed });
-        }
-        self.enter_next(in_speed)?;
-        if in_speed && state.speed == 0.0 && self.node.acceleration * before < 0.0 {
-            self.events.push(Event { state, kind: EventKind::Reversal });
-        }
-        Ok(())
-    }
-
-    fn enter_next(&mut self, at_speed_bound: bool) -> Result<(), IntegrationError> {
-        match enter(&mut self.equation, &self.node.state, at_speed_bound)? {
-            Entered::Moving(piece, acceleration) => {
-                self.go_on(piece, acceleration);
-                Ok(())
-            }
-            Entered::Held => self.hold(),
-        }
     }
 }

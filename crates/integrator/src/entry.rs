@@ -37,6 +37,15 @@ pub fn enter(
     Ok(Entered::Held)
 }
 
+/// The motion would stop again within the roundings of its coordinate: between two pieces that drive it back and forth it
+/// has come to rest, after turning points without number in a finite time.
+pub fn stops_at_once(state: &State, acceleration: f64) -> bool {
+    /// Roundings of the coordinate.
+    const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+    let stopping = 0.5 * state.speed * state.speed / acceleration.abs();
+    state.speed * acceleration < 0.0 && stopping < ROUNDINGS * state.coordinate.abs().max(1e-3)
+}
+
 fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, IntegrationError> {
     equation
         .acceleration(state.time, state.coordinate, state.speed)
@@ -45,11 +54,7 @@ fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, Integ
 
 /// Asks for the piece, each time a little further ahead, until it has states ahead of `state`: a table that counts its
 /// cycles may find a row a rounding before or after the place where it said that the row is.
-fn piece_ahead(
-    equation: &mut Equation<'_>,
-    state: &State,
-    side: f64,
-) -> Result<Piece, IntegrationError> {
+fn piece_ahead(equation: &mut Equation<'_>, state: &State, side: f64) -> Result<Piece, IntegrationError> {
     /// Up to 2^24 roundings, 4e-9: more is not a rounding.
     const TRIALS: i32 = 12;
     for trial in -1..TRIALS {
@@ -82,8 +87,8 @@ fn has_states_ahead(piece: &Piece, state: &State, speed: f64, side: f64) -> bool
     } else {
         piece.coordinate[0] < state.coordinate
     };
-    let on_side = side == 0.0
-        || if side > 0.0 { piece.speed[1] > state.speed } else { piece.speed[0] < state.speed };
+    let on_side =
+        side == 0.0 || if side > 0.0 { piece.speed[1] > state.speed } else { piece.speed[0] < state.speed };
     coordinate && on_side && piece.time[1] > state.time
 }
 

@@ -21,7 +21,9 @@ pub enum IntegrationError {
         reason: String,
     },
     /// The accuracy would need steps below what the numbers resolve.
-    #[error("step too small: {step:e} s at {at}; loosen the tolerance, or look for a jump that is not in a table")]
+    #[error(
+        "step too small: {step:e} s at {at}; loosen the tolerance, or look for a jump that is not in a table"
+    )]
     StepTooSmall {
         /// Place reached.
         at: State,
@@ -39,6 +41,21 @@ pub enum IntegrationError {
         step: f64,
         /// Step times the largest eigenvalue of the equation; `None` for an implicit method.
         stiffness: Option<f64>,
+    },
+    /// The fixed step is too long for the equation.
+    #[error(
+        "the fixed step {step:e} s is unstable at {at}: h*lambda = {product:.2}, allowed are {allowed}; take a step below {:.2e} s, or `radau5` if the equation is stiff",
+        step * allowed / product
+    )]
+    Unstable {
+        /// Place reached.
+        at: State,
+        /// The step, s.
+        step: f64,
+        /// Step times the largest eigenvalue.
+        product: f64,
+        /// The bound of the method.
+        allowed: f64,
     },
     /// The equation has no value, however small the step.
     #[error("the equation of motion failed after {at}: {source}")]

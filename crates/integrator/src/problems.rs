@@ -107,9 +107,7 @@ pub const VARIABLE: Dependence = Dependence { inertia_constant: false, ..BY_COOR
 /// From rest, w = sqrt(1000 pi) rad/s after five turns.
 pub fn e1() -> impl Motion {
     let five_turns = 10.0 * PI;
-    Example::new(BY_COORDINATE, move |_, at| {
-        constant(0.1, 30.0 * (1.0 - at.coordinate / five_turns) - 10.0)
-    })
+    Example::new(BY_COORDINATE, move |_, at| constant(0.1, 30.0 * (1.0 - at.coordinate / five_turns) - 10.0))
 }
 
 /// D1: a brake, J = 0.4 kg m², M = -0.8 N m. From 100 rad/s it stops in 50 s after 2500 rad.

@@ -55,7 +55,8 @@ impl Recorder {
     /// Whether the inside of a step up to `time` is wanted.
     #[inline]
     pub(crate) fn wants(&self, time: f64) -> bool {
-        self.end.is_none_or(|end| self.samples.len() < self.count && self.instant(self.samples.len(), end) <= time)
+        let next = self.samples.len();
+        next < self.count && self.end.is_none_or(|end| self.instant(next, end) <= time)
     }
 
     /// Takes the samples up to `until` from a step; the equation still is in the piece of that step.

@@ -54,6 +54,9 @@ pub trait Stepper {
     /// The method is implicit: stiffness does not slow it down.
     const IMPLICIT: bool = false;
 
+    /// Step times eigenvalue above which the method itself grows what the equation damps: checked at a fixed step.
+    const STABLE: f64 = f64::INFINITY;
+
     /// Who decides the length of a step.
     fn pace(&self) -> Pace;
 
@@ -82,10 +85,5 @@ pub trait Stepper {
     /// # Errors
     ///
     /// [`MotionError`] if an extra stage fails.
-    fn dense(
-        &mut self,
-        equation: &mut Equation<'_>,
-        from: &Node,
-        to: &Node,
-    ) -> Result<Dense, MotionError>;
+    fn dense(&mut self, equation: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError>;
 }

@@ -2,8 +2,8 @@
 //! over a whole piece of the equation in one step.
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion, MotionError,
-    Node, Pace, Request, Scale, Stepper, Trajectory, drive,
+    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
+    MotionError, Node, Pace, Request, Scale, Stepper, Trajectory, drive,
 };
 
 /// The method.

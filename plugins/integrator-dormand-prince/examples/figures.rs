@@ -1,28 +1,42 @@
-//! Evaluations, rejections and errors on the pendulum and on Andrews' mechanism.
+//! Evaluations, rejections and errors of both methods on the pendulum and on Andrews' mechanism, for the choice of
+//! controller constants. `cargo run --release -p assur-integrator-dormand-prince --example figures`
+
 use assur_integrator::problems::{Andrews, pendulum, pendulum_period};
-use assur_integrator::*;
+use assur_integrator::{IntegrationError, Integrator, Motion, Request, State, Until};
 use assur_integrator_dormand_prince::{Dop853, Dopri5};
 
-fn main() {
+/// Evaluations, steps, rejections, and the errors of coordinate and speed relative to their sizes.
+fn row(
+    method: &dyn Integrator,
+    motion: &mut dyn Motion,
+    request: &Request,
+    wanted: State,
+    (travel, fastest): (f64, f64),
+) -> Result<String, IntegrationError> {
+    let found = method.solve(motion, request)?;
+    let cost = found.statistics;
+    Ok(format!(
+        "{:5} evaluations {:4} steps {:2} rejected, errors {:.1e} {:.1e}",
+        cost.evaluations,
+        cost.steps,
+        cost.rejected,
+        (found.end.coordinate - wanted.coordinate).abs() / travel,
+        (found.end.speed - wanted.speed).abs() / fastest,
+    ))
+}
+
+fn main() -> Result<(), IntegrationError> {
+    let start = State { coordinate: 2.0, ..State::default() };
     for method in [&Dopri5 as &dyn Integrator, &Dop853] {
-        for exponent in [3, 4, 5, 6, 7, 8, 9, 10, 11, 12] {
-            let mut request = Request::new(State { coordinate: 2.0, ..State::default() }, Until::Time(pendulum_period(2.0)));
-            request.samples = 1;
-            request.tolerance = 10_f64.powi(-exponent);
-            let p = method.solve(&mut pendulum(), &request).unwrap();
-            let pe = ((p.end.coordinate - 2.0) / 4.0).abs().max(p.end.speed.abs() / 1.683);
-            request.initial = Andrews::START;
-            request.samples = 4;
-            request.until = Until::Time(0.03);
-            let a = method.solve(&mut Andrews, &request).unwrap();
-            let ae = ((a.end.coordinate - Andrews::END.coordinate) / 15.87).abs();
-            let we = ((a.end.speed - Andrews::END.speed) / 1139.9).abs();
-            println!(
-                "{} 1e-{exponent}: pendulum {} evals {} rej err {pe:.1e} | andrews {} evals {} steps {} rej err {ae:.1e} w {we:.1e}",
-                method.name(), p.statistics.evaluations, p.statistics.rejected,
-                a.statistics.evaluations, a.statistics.steps, a.statistics.rejected,
-            );
-            if exponent==12 { println!("{:?}", a.end); }
+        for exponent in 3..13 {
+            let period = Until::Time(pendulum_period(2.0));
+            let mut request = Request::new(start, period);
+            (request.samples, request.tolerance) = (1, 10_f64.powi(-exponent));
+            let swing = row(method, &mut pendulum(), &request, start, (4.0, 1.683))?;
+            (request.initial, request.until) = (Andrews::START, Until::Time(Andrews::END.time));
+            let press = row(method, &mut Andrews, &request, Andrews::END, (15.87, 1140.0))?;
+            println!("{:6} 1e-{exponent:02} pendulum {swing} | andrews {press}", method.name());
         }
     }
+    Ok(())
 }

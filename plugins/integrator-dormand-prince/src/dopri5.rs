@@ -75,13 +75,7 @@ impl Stepper for Stages {
         let h = self.h;
         let mut dense = Dense::steady(&from.state, h);
         let (first, last) = (self.k[0], self.k[6]);
-        cubic(
-            &mut dense.coordinate,
-            from.state.coordinate,
-            to.state.coordinate,
-            h * first[0],
-            h * last[0],
-        );
+        cubic(&mut dense.coordinate, from.state.coordinate, to.state.coordinate, h * first[0], h * last[0]);
         cubic(&mut dense.speed, from.state.speed, to.state.speed, h * first[1], h * last[1]);
         let [q, w] = weighted(&D, &self.k);
         dense.coordinate[4] = h * q;

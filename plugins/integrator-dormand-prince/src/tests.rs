@@ -20,3 +20,15 @@ fn from_rest(until: Until, tolerance: f64) -> Request {
 fn assert_close(found: f64, wanted: f64, allowed: f64) {
     assert!((found - wanted).abs() <= allowed, "{found} is not {wanted}: off by {:e}", found - wanted);
 }
+
+#[test]
+fn both_are_registered() {
+    let names: Vec<&str> =
+        assur_integrator::integrators().unwrap().iter().map(|plugin| plugin.name).collect();
+    assert_eq!(names, ["dop853", "dopri5"]);
+    for name in names {
+        assert_eq!((assur_integrator::find(name).unwrap().instance)().name(), name);
+    }
+    let error = assur_integrator::find("euler").unwrap_err().to_string();
+    assert_eq!(error, "no integrator is named `euler`; there are: dop853, dopri5");
+}

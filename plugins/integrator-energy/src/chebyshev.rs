@@ -8,7 +8,7 @@ pub(crate) const NODES: usize = 13;
 /// Coefficients of an integral: one more than of a fit.
 pub(crate) const TERMS: usize = NODES + 1;
 
-/// Σ c_k T_k(x).
+/// The coefficients of `Σ c_k T_k(x)`.
 pub(crate) type Series = [f64; TERMS];
 
 /// Nodes and the table that turns values into coefficients.
@@ -68,16 +68,16 @@ pub(crate) fn integral(series: &Series, scale: f64) -> Series {
     let at = |k: usize| if k < TERMS { series[k] } else { 0.0 };
     let mut sum = [0.0; TERMS];
     sum[1] = scale * (at(0) - 0.5 * at(2));
-    for k in 2..TERMS {
-        sum[k] = scale * (at(k - 1) - at(k + 1)) / (2.0 * k as f64);
+    for (k, term) in sum.iter_mut().enumerate().skip(2) {
+        *term = scale * (at(k - 1) - at(k + 1)) / (2.0 * k as f64);
     }
     let at_start: f64 = (1..TERMS).map(|k| if k % 2 == 0 { sum[k] } else { -sum[k] }).sum();
     sum[0] = -at_start;
     sum
 }
 
-/// The series h with p(x) - p(r) = (x - r) h(x): division without cancellation near the root, from x T_k =
-/// (T_{k+1} + T_{k-1})/2.
+/// The series h with p(x) - p(r) = (x - r) h(x): division without cancellation near the root, from
+/// `x T_k = (T_{k+1} + T_{k-1})/2`.
 pub(crate) fn divided(p: &Series, r: f64) -> Series {
     let mut h = [0.0; TERMS];
     for k in (2..TERMS).rev() {
@@ -93,7 +93,7 @@ pub(crate) fn tail(series: &Series) -> f64 {
     series[NODES - 1].abs() + series[NODES - 2].abs()
 }
 
-/// Σ |c_k| over k > 0: the value differs from c_0 by no more.
+/// `Σ |c_k|` over k > 0: the value differs from the first coefficient by no more.
 pub(crate) fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }

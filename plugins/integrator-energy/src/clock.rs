@@ -2,11 +2,15 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::chebyshev::{Basis, NODES, Series, integral, tail, value};
+use crate::chebyshev::{Basis, NODES, Series, integral, swing, tail, value};
 use crate::panel::Panel;
 
 /// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
 const DEPTH: u32 = 40;
+
+/// Largest part of the time of a panel that may be lost to roundings; beyond it the energy left is not known, and the
+/// motion creeps.
+const NOISE: f64 = 1e-8;
 
 /// Part of the way along a panel on which the time is one polynomial.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +58,7 @@ struct Place {
 pub(crate) struct Endless;
 
 impl Clock {
-    /// Measures the time from `begin` on, up to x = `until` or to the time `latest`, whichever comes first.
+    /// Measures the time, to `tolerance` of the time of the panel, from `begin` on, up to x = `until` or to the time `latest`, whichever comes first.
     pub(crate) fn measure(
         panel: &Panel,
         basis: &Basis,
@@ -66,11 +70,17 @@ impl Clock {
         let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1) };
         // Parameters from 0 to 1; the stack holds what is still to be measured, the nearest on top.
         let mut waiting = vec![(0.0, 1.0, 0)];
-        let mut now = begin;
+        let (mut now, mut whole) = (begin, 0.0);
         while let Some((from, to, depth)) = waiting.pop() {
             let leaf = clock.leaf(panel, basis, from, to, now);
-            let fine = tail(&leaf.0) <= tolerance * leaf.0[0].abs();
-            if fine {
+            if depth == 0 {
+                whole = leaf.0[0].abs();
+            }
+            let width = to - from;
+            let own = leaf.0[0].abs() * width;
+            let roundings = (clock.roundings(from, to) * own).min(NOISE * whole);
+            let allowed = (tolerance * own.max(whole)).max(roundings);
+            if tail(&leaf.0) * width <= allowed {
                 now = leaf.1.end;
                 clock.leaves.push(leaf.1);
                 if now > latest {
@@ -84,6 +94,13 @@ impl Clock {
             }
         }
         Ok(clock)
+    }
+
+    /// Relative roundings of dt between two parameters: where little of the energy is left, it is a difference of
+    /// works, and no halving makes it more exact.
+    fn roundings(&self, from: f64, to: f64) -> f64 {
+        let left = |p: f64| value(&self.energy, self.place(p).x).abs();
+        16.0 * f64::EPSILON * swing(&self.energy) / left(from).min(left(to)).max(f64::MIN_POSITIVE)
     }
 
     /// The place at the parameter p from 0 to 1. With a rest, x + 1 = span sin²(πp/2), until - x = span cos²(πp/2).

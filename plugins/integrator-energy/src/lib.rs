@@ -5,7 +5,9 @@
 //! motion starts from rest or turns, 1/w has an integrable singularity, which a cosine substitution removes: there is no
 //! division by a speed of zero. There are no steps in time, so nothing drifts: the energy balance holds by construction.
 
-use assur_integrator::{Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory};
+use assur_integrator::{
+    Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory,
+};
 
 mod chebyshev;
 mod clock;

@@ -1,13 +1,13 @@
 //! Panel after panel along the coordinate, through pieces and turning points, to the end.
 
 use assur_integrator::{
-    Entered, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Piece, Request, State, Statistics,
-    Trajectory, Until, enter,
+    Entered, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Piece, Request, State,
+    Statistics, Trajectory, Until, enter, stops_at_once,
 };
 
 use crate::chebyshev::Basis;
 use crate::clock::{Clock, Rests};
-use crate::panel::{Panel, Values};
+use crate::panel::{Panel, Values, factor};
 use crate::record::Part;
 
 /// A turning point nearer than this part of the panel to its start has the panel fitted anew, as short as that.
@@ -97,6 +97,10 @@ impl<'a> March<'a> {
     fn enter(&mut self) -> Result<(), IntegrationError> {
         self.known = None;
         match enter(&mut self.equation, &self.state, false)? {
+            Entered::Moving(_, acceleration) if stops_at_once(&self.state, acceleration) => {
+                (self.state.speed, self.energy) = (0.0, 0.0);
+                self.enter()
+            }
             Entered::Moving(piece, acceleration) => {
                 (self.piece, self.acceleration) = (piece, acceleration);
                 Ok(())
@@ -177,7 +181,14 @@ impl<'a> March<'a> {
             return self.shorten(length, factor(self.tolerance(), panel.error).clamp(0.1, 0.7), None);
         }
         match panel.turning() {
-            Some(x) if 0.5 * (x + 1.0) < TOO_NEAR => self.shorten(length, 0.75 * (x + 1.0), None),
+            Some(x) if 0.5 * (x + 1.0) < TOO_NEAR => {
+                let nearer = 0.75 * (x + 1.0);
+                if length * nearer < self.least() {
+                    (self.state.speed, self.energy) = (0.0, 0.0);
+                    return self.enter();
+                }
+                self.shorten(length, nearer, None)
+            }
             turning => {
                 let grown = length * factor(self.tolerance(), panel.error).clamp(0.3, 3.0);
                 self.length = if at_wall { self.length.max(grown) } else { grown };
@@ -186,16 +197,15 @@ impl<'a> March<'a> {
         }
     }
 
-    fn shorten(
-        &mut self,
-        length: f64,
-        by: f64,
-        source: Option<MotionError>,
-    ) -> Result<(), IntegrationError> {
+    /// Length that the roundings of the coordinate swallow.
+    fn least(&self) -> f64 {
+        16.0 * f64::EPSILON * self.state.coordinate.abs().max(1e-6)
+    }
+
+    fn shorten(&mut self, length: f64, by: f64, source: Option<MotionError>) -> Result<(), IntegrationError> {
         self.statistics.rejected += 1;
         self.length = length * by;
-        let least = 16.0 * f64::EPSILON * self.state.coordinate.abs().max(1e-6);
-        if self.length > least {
+        if self.length > self.least() {
             return Ok(());
         }
         let step = self.length / self.state.speed.abs().max(f64::MIN_POSITIVE);
@@ -222,7 +232,7 @@ impl<'a> March<'a> {
         self.statistics.steps += 1;
         self.largest = self.largest.max(panel.most_energy());
         let end = clock.end();
-        let part = Part::moving(*panel, clock, begin, end);
+        let part = Part::moving(panel, clock, begin, end);
         if end >= latest {
             return self.end_in_time(part, latest);
         }
@@ -285,9 +295,4 @@ impl<'a> March<'a> {
         }
         Ok(())
     }
-}
-
-/// Factor of the length that brings the error of a fit to the tolerance.
-fn factor(tolerance: f64, error: f64) -> f64 {
-    0.85 * (tolerance / error.max(1e-30)).powf(1.0 / (crate::chebyshev::NODES - 1) as f64)
 }

@@ -125,3 +125,8 @@ impl Panel {
         stopped
     }
 }
+
+/// Factor of the length that brings the error of a fit to the tolerance.
+pub(crate) fn factor(tolerance: f64, error: f64) -> f64 {
+    0.85 * (tolerance / error.max(1e-30)).powf(1.0 / (NODES - 1) as f64)
+}

@@ -25,8 +25,8 @@ pub(crate) enum Part {
 }
 
 impl Part {
-    pub(crate) fn moving(panel: Panel, clock: Clock, begin: f64, end: f64) -> Self {
-        Self::Moving { panel: Box::new(panel), clock, begin, end }
+    pub(crate) fn moving(panel: &Panel, clock: Clock, begin: f64, end: f64) -> Self {
+        Self::Moving { panel: Box::new(*panel), clock, begin, end }
     }
 
     pub(crate) fn rest(state: State, end: f64) -> Self {

@@ -1,23 +1,175 @@
-use assur_integrator::problems::{Andrews, e1, pendulum, pendulum_period};
-use assur_integrator::{State, Until};
+use std::f64::consts::{PI, SQRT_2};
+
+use assur_integrator::problems::{self, Andrews, Example, VARIABLE};
+use assur_integrator::{EventKind, Reduced, State, Until};
+use assur_integrator_dormand_prince::Dop853;
+use proptest::prelude::*;
 
 use super::*;
 
+fn assert_close(found: f64, wanted: f64, allowed: f64) {
+    assert!((found - wanted).abs() <= allowed, "{found} is not {wanted}: off by {:e}", found - wanted);
+}
+
+fn from_rest(until: Until, tolerance: f64) -> Request {
+    Request { tolerance, ..Request::new(State::default(), until) }
+}
+
 #[test]
-fn scratch() {
-    let mut request = Request::new(State::default(), Until::Coordinate(10.0*std::f64::consts::PI));
-    let out = Energy.solve(&mut e1(), &request).unwrap();
-    println!("{:?} {:e}", out.statistics, out.end.speed - (1000.0*std::f64::consts::PI).sqrt());
-    for e in 3..13 {
-        request = Request::new(State { coordinate: 2.0, ..State::default() }, Until::Time(pendulum_period(2.0)));
-        request.samples = 1;
-        request.tolerance = 10_f64.powi(-e);
-        let p = Energy.solve(&mut pendulum(), &request).unwrap();
-        print!("{e} {} {} {} {:e} {:e}|", p.statistics.evaluations, p.statistics.steps, p.statistics.rejected, (p.end.coordinate-2.0)/4.0, p.end.speed);
-        request.initial = Andrews::START;
-        request.until = Until::Time(0.03);
-        let p = Energy.solve(&mut Andrews, &request).unwrap();
-        println!("{} {} {} {:e} {:e}", p.statistics.evaluations, p.statistics.steps, p.statistics.rejected, (p.end.coordinate-15.810771195146563)/15.87, (p.end.speed-1139.9203022587067)/1140.0);
+fn e1_is_exact_from_rest() {
+    let found = Energy.solve(&mut problems::e1(), &from_rest(Until::Coordinate(10.0 * PI), 1e-9)).unwrap();
+    assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-12);
+    // w² = 400 q - (300/(10 pi)) q²·... : q'' = 200 - k q, k = 30/pi: q = (200/k)(1 - cos(√k t)).
+    let k = 30.0_f64 / PI;
+    for sample in &found.samples {
+        let phase = k.sqrt() * sample.time;
+        assert_close(sample.coordinate, 200.0 / k * (1.0 - phase.cos()), 1e-10);
+        assert_close(sample.speed, 200.0 / k.sqrt() * phase.sin(), 1e-10);
+        assert_close(sample.acceleration, 200.0 * phase.cos(), 1e-9);
     }
-    panic!();
+}
+
+#[test]
+fn d1_rests_and_jumps_are_exact() {
+    let braked =
+        Request { initial: State { speed: 100.0, ..State::default() }, ..from_rest(Until::Rest, 1e-9) };
+    let found = Energy.solve(&mut problems::d1(), &braked).unwrap();
+    assert_close(found.end.time, 50.0, 1e-10);
+    assert_close(found.end.coordinate, 2500.0, 1e-9);
+    let found = Energy.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
+    assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
+    assert_eq!(found.events.len(), 2);
+}
+
+#[test]
+fn pendulum_swings_with_its_period() {
+    for amplitude in [0.01, 1.0, 3.1] {
+        let period = problems::pendulum_period(amplitude);
+        let initial = State { coordinate: amplitude, ..State::default() };
+        let request = Request { samples: 8, ..Request::new(initial, Until::Time(3.25 * period)) };
+        let found = Energy.solve(&mut problems::pendulum(), &request).unwrap();
+        assert_eq!(found.events.len(), 6);
+        for (index, event) in found.events.iter().enumerate() {
+            assert_eq!(event.kind, EventKind::Reversal);
+            assert_close(event.state.time, 0.5 * (index + 1) as f64 * period, 1e-8 * period);
+        }
+        assert_close(found.end.coordinate, 0.0, 1e-7);
+        assert_close(found.end.speed, -2.0 * (0.5 * amplitude).sin(), 1e-8);
+    }
+}
+
+#[test]
+fn dry_friction_holds_at_last() {
+    let initial = State { coordinate: 1.0, ..State::default() };
+    let found = Energy
+        .solve(&mut problems::friction_oscillator(), &Request::new(initial, Until::Time(10.0)))
+        .unwrap();
+    let kinds: Vec<EventKind> = found.events.iter().map(|event| event.kind).collect();
+    assert_eq!(kinds, [EventKind::Reversal, EventKind::Rest]);
+    assert_close(found.events[0].state.time, PI, 1e-11);
+    assert_close(found.events[1].state.time, 2.0 * PI, 1e-11);
+    assert_close(found.end.coordinate, -0.2, 1e-11);
+    assert_close(found.samples[100].time, 10.0, 0.0);
+    assert_close(found.samples[90].coordinate, -0.2, 1e-11);
+}
+
+#[test]
+fn andrews_mechanism_needs_few_evaluations() {
+    let request = Request { tolerance: 1e-9, samples: 4, ..Request::new(Andrews::START, Until::Time(0.03)) };
+    let found = Energy.solve(&mut Andrews, &request).unwrap();
+    assert_close(found.end.coordinate, Andrews::END.coordinate, 1e-9 * 15.8);
+    assert_close(found.end.speed, Andrews::END.speed, 1e-9 * 1140.0);
+    assert!(found.statistics.evaluations < 500, "{:?}", found.statistics);
+}
+
+#[test]
+fn creeping_onto_an_equilibrium_has_no_end() {
+    // Just the energy that carries a pendulum to the top: w = 2 at the bottom, w = 2/cosh t.
+    let initial = State { speed: 2.0, ..State::default() };
+    let found = Energy.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(5.0))).unwrap();
+    assert_close(found.end.speed, 2.0 / 5.0_f64.cosh(), 1e-8);
+    let error =
+        Energy.solve(&mut problems::pendulum(), &Request::new(initial, Until::Coordinate(PI))).unwrap_err();
+    assert!(error.to_string().starts_with("coordinate 3.14159"), "{error}");
+}
+
+#[test]
+fn a_motor_is_refused() {
+    let error =
+        Energy.solve(&mut problems::motor(1.0), &from_rest(Until::Time(1.0), 1e-6)).unwrap_err().to_string();
+    assert!(
+        error.contains("depends on the coordinate alone, and here it is case 5 of D: J(q), M(q, w)"),
+        "{error}"
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn agrees_with_steps_in_time(
+        harmonics in prop::collection::vec(-1.0..1.0_f64, 8),
+        q in -3.0..3.0_f64,
+        w in prop_oneof![Just(0.0), -4.0..4.0_f64],
+        end in 0.5..6.0_f64,
+    ) {
+        let h = harmonics.clone();
+        let mut motion = Example::new(VARIABLE, move |_, at| {
+            let q = at.coordinate;
+            Reduced {
+                inertia: 2.5 + h[0] * q.cos() + h[1] * (2.0 * q + h[2]).sin(),
+                inertia_derivative: -h[0] * q.sin() + 2.0 * h[1] * (2.0 * q + h[2]).cos(),
+                moment: 3.0 * h[3] + 4.0 * h[4] * (q + h[5]).sin() + 2.0 * h[6] * (3.0 * q + h[7]).cos(),
+            }
+        });
+        let initial = State { time: 0.0, coordinate: q, speed: w };
+        let request = Request { tolerance: 1e-11, samples: 5, ..Request::new(initial, Until::Time(end)) };
+        let by_energy = Energy.solve(&mut motion, &request).unwrap();
+        let by_steps = Dop853.solve(&mut motion, &request).unwrap();
+        for (a, b) in by_energy.samples.iter().zip(&by_steps.samples) {
+            // Near a top of the potential the motion itself magnifies errors.
+            prop_assert!((a.coordinate - b.coordinate).abs() < 1e-6, "{a:?} {b:?}");
+            prop_assert!((a.speed - b.speed).abs() < 1e-6, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn it_is_registered_and_chosen_for_work_along_the_coordinate() {
+    let plugin = assur_integrator::find("energy").unwrap();
+    assert_eq!((plugin.instance)().name(), plugin.name);
+    let all = assur_integrator::integrators().unwrap();
+    assert_eq!(assur_integrator::choose(&VARIABLE, 1e-9, &all).unwrap().name(), "energy");
+    let motor = problems::motor(1.0);
+    assert_eq!(assur_integrator::choose(&motor.dependence(), 1e-9, &all).unwrap().name(), "dop853");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    /// A table of jumps with dry friction, on a spring that keeps the motion near.
+    #[test]
+    fn agrees_with_steps_in_time_over_jumps_and_friction(
+        moments in prop::collection::vec(-2.0..2.0_f64, 6),
+        friction in 0.05..0.5_f64,
+        w in prop_oneof![Just(0.0), -4.0..4.0_f64],
+        until in prop_oneof![Just(Until::Rest), (0.5..12.0_f64).prop_map(Until::Time)],
+    ) {
+        let mut motion = Example::new(VARIABLE, move |place, at| Reduced {
+            inertia: 1.5 + at.coordinate.cos(),
+            inertia_derivative: -at.coordinate.sin(),
+            moment: moments[place.segment] - friction * place.direction - 0.5 * at.coordinate,
+        })
+        .with_breaks(vec![-1.3, -0.4, 0.2, 1.1, 2.5])
+        .directed();
+        let initial = State { time: 0.0, coordinate: 0.5, speed: w };
+        let request = Request { tolerance: 1e-11, samples: 7, ..Request::new(initial, until) };
+        let by_energy = Energy.solve(&mut motion, &request);
+        let by_steps = Dop853.solve(&mut motion, &request);
+        prop_assert!(by_energy.is_ok() && by_steps.is_ok(), "{by_energy:?} {by_steps:?}");
+        for (a, b) in by_energy.unwrap().samples.iter().zip(&by_steps.unwrap().samples) {
+            prop_assert!((a.coordinate - b.coordinate).abs() < 1e-6, "{a:?} {b:?}");
+            prop_assert!((a.speed - b.speed).abs() < 1e-6, "{a:?} {b:?}");
+        }
+    }
 }

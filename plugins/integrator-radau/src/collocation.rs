@@ -11,10 +11,8 @@ use crate::table::{A, C, E, GAMMA};
 const ITERATIONS: usize = 8;
 
 /// Error of an attempt whose Newton iteration did not converge: as if much too long.
-const DIVERGED: Attempt = Attempt {
-    end: State { time: 0.0, coordinate: 0.0, speed: 0.0 },
-    error: f64::INFINITY,
-};
+const DIVERGED: Attempt =
+    Attempt { end: State { time: 0.0, coordinate: 0.0, speed: 0.0 }, error: f64::INFINITY };
 
 /// The last step.
 #[derive(Debug)]
@@ -97,7 +95,8 @@ impl Collocation {
             speeds = std::array::from_fn(|i| speeds[i] + change[i]);
             self.increments = [self.coordinates(speed, &speeds), speeds];
             let moved = times(&A, &change.map(|c| h * c));
-            let end = State { time, coordinate: coordinate + self.increments[0][2], speed: speed + speeds[2] };
+            let end =
+                State { time, coordinate: coordinate + self.increments[0][2], speed: speed + speeds[2] };
             let size = (0..3).map(|i| scale.norm(&end, moved[i], change[i])).fold(0.0, f64::max);
             if iteration > 0 {
                 rate = (size / before).max(1e-10);
@@ -162,7 +161,9 @@ impl Collocation {
 fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix> {
     let square = product(&A, &A);
     let mut matrix: Matrix = std::array::from_fn(|i| {
-        std::array::from_fn(|j| -h * (A[i][j] * partials.by_speed + h * square[i][j] * partials.by_coordinate))
+        std::array::from_fn(|j| {
+            -h * (A[i][j] * partials.by_speed + h * square[i][j] * partials.by_coordinate)
+        })
     });
     for (i, row) in matrix.iter_mut().enumerate() {
         row[i] += 1.0;

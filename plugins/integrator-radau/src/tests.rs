@@ -1,24 +1,88 @@
-use assur_integrator::problems::{motor, pendulum, pendulum_period};
-use assur_integrator::{State, Until};
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+use assur_integrator::{State, Until, problems};
 
 use super::*;
+use crate::table::{A, C, E, GAMMA};
+
+fn assert_close(found: f64, wanted: f64, allowed: f64) {
+    assert!((found - wanted).abs() <= allowed, "{found} is not {wanted}: off by {:e}", found - wanted);
+}
 
 #[test]
-fn scratch() {
-    for steep in [1e1, 1e3,1e6,1e8] {
-        for tol in [1e-4,1e-6,1e-9] {
-        let mut request = Request::new(State { speed: 9.0, ..State::default() }, Until::Coordinate(std::f64::consts::TAU));
-        request.tolerance = tol;
-        let out = Radau5.solve(&mut motor(steep), &request).unwrap();
-        println!("{steep:e} {tol:e} {:?} {:?}", out.statistics, out.end);
+fn the_table_is_radau_collocation() {
+    for (row, c) in A.iter().zip(C) {
+        for k in 0..3 {
+            let found: f64 = row.iter().zip(C).map(|(a, c)| a * c.powi(k)).sum();
+            assert_close(found, c.powi(k + 1) / f64::from(k + 1), 1e-15);
         }
     }
-    for e in 3..13 {
-        let mut request = Request::new(State { coordinate: 2.0, ..State::default() }, Until::Time(pendulum_period(2.0)));
-        request.samples = 1;
-        request.tolerance = 10_f64.powi(-e);
-        let p = Radau5.solve(&mut pendulum(), &request).unwrap();
-        println!("{e} {:?} {:e}", p.statistics, (p.end.coordinate-2.0)/4.0);
+    for k in 0..5 {
+        let found: f64 = A[2].iter().zip(C).map(|(b, c)| b * c.powi(k)).sum();
+        assert_close(found, 1.0 / f64::from(k + 1), 1e-15);
     }
-    panic!();
+}
+
+/// γ solves det(A - 1/γ) = 0, and the error vanishes for a solution of degree 3.
+#[test]
+fn the_error_estimate_has_order_three() {
+    let shifted =
+        std::array::from_fn(|i| std::array::from_fn(|j| A[i][j] - if i == j { 1.0 / GAMMA } else { 0.0 }));
+    assert!(linear::inverse(&shifted).is_none_or(|m| m[0][0].abs() > 1e12));
+    // E z + h y' with z = y(c h) - y(0): zero for y = t, t², t³, not for t⁴.
+    let estimate = |power: i32| {
+        let slope = if power == 1 { 1.0 } else { 0.0 };
+        slope + E.iter().zip(C).map(|(e, c)| e * c.powi(power)).sum::<f64>()
+    };
+    for power in 1..4 {
+        assert_close(estimate(power), 0.0, 1e-14);
+    }
+    assert!(estimate(4).abs() > 1e-3);
+}
+
+#[test]
+fn a_stiff_turn_costs_few_evaluations() {
+    let initial = State { speed: 9.0, ..State::default() };
+    for steepness in [1e6, 1e9] {
+        let request =
+            Request { tolerance: 1e-6, samples: 10, ..Request::new(initial, Until::Coordinate(TAU)) };
+        let found = Radau5.solve(&mut problems::motor(steepness), &request).unwrap();
+        assert!(found.statistics.evaluations < 500, "{:?}", found.statistics);
+        // On the slow manifold w = 10 - (2 + sin q + J' w²/2)/k to first order in 1/k; at a whole turn 10 - 2/k.
+        assert_close(found.end.speed, 10.0 - 2.0 / steepness, 1e-5);
+        // The first transient lasts 1/k; after it a turn at speed 10.
+        assert_close(found.end.time, 0.1 * TAU, 1e-5);
+    }
+}
+
+#[test]
+fn pendulum_meets_the_tolerance() {
+    let initial = State { coordinate: 2.0, ..State::default() };
+    let period = problems::pendulum_period(2.0);
+    for tolerance in [1e-4, 1e-6, 1e-8] {
+        let request = Request { tolerance, samples: 1, ..Request::new(initial, Until::Time(period)) };
+        let found = Radau5.solve(&mut problems::pendulum(), &request).unwrap();
+        assert_close(found.end.coordinate, 2.0, 10.0 * tolerance * 4.0);
+        assert!(found.statistics.jacobians >= found.statistics.steps);
+    }
+}
+
+#[test]
+fn worked_examples_and_jumps() {
+    let exact = |until| Request { tolerance: 1e-10, ..Request::new(State::default(), until) };
+    let found = Radau5.solve(&mut problems::e1(), &exact(Until::Coordinate(10.0 * PI))).unwrap();
+    assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-8);
+    let braked = Request { initial: State { speed: 100.0, ..State::default() }, ..exact(Until::Rest) };
+    let found = Radau5.solve(&mut problems::d1(), &braked).unwrap();
+    assert_close(found.end.time, 50.0, 1e-10);
+    assert_close(found.end.coordinate, 2500.0, 1e-8);
+    let found = Radau5.solve(&mut problems::jumps(), &exact(Until::Coordinate(3.0))).unwrap();
+    assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-10);
+    assert!(found.statistics.rejected <= 4, "{:?}", found.statistics);
+}
+
+#[test]
+fn it_is_registered() {
+    let plugin = assur_integrator::find("radau5").unwrap();
+    assert_eq!((plugin.instance)().name(), plugin.name);
 }

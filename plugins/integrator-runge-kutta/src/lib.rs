@@ -1,8 +1,8 @@
 //! `rk4`: the classical Runge-Kutta method of order 4 at a fixed step, the improvement that D 3.23 names.
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion, MotionError,
-    Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
+    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
+    MotionError, Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
 };
 
 /// The method.
@@ -41,6 +41,9 @@ struct Classical {
 }
 
 impl Stepper for Classical {
+    /// On the real axis 2.785, on the imaginary one 2.83.
+    const STABLE: f64 = 2.785;
+
     fn pace(&self) -> Pace {
         Pace::Fixed
     }

@@ -2,8 +2,8 @@
 //! with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion, MotionError,
-    Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
+    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
+    MotionError, Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
 };
 
 /// The method.
@@ -43,6 +43,9 @@ struct Interval {
 
 impl Stepper for Interval {
     const PARABOLIC: bool = true;
+
+    /// On the real axis, as Euler's method.
+    const STABLE: f64 = 2.0;
 
     fn pace(&self) -> Pace {
         Pace::Fixed

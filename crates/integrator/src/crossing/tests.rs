@@ -3,7 +3,8 @@ use super::*;
 #[test]
 fn first_root_is_the_nearest_ahead() {
     // x + x²/2·2 = 2: x = 1. Back to the start from w = 1, a = -1: 2 s. Never: w = 1, a = -1, d = 1.
-    let close = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-15, "{found:?}");
+    let close =
+        |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-15, "{found:?}");
     close(first_root(2.0, 1.0, 2.0), 1.0);
     close(first_root(0.0, 1.0, -1.0), 2.0);
     close(first_root(-1.5, 1.0, -2.0), 0.5 * (1.0 + 7.0_f64.sqrt()));

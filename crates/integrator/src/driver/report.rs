@@ -1,7 +1,7 @@
 //! The end of a drive: statistics, and errors with the place reached.
 
 use super::Drive;
-use crate::{IntegrationError, MotionError, Stepper, Trajectory, Until};
+use crate::{IntegrationError, MotionError, Pace, Stepper, Trajectory, Until};
 
 /// Steps from which on the report looks for stiffness.
 const MANY_STEPS: usize = 1000;
@@ -24,6 +24,20 @@ impl<S: Stepper> Drive<'_, S> {
             return None;
         }
         Some(self.equation.eigenvalue(&self.node.state).ok()? * self.step)
+    }
+
+    /// At a fixed step no error estimate would notice an unstable step.
+    pub(super) fn check_stability(&mut self) -> Result<(), IntegrationError> {
+        if self.pace != Pace::Fixed {
+            return Ok(());
+        }
+        let at = self.node.state;
+        let eigenvalue = self.equation.eigenvalue(&at).map_err(|source| self.failed(source))?;
+        let (step, product, allowed) = (self.step, self.step * eigenvalue, S::STABLE);
+        if product > allowed {
+            return Err(IntegrationError::Unstable { at, step, product, allowed });
+        }
+        Ok(())
     }
 
     pub(super) fn too_many(&mut self) -> IntegrationError {

@@ -23,7 +23,8 @@ impl Andrews {
     /// Rest at beta = -0.0617138900142764496.
     pub const START: State = State { time: 0.0, coordinate: -0.061_713_890_014_276_45, speed: 0.0 };
     /// Published solution at t = 0.03 s: beta = 15.81077119629904 rad.
-    pub const END: State = State { time: END, coordinate: 15.810_771_196_299_04, speed: 1_139.920_302_151_208 };
+    pub const END: State =
+        State { time: END, coordinate: 15.810_771_196_299_04, speed: 1_139.920_302_151_208 };
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {
@@ -76,8 +77,7 @@ fn carried(from: &Point, to: &Point, length: f64, at: Vector) -> (Point, Vector)
 /// Adds a body to J and J'.
 fn add(sum: &mut Reduced, mass: f64, inertia: f64, (center, angular): (Point, Vector)) {
     sum.inertia += mass * dot(center[1], center[1]) + inertia * angular[0] * angular[0];
-    sum.inertia_derivative +=
-        2.0 * (mass * dot(center[1], center[2]) + inertia * angular[0] * angular[1]);
+    sum.inertia_derivative += 2.0 * (mass * dot(center[1], center[2]) + inertia * angular[0] * angular[1]);
 }
 
 impl Motion for Andrews {

@@ -70,10 +70,16 @@ fn step_errors<S: Stepper>(mut stepper: S, h: f64) -> [f64; 2] {
 
 #[test]
 fn errors_of_a_step_fall_with_the_order() {
-    let (long, short) = (step_errors(crate::dopri5::Stages::default(), 0.4), step_errors(crate::dopri5::Stages::default(), 0.2));
+    let (long, short) = (
+        step_errors(crate::dopri5::Stages::default(), 0.4),
+        step_errors(crate::dopri5::Stages::default(), 0.2),
+    );
     let order = |i: usize| (long[i] / short[i]).log2();
     assert!(order(0) > 5.5 && order(1) > 4.5, "{} {}", order(0), order(1));
-    let (long, short) = (step_errors(crate::dop853::Stages::default(), 1.6), step_errors(crate::dop853::Stages::default(), 0.8));
+    let (long, short) = (
+        step_errors(crate::dop853::Stages::default(), 1.6),
+        step_errors(crate::dop853::Stages::default(), 0.8),
+    );
     let order = |i: usize| (long[i] / short[i]).log2();
     assert!(order(0) > 8.0 && order(1) > 7.0, "{} {}", order(0), order(1));
 }
@@ -106,7 +112,8 @@ fn andrews_mechanism_reaches_the_published_end() {
 fn samples_satisfy_the_equation_at_equal_times() {
     let initial = State { coordinate: 1.0, ..State::default() };
     for method in METHODS {
-        let found = method.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(7.0))).unwrap();
+        let found =
+            method.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(7.0))).unwrap();
         assert_eq!(found.samples.len(), 101);
         for (index, sample) in found.samples.iter().enumerate() {
             assert_close(sample.time, 0.07 * index as f64, 1e-14);

@@ -13,8 +13,7 @@ fn kinds(found: &Trajectory) -> Vec<EventKind> {
 #[test]
 fn jumps_are_stepped_onto() {
     for method in METHODS {
-        let found =
-            method.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
+        let found = method.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
         let end = 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0;
         assert_close(found.end.time, end, 1e-10);
         assert_close(found.end.speed, 10.0_f64.sqrt(), 1e-10);
@@ -165,8 +164,7 @@ impl Motion for Switched {
 #[test]
 fn a_jump_in_time_is_met_exactly() {
     for method in METHODS {
-        let found =
-            method.solve(&mut Switched { late: false }, &from_rest(Until::Time(2.0), 1e-10)).unwrap();
+        let found = method.solve(&mut Switched { late: false }, &from_rest(Until::Time(2.0), 1e-10)).unwrap();
         assert_eq!(kinds(&found), [EventKind::Time, EventKind::Reversal]);
         assert_close(found.events[0].state.time, 1.0, 0.0);
         assert_close(found.events[1].state.time, 4.0 / 3.0, 1e-12);
@@ -184,4 +182,19 @@ fn a_coordinate_behind_is_reached_too() {
         assert_close(found.end.time, 0.5 * (1.0 + 7.0_f64.sqrt()), 1e-9);
         assert_close(found.end.coordinate, -1.5, 0.0);
     }
+}
+
+/// An end by coordinate without inner samples needs no dense output: stages and one slope a step, and no more.
+#[test]
+fn one_sample_costs_no_dense_output() {
+    let until = Until::Coordinate(2.0 * PI);
+    let initial = State { speed: 3.0, ..State::default() };
+    let cost = |samples| {
+        let request = Request { samples, tolerance: 1e-9, ..Request::new(initial, until) };
+        Dop853.solve(&mut problems::coasting(), &request).unwrap().statistics
+    };
+    let (one, two) = (cost(1), cost(2));
+    assert_eq!(one.steps, two.steps);
+    // Three stages in every step but the last, which needs them to meet the end; and the sample itself.
+    assert!(two.evaluations >= one.evaluations + 3 * (one.steps - 2), "{one:?} {two:?}");
 }

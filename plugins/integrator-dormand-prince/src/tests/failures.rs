@@ -8,7 +8,8 @@ use super::*;
 fn stiffness_is_suspected_with_its_number() {
     let initial = State { speed: 9.9, ..State::default() };
     for method in METHODS {
-        let request = Request { max_steps: 300, tolerance: 1e-6, ..Request::new(initial, Until::Coordinate(6.0)) };
+        let request =
+            Request { max_steps: 300, tolerance: 1e-6, ..Request::new(initial, Until::Coordinate(6.0)) };
         let error = method.solve(&mut problems::motor(1e6), &request).unwrap_err();
         let IntegrationError::TooManySteps { steps: 300, stiffness: Some(product), at, .. } = error else {
             panic!("{error}");
