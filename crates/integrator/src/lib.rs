@@ -12,8 +12,10 @@
 //! | crate | version | license | dense output | events | two states without allocation | verdict |
 //! | --- | --- | --- | --- | --- | --- | --- |
 //! | `ode_solvers` | 0.6.2 | Apache-2.0 | dopri5, dop853: equidistant only | none but a stop condition | states yes, but `integrate` allocates its stages | no: no implicit method, the equation can't fail, plain control in dop853; its table holds c12 = 0 instead of 1, and when tried, y' = 5 cos t at 1e-9 ended with "stiffness detected" at t = 0.25: no M(t) |
-//! | `diffsol` | 0.18.0 | MIT | yes | one root function, stop and restart | no: heap vectors and matrices (nalgebra, faer) | no: made for large stiff systems (BDF, SDIRK), brings faer and a compiler of equations; a yardstick |
+//! | `diffsol` | 0.18.0 | MIT | yes | root functions, the solver stops there | no: heap vectors and matrices (nalgebra, faer) | no: made for large stiff systems (BDF, SDIRK), brings faer, petgraph and serde; a yardstick |
 //! | `differential-equations` | 0.7.0 | Apache-2.0 | yes | yes, by sign change over accepted steps | explicit methods yes, radau5 allocates at start | the nearest; no: an event is found after a step whose stages have already crossed the jump, and the equation can't fail |
+//!
+//! Known from the published sources and manifests; `ode_solvers` was also run.
 //!
 //! What decides is not the formulas but the steps: a mechanism's equation consists of smooth pieces (rows of tables, stroke
 //! direction, dry friction), no step may have a jump inside, the speed zero asks which side accepts the motion, and a

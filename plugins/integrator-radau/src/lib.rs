@@ -3,6 +3,10 @@
 //!
 //! Since q' = w, the coordinates of the three stages follow from their speeds; what Newton's method solves are three
 //! equations in the three speeds, whatever the mechanism.
+//!
+//! Steps end with order 5, but their inside is the collocation polynomial, of order 3: at a tight tolerance samples between steps are
+//! less exact than the end (on a pendulum at 1e-9, 7e-8 of the energy against 5e-10 of the coordinate). Where the
+//! equation is not stiff, the explicit methods are better and cheaper.
 
 use assur_integrator::{
     Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory, drive,
