@@ -1,6 +1,7 @@
 //! Motion of a mechanism under its loads and its drive.
 //!
 //! * [`Machine`]: a compiled mechanism with its loads as an equation of motion; [`Driven`]: with motor, flywheel and rotor.
+//! * [`transient`]: the motion from an initial state, by a registered integrator.
 //! * [`Survey`], [`Regime`]: the steady regime, ratio and flywheel.
 //!
 //! Knows no scene file and no terminal. SI units; angles, speeds and moments counter-clockwise positive.
@@ -14,6 +15,7 @@ mod shaft;
 mod steady;
 #[cfg(test)]
 mod tests;
+mod transient;
 
 pub use driven::Driven;
 pub use error::DynamicsError;
@@ -25,3 +27,4 @@ pub use steady::{
     CycleRequest, DriveRequest, Effort, FlywheelByMethod, Regime, RegimeState, Survey, TorqueRequest, Trial,
     Turn,
 };
+pub use transient::{EnergyBalance, Transient, equation, request, transient, transient_by};

@@ -12,6 +12,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
 mod steady;
+mod transient;
 
 /// A scene of the folder of fixtures.
 pub(crate) fn fixture(name: &str) -> String {
