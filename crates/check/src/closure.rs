@@ -10,8 +10,9 @@ use crate::worst::{Check, Worst};
 const ROUNDINGS: f64 = 64.0;
 
 const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
-const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term, and across a change \
-                      point those of the interpolation's nodes";
+const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term in the mechanism (a slow \
+                      group carries the rounding of the fast one that drives it), across a change point those of the \
+                      interpolation's nodes";
 
 /// What a pair leaves open: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
@@ -21,9 +22,11 @@ pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
     let linkage = subject.linkage;
     for one in solved {
         let bodies = &one.position.bodies;
-        for (id, named) in linkage.structure.pairs.iter().enumerate() {
-            let gap = gap(&named.pair, bodies);
-            for (order, (open, size)) in gap.into_iter().enumerate() {
+        let gaps: Vec<Gap> = linkage.structure.pairs.iter().map(|named| gap(&named.pair, bodies)).collect();
+        let sizes = [0, 1, 2].map(|order| gaps.iter().map(|gap: &Gap| gap[order].1).fold(0.0, f64::max));
+        for (id, gap) in gaps.iter().enumerate() {
+            for (order, (open, _)) in gap.iter().enumerate() {
+                let size = sizes[order];
                 let limit = ROUNDINGS * f64::EPSILON * size * subject.bridged(one, order);
                 let unit = subject.unit(order, true);
                 worst[order].offer(one.index, open / unit, limit / unit, || {
@@ -93,7 +96,9 @@ fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], a
     let extra = [far, w.abs() * far, 2.0 * w.abs() * fast + (e.abs() + w * w) * far];
     let (ts, tc) = tilt.sin_cos();
     let wanted = [along[0] * tc - along[1] * ts, along[1] * tc + along[0] * ts];
-    let turns = [wanted[0] * a.s - wanted[1] * a.c, a.w1 - b.w1, a.w2 - b.w2];
+    // The angle, not its sine alone: a body turned by 180 degrees does not close.
+    let turn = (wanted[0] * a.s - wanted[1] * a.c).atan2(wanted[0] * a.c + wanted[1] * a.s);
+    let turns = [turn, a.w1 - b.w1, a.w2 - b.w2];
     let rates = [1.0, a.w1.abs() + b.w1.abs(), a.w2.abs() + b.w2.abs()];
     let lever = point[0].hypot(point[1]) + through[0].hypot(through[1]) + far;
     [0, 1, 2].map(|k| {

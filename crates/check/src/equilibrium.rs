@@ -27,12 +27,12 @@ impl<'a> Equilibrium<'a> {
     pub(crate) fn new(subject: &'a Subject<'a>) -> Self {
         let links = Worst::new(
             "equilibrium of links",
-            "forces and moments on each link, from named reactions and written-out loads; limit: 256 rounding units of what \
+            "forces and moments on each link, from named reactions and written-out loads; limit: 64 rounding units of what \
              is summed and of the largest reaction, by the sum of 1/determinant over the groups",
         );
         let joints = Worst::new(
             "forces of joints",
-            "the forces of each pin or slide on its links sum to zero; limit: 256 rounding units of them",
+            "the forces of each pin or slide on its links sum to zero; limit: 64 rounding units of them",
         );
         let guides = Worst::new(
             "slides push across",

@@ -14,7 +14,7 @@ const ROUNDINGS: f64 = 64.0;
 
 /// Roundings of the solution of one group or of the system of all, in units of the last place of its largest force, for each
 /// unit of the condition.
-pub(crate) const SOLUTION: f64 = 256.0;
+pub(crate) const SOLUTION: f64 = 64.0;
 
 pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) -> Vec<Check> {
     let writer = Writer::new(subject);
@@ -51,7 +51,7 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
 fn agreement_worst() -> Worst {
     Worst::new(
         "agreement of the methods",
-        "every reaction and the balancing load by each method, relative to the largest reaction; limit: 256 rounding units \
+        "every reaction and the balancing load by each method, relative to the largest reaction; limit: 64 rounding units \
          by the sum of 1/determinant over the groups",
     )
 }

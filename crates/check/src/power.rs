@@ -31,7 +31,7 @@ impl<'a> Power<'a> {
     pub(crate) fn new(subject: &'a Subject<'a>) -> Self {
         let lagrange = Worst::new(
             "Lagrange-d'Alembert",
-            "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 256 rounding units of the \
+            "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units of the \
              terms and of the power that each reaction exchanges, by the sum of 1/determinant over the groups",
         );
         let virtual_power = Worst::new(
@@ -40,7 +40,7 @@ impl<'a> Power<'a> {
         );
         let reduced = Worst::new(
             "reduced quantities",
-            "J, J' and Q written out once more; limit: 256 rounding units of their terms",
+            "J, J' and Q written out once more; limit: 64 rounding units of their terms",
         );
         Self { subject, lagrange, virtual_power, reduced }
     }

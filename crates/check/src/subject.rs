@@ -114,18 +114,22 @@ impl Subject<'_> {
         unit
     }
 
-    /// What multiplies rounding where a position is interpolated across a change point: there the determinant is only as
-    /// large as the distance, PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
-    pub(crate) fn bridged(&self, solved: &Solved, order: usize) -> f64 {
+    /// Whether a position lies on the bridge across a change point, or close to it.
+    pub(crate) fn is_bridged(&self, solved: &Solved) -> bool {
         let period = if self.linkage.angular() { std::f64::consts::TAU } else { f64::INFINITY };
         let near = |center: f64| {
             let d = solved.position.coordinate - center;
             let d = if period.is_finite() { d - period * (d / period).round() } else { d };
             d.abs() < 2.0 * BRIDGE * self.coordinate_unit()
         };
-        let bridged = self.linkage.change_points().iter().any(|(center, _)| near(*center));
+        self.linkage.change_points().iter().any(|(center, _)| near(*center))
+    }
+
+    /// What multiplies rounding where a position is interpolated across a change point: there the determinant is only as
+    /// large as the distance, PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
+    pub(crate) fn bridged(&self, solved: &Solved, order: usize) -> f64 {
         let mut factor = 1.0;
-        if bridged {
+        if self.is_bridged(solved) {
             (0..=order).for_each(|_| factor /= BRIDGE);
         }
         factor

@@ -26,12 +26,16 @@ const SAFETY: f64 = 8.0;
 /// Least rounding of any value, in units of the last place of its own size and of a typical one.
 const FLOOR: f64 = 4.0;
 
-/// Where the rounding is measured around a position, in units of the coordinate: at the place itself, and far enough on both
-/// sides to lie beyond the bridge across a change point.
-const PLACES: [f64; 3] = [0.0, 0.03, -0.03];
+/// Where the rounding is measured around a position, in units of the coordinate: at the place itself, and on both sides just
+/// beyond the bridge across a change point, whose innermost nodes carry the most.
+const PLACES: [f64; 3] = [0.0, 0.013, -0.013];
 
 const REASON: &str = "against numerical differentiation of the order below; limit: 8 times the error estimate of the \
                       extrapolation with the rounding measured there";
+
+/// Sum of the absolute weights of the interpolation across a change point (six nodes on each side, in its middle): by so much
+/// it may magnify the rounding of its nodes.
+const BRIDGE_GAIN: f64 = 3.5;
 
 /// A function value for differences: elements of one order, two numbers each, and the reduced inertia.
 struct Sample {
@@ -135,6 +139,7 @@ fn compare(
 ) {
     let unit = subject.unit(order, element.is_length());
     let below_unit = subject.unit(order - 1, element.is_length());
+    let gain = if subject.is_bridged(one) { BRIDGE_GAIN } else { 1.0 };
     for k in 0..2 {
         let below = |sample: &Sample| sample.motions[i][order - 1][k];
         let own = |sample: &Sample| sample.motions[i][order][k];
@@ -144,7 +149,7 @@ fn compare(
             measured(around, &below).max(floor(below(&around.center), below_unit)),
             measured(around, &own).max(floor(value, unit)),
         ];
-        let [off, limit] = deviation(around, &below, value, noises);
+        let [off, limit] = deviation(around, &below, value, noises.map(|noise| gain * noise));
         worst.offer(one.index, off / unit, limit / unit, || element.name(subject.linkage));
     }
 }

@@ -21,6 +21,13 @@ pub struct Check {
     pub ok: bool,
 }
 
+/// Part of its limit that a residual takes up; nothing of nothing is none.
+fn share(residual: f64, limit: f64) -> f64 {
+    // A larger limit goes before a smaller one where both residuals are zero, so that a report shows a limit that means
+    // something.
+    if residual == 0.0 { -1.0 / limit } else { residual / limit }
+}
+
 /// Collects the residuals of one check.
 #[derive(Debug)]
 pub(crate) struct Worst {
@@ -43,7 +50,7 @@ impl Worst {
         let worse = match (self.check.ok, holds) {
             (true, false) => true,
             (false, true) => false,
-            _ => self.offers == 1 || residual * self.check.limit > self.check.residual * limit,
+            _ => self.offers == 1 || share(residual, limit) > share(self.check.residual, self.check.limit),
         };
         if worse {
             self.check =

@@ -164,7 +164,7 @@ impl<'a> Writer<'a> {
                 let speed = v[0].hypot(v[1]);
                 let parts = body.x1.hypot(body.y1) + body.w1.abs() * arm[0].hypot(arm[1]);
                 // At rest up to rounding: nothing, or any direction.
-                if now.state.speed == 0.0 || speed < 1e-11 * parts {
+                if now.state.speed == 0.0 || speed <= 1e-11 * parts {
                     return self.at(body, force.at.at, given, given[0].hypot(given[1]));
                 }
                 terms += parts / speed;
