@@ -2,15 +2,10 @@
 
 use assur_all as _;
 use assur_force::Loads;
-use assur_integrator_closed_form as _;
-use assur_integrator_dormand_prince as _;
-use assur_integrator_energy as _;
-use assur_integrator_radau as _;
-use assur_integrator_runge_kutta as _;
-use assur_integrator_uniform as _;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
+mod settled;
 mod steady;
 mod transient;
 
