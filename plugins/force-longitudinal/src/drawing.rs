@@ -1,0 +1,297 @@
+//! The construction as L draws it: the pole, F resolved along KA and KP, the polygon that closes in P.
+
+use assur_force::{Construction, Drawing, Step, StepKind};
+use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
+use assur_group::{Body, Wrench};
+use assur_kinematics::Linkage;
+
+use crate::deliver::{at_a, at_b};
+use crate::layout::{End, Layout};
+use crate::setting::{Setting, Unknowns};
+
+/// Sines below this count as parallel in the drawing.
+const PARALLEL: f64 = 1e-12;
+
+/// Everything that the drawing needs beside [`Setting`] and [`Unknowns`].
+#[derive(Debug)]
+pub(crate) struct Scene<'a> {
+    coupler: &'a str,
+    third: &'a str,
+    a: &'a str,
+    b: &'a str,
+    o: &'a str,
+    end: &'a str,
+    /// Places where loads of the coupler act, m: K is one of them where it can.
+    places: Vec<[f64; 2]>,
+    /// What goes to the ground directly, N.
+    crank_load: [f64; 2],
+    third_load: [f64; 2],
+}
+
+impl<'a> Scene<'a> {
+    pub(crate) fn of(
+        layout: &Layout,
+        linkage: &'a Linkage,
+        bodies: &[Body<f64>],
+        loads: &[Wrench<f64>],
+    ) -> Self {
+        let mechanism = &linkage.mechanism;
+        let name = |link: usize| mechanism.links[link].name.as_str();
+        let pair = |id: usize| linkage.structure.pair_name(mechanism, id);
+        let forces = mechanism.forces.iter().filter(|force| force.at.link == layout.coupler);
+        let mut places: Vec<_> = forces.map(|force| bodies[layout.coupler].point(force.at.at)).collect();
+        for contact in mechanism.contacts.iter().filter(|contact| contact.center.link == layout.coupler) {
+            let center = bodies[layout.coupler].point(contact.center.at);
+            let (s, c) = contact.angle.sin_cos();
+            places.push(plus(center, [-contact.radius * s, -contact.radius * c]));
+        }
+        places.push(bodies[layout.coupler].point(mechanism.links[layout.coupler].center));
+        places.push(bodies[layout.coupler].point(layout.b.own));
+        let end = match layout.end {
+            End::Guide(guide) => guide.id,
+            End::Pin(pin) => pin.id,
+        };
+        Self {
+            coupler: name(layout.coupler),
+            third: name(layout.third),
+            a: pair(layout.a.id),
+            b: pair(layout.b.id),
+            o: pair(layout.o.id),
+            end: pair(end),
+            places,
+            crank_load: loads[layout.crank].force(),
+            third_load: loads[layout.third].force(),
+        }
+    }
+}
+
+/// The pole in homogeneous coordinates: finite where the weight is not zero.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pole {
+    /// (X, Y), relative to O: the weight times the place, or the direction.
+    pub(crate) xy: [f64; 2],
+    /// Sine of the angle between crank and line 3.
+    pub(crate) weight: f64,
+}
+
+impl Pole {
+    pub(crate) fn of(at: &Setting) -> Self {
+        let (crank, _) = at.crank();
+        Self { xy: scaled(cross(minus(at.b, at.o), at.line), crank), weight: cross(crank, at.line) }
+    }
+
+    fn place(self, at: &Setting) -> Option<[f64; 2]> {
+        (self.weight.abs() > PARALLEL).then(|| plus(at.o, scaled(1.0 / self.weight, self.xy)))
+    }
+
+    /// Direction from a point to the pole; finite for a pole at infinity too.
+    fn from(self, point: [f64; 2], at: &Setting) -> [f64; 2] {
+        minus(self.xy, scaled(self.weight, minus(point, at.o)))
+    }
+}
+
+struct Draft {
+    steps: Vec<Step>,
+}
+
+impl Draft {
+    fn push(
+        &mut self,
+        (drawing, kind): (Drawing, StepKind),
+        name: &str,
+        start: [f64; 2],
+        vector: [f64; 2],
+        note: impl Into<String>,
+    ) {
+        let unit = if matches!(kind, StepKind::Point | StepKind::Line) { "m" } else { "N" };
+        self.steps.push(Step {
+            name: name.to_owned(),
+            kind,
+            drawing,
+            start,
+            vector,
+            unit,
+            note: note.into(),
+        });
+    }
+}
+
+/// All steps in order.
+pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Construction {
+    let mut draft = Draft { steps: Vec::new() };
+    let pole = Pole::of(at);
+    loads(&mut draft, scene, at);
+    lines(&mut draft, scene, at, pole);
+    resolution(&mut draft, scene, at, found, pole);
+    polygon(&mut draft, at, found);
+    reactions(&mut draft, scene, at, found);
+    let (_, crank) = at.crank();
+    // A pole far off the paper is of no use to lay forces off from.
+    let near = |place: &[f64; 2]| (place[0] - at.a[0]).hypot(place[1] - at.a[1]) < 100.0 * crank;
+    let corner = pole.place(at).filter(near).unwrap_or(at.a);
+    Construction {
+        title: format!("Longitudinal reactions: pole of `{}`, balancing force at {}", scene.coupler, scene.a),
+        corner,
+        steps: draft.steps,
+    }
+}
+
+/// F and what it is made of.
+fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
+    let kind = (Drawing::Mechanism, StepKind::Load);
+    if at.known != [0.0, 0.0] {
+        let what = if at.slider {
+            format!("the loads of `{}` along its guide act on the coupler at {}", scene.third, scene.b)
+        } else {
+            format!(
+                "moments about {}: the loads of `{}` put this across it on the coupler at {}",
+                scene.end, scene.third, scene.b
+            )
+        };
+        draft.push(kind, if at.slider { "F3" } else { "R3t" }, at.b, at.known, what);
+    }
+    let (k, couple) = point_of_action(scene, at);
+    let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m stays") };
+    draft.push(
+        (Drawing::Mechanism, StepKind::Point),
+        "K",
+        k,
+        [0.0; 2],
+        "the point at which the loads of the coupler are taken",
+    );
+    let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);
+    draft.push(kind, "F", k, at.force, what);
+}
+
+/// K: where a load really acts, if that lies on the line of F and off the line KP; and the couple that stays.
+fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
+    let action = at.action();
+    if action.couple != 0.0 || at.force == [0.0, 0.0] {
+        return (action.at, action.couple);
+    }
+    let rod = minus(at.b, at.a);
+    let (length, size) = (rod[0].hypot(rod[1]), at.force[0].hypot(at.force[1]));
+    let shift = scaled(length / size, at.force);
+    let miss = |place: &[f64; 2]| (cross(minus(*place, at.a), at.force) - at.moment_a).abs();
+    let real = scene.places.iter().copied().filter(|place| miss(place) <= 1e-9 * length * size);
+    let made = [action.at, plus(action.at, shift), minus(action.at, shift)];
+    let sound = |place: &[f64; 2]| {
+        let (to_a, to_p) = (minus(at.a, *place), Pole::of(at).from(*place, at));
+        cross(to_a, to_p).abs() > 0.02 * to_a[0].hypot(to_a[1]) * to_p[0].hypot(to_p[1])
+    };
+    (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
+}
+
+fn lines(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, pole: Pole) {
+    let line = (Drawing::Mechanism, StepKind::Line);
+    let third = if at.slider { "the normal to the guide" } else { "the line of the rocker" };
+    if let Some(place) = pole.place(at) {
+        let what = format!("the line of the crank, {}{}", scene.o, scene.a);
+        draft.push(line, "OP", at.o, minus(place, at.o), what);
+        draft.push(line, "BP", at.b, minus(place, at.b), format!("{third} through {}", scene.b));
+        let what =
+            format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
+        draft.push((Drawing::Mechanism, StepKind::Point), "P", place, [0.0; 2], what);
+    } else {
+        let (crank, length) = at.crank();
+        let what =
+            "the line of the crank; it is parallel to the other line, so that the pole P is at infinity";
+        draft.push(line, "OP", at.o, scaled(2.0 * length, crank), what);
+        draft.push(
+            line,
+            "BP",
+            at.b,
+            scaled(2.0 * length, crank),
+            format!("{third}; P is at infinity along it"),
+        );
+    }
+}
+
+/// F along KA and KP, and the balancing force.
+fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknowns, pole: Pole) {
+    let (k, couple) = point_of_action(scene, at);
+    let (to_a, to_p) = (minus(at.a, k), pole.from(k, at));
+    let turn = cross(to_a, to_p);
+    let (mut part_a, mut part_p) = (at.force, [0.0; 2]);
+    if turn != 0.0 {
+        part_a = scaled(cross(at.force, to_p) / turn, to_a);
+        part_p = minus(at.force, part_a);
+        let line = (Drawing::Mechanism, StepKind::Line);
+        draft.push(line, "KA", k, to_a, format!("from K to {}", scene.a));
+        let unit = scaled(to_a[0].hypot(to_a[1]) / to_p[0].hypot(to_p[1]), to_p);
+        draft.push(line, "KP", k, pole.place(at).map_or(unit, |place| minus(place, k)), "from K to the pole");
+    }
+    let part = (Drawing::Mechanism, StepKind::Part);
+    draft.push(part, "F(KP)", k, part_p, "the part of F along KP: it goes through the pole and does no work");
+    draft.push(
+        part,
+        "F(KA)",
+        at.a,
+        part_a,
+        format!("the part of F along KA, moved along its line to {}", scene.a),
+    );
+    let (along, _) = at.crank();
+    let across = scaled(dot(part_a, perp(along)), perp(along));
+    draft.push(
+        part,
+        "F(KA) across",
+        at.a,
+        across,
+        "its component across the crank, which the balancing force cancels",
+    );
+    let rest = if couple == 0.0 { "" } else { " together with the couple of the coupler" };
+    let what =
+        format!("the balancing force at {}, opposite to the component across the crank{rest}", scene.a);
+    draft.push((Drawing::Mechanism, StepKind::Balancing), "Fb", at.a, found.fb, what);
+}
+
+/// F + Fb + RP = 0, RP = R1 + R3, laid end to end.
+fn polygon(draft: &mut Draft, at: &Setting, found: &Unknowns) {
+    let after = plus(at.force, found.fb);
+    let polar = opposite(after);
+    let sides = [
+        (StepKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F"),
+        (StepKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force"),
+        (StepKind::Closing, "RP", after, polar, "the closing side: the polar reaction, F + Fb + RP = 0"),
+        (
+            StepKind::Reaction,
+            "R1",
+            after,
+            found.r1,
+            "RP resolved: along the crank, the longitudinal reaction R1",
+        ),
+        (
+            StepKind::Reaction,
+            "R3",
+            plus(after, found.r1),
+            found.r3,
+            "and along the other line, the longitudinal reaction R3; it ends in the pole",
+        ),
+    ];
+    for (kind, name, start, vector, note) in sides {
+        draft.push((Drawing::Polygon, kind), name, start, vector, note);
+    }
+}
+
+fn reactions(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
+    let kind = (Drawing::Mechanism, StepKind::Reaction);
+    let (ra, rb) = (at_a(found), at_b(at, found));
+    draft.push(kind, "R1", at.a, found.r1, "longitudinal reaction of the crank");
+    draft.push(kind, "R3", at.b, found.r3, format!("longitudinal reaction of `{}`", scene.third));
+    draft.push(kind, "RA", at.a, ra, format!("Fb + R1: the pin {} on the coupler", scene.a));
+    let what = if at.known == [0.0, 0.0] {
+        format!("R3: the pin {} on the coupler", scene.b)
+    } else {
+        format!("R3 with what the loads of `{}` put there: the pin {} on the coupler", scene.third, scene.b)
+    };
+    draft.push(kind, "RB", at.b, rb, what);
+    let what = format!("RA less the loads of the crank: the pin {} on the crank", scene.o);
+    draft.push(kind, "RO", at.o, minus(ra, scene.crank_load), what);
+    let end = if at.slider {
+        let across = dot(minus(found.r3, scene.third_load), at.line);
+        (format!("the guide {} on `{}`", scene.end, scene.third), scaled(across, at.line))
+    } else {
+        (format!("the pin {} on `{}`", scene.end, scene.third), minus(rb, scene.third_load))
+    };
+    draft.push(kind, if at.slider { "RG" } else { "RC" }, at.c, end.1, end.0);
+}

@@ -1,0 +1,104 @@
+//! Which link is the crank, the coupler, the slider or rocker; and why another mechanism has none.
+
+use assur_group::{Pair, PinJoint, SlideJoint};
+use assur_kinematics::Linkage;
+use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
+
+/// The roles of links and pairs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Layout {
+    pub(crate) crank: LinkId,
+    pub(crate) coupler: LinkId,
+    /// Slider or rocker.
+    pub(crate) third: LinkId,
+    /// Crank and ground, seen from the crank.
+    pub(crate) o: PinJoint<f64>,
+    /// Coupler and crank, seen from the coupler.
+    pub(crate) a: PinJoint<f64>,
+    /// Coupler and third link, seen from the coupler.
+    pub(crate) b: PinJoint<f64>,
+    /// Third link and ground, seen from the third link.
+    pub(crate) end: End,
+}
+
+/// How the third link is joined to the ground.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum End {
+    Guide(SlideJoint<f64>),
+    Pin(PinJoint<f64>),
+}
+
+impl Layout {
+    /// # Errors
+    ///
+    /// Why the mechanism has no such layout, as a clause.
+    pub(crate) fn of(linkage: &Linkage) -> Result<Self, String> {
+        let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
+        let crank = mechanism.input.link;
+        let link = |id: LinkId| &mechanism.links[id].name;
+        if matches!(mechanism.input.pair, InputPair::Slide(_)) {
+            return Err(format!("its input link `{}` slides; the method needs a crank", link(crank)));
+        }
+        if mechanism.balance.is_some_and(|balance| balance != Balance::Moment(crank)) {
+            return Err(format!(
+                "`[balance]` puts the balancing load elsewhere than on the crank `{}`",
+                link(crank)
+            ));
+        }
+        let [group] = structure.groups.as_slice() else {
+            return Err(format!("it has {} groups; the method needs one", structure.groups.len()));
+        };
+        if !matches!(group.plugin.name, "rrp" | "rrr") {
+            return Err(format!("its group is of kind {}; the method needs RRP or RRR", group.plugin.kind));
+        }
+        let frame = &group.frame;
+        let (Some(inner), Some(first), Some(last)) =
+            (frame.inner.first(), outer_at(&frame.outer, crank), outer_at(&frame.outer, GROUND))
+        else {
+            return Err(format!("its group is not carried by the crank `{}` and the ground", link(crank)));
+        };
+        if first.is_slide() {
+            return Err(format!(
+                "its slide is on the crank `{}`; the method needs a guide on the ground",
+                link(crank)
+            ));
+        }
+        let coupler = first.other(crank);
+        let third = last.other(GROUND);
+        let input = &structure.pairs[0].pair;
+        let end =
+            if last.is_slide() { slide(last, third).map(End::Guide) } else { pin(last, third).map(End::Pin) };
+        let layout = Self {
+            crank,
+            coupler,
+            third,
+            o: pin(input, crank)?,
+            a: pin(first, coupler)?,
+            b: pin(inner, coupler)?,
+            end: end?,
+        };
+        if layout.o.own == layout.a.at {
+            return Err(format!("the crank `{}` has no length", link(crank)));
+        }
+        Ok(layout)
+    }
+}
+
+fn outer_at(outer: &[Pair], body: LinkId) -> Option<&Pair> {
+    outer.iter().find(|pair| pair.joins(body))
+}
+
+/// The pair as one sees it from a link.
+fn seen(pair: &Pair, link: LinkId) -> (Pair, bool) {
+    if pair.a == link { (*pair, false) } else { (pair.turned_round(), true) }
+}
+
+fn pin(pair: &Pair, link: LinkId) -> Result<PinJoint<f64>, String> {
+    let (pair, turned) = seen(pair, link);
+    PinJoint::new(&pair, turned).map_err(|error| error.what)
+}
+
+fn slide(pair: &Pair, link: LinkId) -> Result<SlideJoint<f64>, String> {
+    let (pair, turned) = seen(pair, link);
+    SlideJoint::new(&pair, turned).map_err(|error| error.what)
+}

@@ -1,0 +1,142 @@
+//! Longitudinal reactions (source L) for a crank with one group RRP or RRR.
+//!
+//! ```text
+//!            P   pole: crank line OA cut with line 3 through B
+//!           / \            line 3: across the guide (slider), or the rocker itself (BC)
+//!          /   \
+//!         /     \    F through K: all that loads the coupler
+//!        A---K---B       F + Fb + RP = 0,  RP = R1 + R3
+//!       /        |       Fb at A, across the crank; R1 along the crank; R3 along line 3
+//!      O       guide
+//! ```
+//!
+//! Two analyzers find the same unknowns Fb, R1, R3:
+//!
+//! * `longitudinal-published`: equations (1) to (12) of L with the pole in plain coordinates. It has no solution where the
+//!   crank is parallel to line 3 (a slider-crank with the crank across the guide), and loses digits around.
+//! * `longitudinal`: R3 from moments about A, then the components of the force at A. As stable as the group itself.
+//!
+//! What L leaves out is reduced to its case first. A slider's load along the guide acts on the coupler at B, the rest of
+//! it goes to the guide. A rocker's loads give the tangential reaction at B by moments about C. Loads on the crank change
+//! the balancing moment and the reaction at O only. [`press`] has the equations as printed, for the press of L.
+
+mod deliver;
+mod drawing;
+mod layout;
+pub mod press;
+mod published;
+mod setting;
+mod stable;
+
+use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
+use assur_group::Wrench;
+use assur_kinematics::{Linkage, Position};
+
+use layout::Layout;
+use setting::{Setting, Unknowns};
+
+const SOURCE: &str = "L: Vladimirov, Kuznetsov, longitudinal reactions, eqs. 1-12";
+
+assur_force::inventory::submit! {
+    AnalyzerPlugin {
+        name: Form::Stable.name(),
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "longitudinal reactions of a crank with one group RRP or RRR, by moments about A: no pole at infinity",
+        source: SOURCE,
+        instance: &Longitudinal { form: Form::Stable },
+        gives_reactions: true,
+    }
+}
+
+assur_force::inventory::submit! {
+    AnalyzerPlugin {
+        name: Form::Published.name(),
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "longitudinal reactions as published: fails where the crank is parallel to the line of the third reaction",
+        source: SOURCE,
+        instance: &Longitudinal { form: Form::Published },
+        gives_reactions: true,
+    }
+}
+
+/// How the three unknowns are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// Moments about A, which stays finite.
+    Stable,
+    /// Moments about the pole P (L eqs. 5-11).
+    Published,
+}
+
+impl Form {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "longitudinal",
+            Self::Published => "longitudinal-published",
+        }
+    }
+}
+
+/// The method.
+#[derive(Debug, Clone, Copy)]
+pub struct Longitudinal {
+    /// Which of its forms.
+    pub form: Form,
+}
+
+impl Longitudinal {
+    /// Geometry, loads and unknowns at a position.
+    fn solved(
+        self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &[Wrench<f64>],
+    ) -> Result<(Layout, Setting, Unknowns), ForceError> {
+        let layout = Layout::of(linkage)
+            .map_err(|reason| ForceError::Unsupported { analyzer: self.form.name(), reason })?;
+        let setting = Setting::of(&layout, &position.bodies, loads);
+        let unknowns = match self.form {
+            Form::Stable => stable::solve(&setting).map_err(|health| {
+                let group = linkage.structure.group_name(&linkage.mechanism, 0);
+                let source = assur_group::GroupError::Singular { health };
+                ForceError::Group { group, coordinate: position.coordinate, source }
+            }),
+            Form::Published => published::solve(&setting)
+                .map(|found| found.unknowns)
+                .map_err(|failure| failure.explain(linkage, position.coordinate)),
+        }?;
+        Ok((layout, setting, unknowns))
+    }
+}
+
+impl ForceAnalyzer for Longitudinal {
+    fn supports(&self, linkage: &Linkage) -> Result<(), String> {
+        Layout::of(linkage).map(|_| ())
+    }
+
+    fn solve(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &mut [Wrench<f64>],
+        out: &mut Reactions,
+    ) -> Result<(), ForceError> {
+        let (layout, setting, unknowns) = self.solved(linkage, position, loads)?;
+        deliver::store(&layout, &setting, &unknowns, &position.bodies, loads, out);
+        Ok(())
+    }
+
+    fn construction(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &[Wrench<f64>],
+    ) -> Result<Option<Construction>, ForceError> {
+        let (layout, setting, unknowns) = self.solved(linkage, position, loads)?;
+        let scene = drawing::Scene::of(&layout, linkage, &position.bodies, loads);
+        Ok(Some(drawing::draw(&scene, &setting, &unknowns)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,103 @@
+//! The published form: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
+//!
+//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here always
+//! counter-clockwise. In L eqs. (3), (4), (10), (11) it is so; (8), (9) of the print count it towards x, so that here the
+//! abscissa of P has the opposite sign. K and B are taken from the position, not from (8), (9) for the press alone: those
+//! are in [`crate::press`].
+
+use assur_force::ForceError;
+use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
+use assur_group::{GroupError, LEAST_HEALTH};
+use assur_kinematics::Linkage;
+
+use crate::Form;
+use crate::layout::{End, Layout};
+use crate::setting::{Setting, Unknowns};
+
+/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves no digit that is worth telling.
+const PARALLEL: f64 = 1e-12;
+
+/// What the equations give.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Published {
+    /// Pole P, m, in the ground's frame.
+    pub(crate) pole: [f64; 2],
+    pub(crate) unknowns: Unknowns,
+}
+
+/// Why they give nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Failure {
+    /// The crank is parallel to line 3 up to this angle, rad.
+    Parallel(f64),
+    /// P falls on A: the coupler lies along line 3 and the group is singular; the sine between them.
+    Singular(f64),
+}
+
+/// Solves the equations.
+///
+/// # Errors
+///
+/// [`Failure`] where P or the ratios are not determined.
+pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
+    let (x, y) = (at.line, perp(at.line));
+    let (along, r1) = at.crank();
+    let (sin, cos) = (-dot(along, x), dot(along, y));
+    if cos.abs() <= PARALLEL {
+        return Err(Failure::Parallel(cos.abs().asin()));
+    }
+    let action = at.action();
+    let from_o = |point| minus(point, at.o);
+    let (xk, yk) = (dot(from_o(action.at), x), dot(from_o(action.at), y));
+    // P: on line 3, at the height of B, and on the line of the crank.
+    let yp = dot(from_o(at.b), y);
+    let xp = -yp * (sin / cos);
+    let ap = yp / cos - r1;
+    let rod = minus(at.b, at.a);
+    let health = cross(rod, x).abs() / rod[0].hypot(rod[1]);
+    if health.is_nan() || health < LEAST_HEALTH || ap == 0.0 {
+        return Err(Failure::Singular(health));
+    }
+    let (fx, fy) = (dot(at.force, x), dot(at.force, y)); // L eq. (2)
+    let (x2, y2) = (xp - xk, yk - yp); // L eqs. (8), (9): distances of K and P
+    let mc = fy * x2 + fx * y2 - action.couple; // L eq. (7), clockwise; the couple is what L does not have
+    let mb = -mc * r1 / ap; // L eq. (6), counter-clockwise
+    let fb = mb / r1; // L eq. (5)
+    let r1 = (fy - fb * sin) / cos; // L eq. (10), from (1), (3): Fy - Fb sin f1 - R1 cos f1 = 0
+    let r3 = fx - fb * cos + r1 * sin; // L eq. (11), from (1), (4): Fx - Fb cos f1 + R1 sin f1 - R3 = 0
+    let vector = |u: f64, v: f64| plus(scaled(u, x), scaled(v, y));
+    // L eq. (12), RA = |Fb + R1| and RB = R3, is what delivery makes of these.
+    let unknowns =
+        Unknowns { fb: vector(-fb * cos, -fb * sin), r1: vector(r1 * sin, -r1 * cos), r3: vector(-r3, 0.0) };
+    Ok(Published { pole: plus(at.o, vector(xp, yp)), unknowns })
+}
+
+impl Failure {
+    pub(crate) fn explain(self, linkage: &Linkage, coordinate: f64) -> ForceError {
+        match self {
+            Self::Parallel(angle) => {
+                let lines = lines(linkage);
+                ForceError::Parallel { coordinate, lines, angle, instead: Form::Stable.name() }
+            }
+            Self::Singular(health) => {
+                let group = linkage.structure.group_name(&linkage.mechanism, 0);
+                ForceError::Group { group, coordinate, source: GroupError::Singular { health } }
+            }
+        }
+    }
+}
+
+/// The two lines that meet in the pole.
+fn lines(linkage: &Linkage) -> String {
+    let name = |link: usize| &linkage.mechanism.links[link].name;
+    match Layout::of(linkage) {
+        Ok(layout) => {
+            let (crank, third) = (name(layout.crank), name(layout.third));
+            match layout.end {
+                End::Guide(_) => format!("the crank `{crank}` and the normal to the guide of `{third}`"),
+                End::Pin(_) => format!("the crank `{crank}` and the rocker `{third}`"),
+            }
+        }
+        Err(reason) => reason,
+    }
+}

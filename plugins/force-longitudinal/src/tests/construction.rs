@@ -1,0 +1,124 @@
+use assur_force::{Construction, Drawing, ForceAnalyzer};
+use assur_group::plane::{cross, dot, minus, plus};
+use assur_kinematics::Linkage;
+
+use super::{compile, fixture, loaded};
+use crate::{Form, Longitudinal};
+
+const STABLE: Longitudinal = Longitudinal { form: Form::Stable };
+
+fn drawn(linkage: &Linkage, q: f64) -> Construction {
+    let (position, loads) = loaded(linkage, q);
+    STABLE.construction(linkage, &position, &loads).unwrap().unwrap()
+}
+
+fn vector(drawn: &Construction, drawing: Drawing, name: &str) -> [f64; 2] {
+    drawn.step(drawing, name).unwrap_or_else(|| panic!("{name}")).vector
+}
+
+fn length(v: [f64; 2]) -> f64 {
+    v[0].hypot(v[1])
+}
+
+#[test]
+fn the_polygon_closes_in_the_pole() {
+    for name in ["press.toml", "slider-crank.toml", "four-bar.toml"] {
+        let linkage = compile(&fixture(name));
+        for index in 0..linkage.mechanism.input.positions {
+            let drawn = drawn(&linkage, linkage.mechanism.input.coordinate(index));
+            let side = |name| vector(&drawn, Drawing::Polygon, name);
+            let size = length(side("F"));
+            let closed = plus(plus(side("F"), side("Fb")), side("RP"));
+            assert!(length(closed) <= 1e-10 * size);
+            let split = minus(side("RP"), plus(side("R1"), side("R3")));
+            assert!(length(split) <= 1e-10 * length(side("RP")), "{name} {index}");
+            let last = drawn.step(Drawing::Polygon, "R3").unwrap();
+            assert!(length(plus(last.start, last.vector)) <= 1e-10 * length(side("RP")));
+        }
+    }
+}
+
+#[test]
+fn the_graphical_way_gives_the_same_balancing_force() {
+    // Fb was found from moments about A; on paper it is the component of F(KA) across the crank, found with the pole.
+    for name in ["press.toml", "slider-crank.toml", "four-bar.toml"] {
+        let linkage = compile(&fixture(name));
+        for index in 0..linkage.mechanism.input.positions {
+            let drawn = drawn(&linkage, linkage.mechanism.input.coordinate(index));
+            let part = |name| vector(&drawn, Drawing::Mechanism, name);
+            let sum = plus(part("Fb"), part("F(KA) across"));
+            assert!(length(sum) < 1e-9 * length(part("F")), "{name} {index} {sum:?}");
+            let whole = minus(part("F"), plus(part("F(KA)"), part("F(KP)")));
+            assert!(length(whole) < 1e-9 * length(part("F")));
+        }
+    }
+}
+
+#[test]
+fn the_pole_is_the_instant_center_and_k_the_contact() {
+    let linkage = compile(&fixture("press.toml"));
+    let q = linkage.mechanism.input.coordinate(5);
+    let drawn = drawn(&linkage, q);
+    let pole = drawn.step(Drawing::Mechanism, "P").unwrap().start;
+    assert_eq!(drawn.corner, pole);
+    let (position, _) = loaded(&linkage, q);
+    let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
+    let velocity = rod.first(minus(pole, [rod.x, rod.y]));
+    assert!(length(velocity) < 1e-14);
+    let angle = 4.0_f64.to_radians();
+    let center = rod.point([0.06, 0.0]);
+    let contact = [center[0] - 0.3 * angle.sin(), center[1] - 0.3 * angle.cos()];
+    let k = drawn.step(Drawing::Mechanism, "K").unwrap().start;
+    assert!(length(minus(k, contact)) < 1e-15);
+}
+
+#[test]
+fn a_pole_at_infinity_is_a_direction() {
+    let text =
+        fixture("press.toml").replace("from = \"130 deg\"\nto = \"50 deg\"\npositions = 33", "positions = 4");
+    let drawn = drawn(&compile(&text), 0.0);
+    assert!(drawn.step(Drawing::Mechanism, "P").is_none());
+    assert_eq!(
+        drawn.step(Drawing::Mechanism, "OP").unwrap().note,
+        "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
+    );
+    let part = |name| vector(&drawn, Drawing::Mechanism, name);
+    assert!(length(plus(part("Fb"), part("F(KA) across"))) < 1e-9 * length(part("F")));
+    // The crank lies along x: R1 along it, Fb across, R3 along x as well.
+    assert!(cross(part("R1"), [1.0, 0.0]).abs() < 1e-9 && dot(part("Fb"), [1.0, 0.0]).abs() < 1e-9);
+    assert_eq!(drawn.corner, [0.04, 0.0]);
+}
+
+#[test]
+fn the_steps_come_in_the_order_of_the_paper() {
+    let linkage = compile(&fixture("press.toml"));
+    let drawn = drawn(&linkage, 2.0);
+    let names: Vec<_> = drawn.steps.iter().map(|step| step.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "K",
+            "F",
+            "OP",
+            "BP",
+            "P",
+            "KA",
+            "KP",
+            "F(KP)",
+            "F(KA)",
+            "F(KA) across",
+            "Fb",
+            "F",
+            "Fb",
+            "RP",
+            "R1",
+            "R3",
+            "R1",
+            "R3",
+            "RA",
+            "RB",
+            "RO",
+            "RG"
+        ]
+    );
+}
