@@ -1,0 +1,113 @@
+//! The turned velocity plan with the forces on it.
+
+use assur_force::{Construction, Drawing, Step, StepKind, UnitBalance};
+use assur_group::plane::{opposite, perp, scaled};
+use assur_group::{Body, Wrench};
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{Balance, InputPair};
+
+/// A moment is shown as the arm of the force on its link up to this many typical lengths.
+const FAR: f64 = 1e2;
+
+/// The lever: images of the points turned clockwise by a right angle, then each link's load in the image of its point.
+pub(crate) fn draw(
+    linkage: &Linkage,
+    position: &Position,
+    loads: &[Wrench<f64>],
+    balancing: f64,
+) -> Construction {
+    let mut steps = images(linkage, position);
+    for (link, load) in loads.iter().enumerate().skip(1) {
+        let what = format!("the loads of `{}`", linkage.mechanism.links[link].name);
+        let name = format!("F({})", linkage.mechanism.links[link].name);
+        steps.extend(on_lever(linkage, &position.bodies[link], load, StepKind::Load, &name, &what));
+    }
+    steps.extend(balance(linkage, position, balancing));
+    let title = "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise".to_owned();
+    Construction { title, corner: [0.0; 2], steps }
+}
+
+fn unit(linkage: &Linkage) -> &'static str {
+    if linkage.angular() { "m/rad" } else { "m/m" }
+}
+
+/// PF1 turned clockwise: the moment about the pole of a force there is its power.
+fn turned(first: [f64; 2]) -> [f64; 2] {
+    opposite(perp(first))
+}
+
+fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
+    let points = linkage.mechanism.points.iter().enumerate();
+    points
+        .map(|(id, point)| Step {
+            name: point.name.clone(),
+            kind: StepKind::Velocity,
+            drawing: Drawing::Lever,
+            start: [0.0; 2],
+            vector: turned(linkage.point_motion(id, position).pf1),
+            unit: unit(linkage),
+            note: format!("velocity of {} for dq = 1, turned", point.name),
+        })
+        .collect()
+}
+
+/// The load of a link as a force in the image of a point of its line of action, and a couple where there is no such point.
+fn on_lever(
+    linkage: &Linkage,
+    body: &Body<f64>,
+    load: &Wrench<f64>,
+    kind: StepKind,
+    name: &str,
+    what: &str,
+) -> Vec<Step> {
+    let force = load.force();
+    let square = force[0] * force[0] + force[1] * force[1];
+    let (mut arm, mut couple) = ([0.0; 2], load.m);
+    if load.m.abs() <= FAR * linkage.structure.scale * square.sqrt() && square > 0.0 {
+        (arm, couple) = (scaled(-load.m / square, perp(force)), 0.0);
+    }
+    let step = |name: String, start, vector, note| Step {
+        name,
+        kind,
+        drawing: Drawing::Lever,
+        start,
+        vector,
+        unit: "N",
+        note,
+    };
+    let mut steps = Vec::new();
+    if square > 0.0 {
+        let note = format!("{what}, in the image of a point of their line of action");
+        steps.push(step(name.to_owned(), turned(body.first(arm)), force, note));
+    }
+    if couple != 0.0 && body.w1 != 0.0 {
+        // A couple of two forces across a unit vector of the link: their images lie w1 apart.
+        let [start, end] = [[0.0; 2], [1.0, 0.0]].map(|arm| turned(body.first(arm)));
+        let note = |end: &str| format!("moment {couple:.6e} N m of {what}, {end} of two forces 1 m apart");
+        steps.push(step(format!("{name} couple 1"), start, [0.0, -couple], note("the first")));
+        steps.push(step(format!("{name} couple 2"), end, [0.0, couple], note("the second")));
+    }
+    steps
+}
+
+/// The balancing load where it acts.
+fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
+    let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
+    let kind = StepKind::Balancing;
+    let Some(unit) = UnitBalance::of(mechanism, bodies) else {
+        let body = &bodies[mechanism.input.link];
+        let load = match mechanism.input.pair {
+            InputPair::Pin(_) => Wrench { fx: 0.0, fy: 0.0, m: size },
+            // The origin of a sliding input moves by the unit vector along the coordinate.
+            InputPair::Slide(_) => Wrench { fx: size * body.x1, fy: size * body.y1, m: 0.0 },
+        };
+        return on_lever(linkage, body, &load, kind, "balance", "the balancing load on the input link");
+    };
+    let Wrench { fx, fy, m } = unit.wrench;
+    let load = Wrench { fx: size * fx, fy: size * fy, m: size * m };
+    let what = match mechanism.balance {
+        Some(Balance::Force { .. }) => "the balancing force",
+        _ => "the balancing moment",
+    };
+    on_lever(linkage, &bodies[unit.link], &load, kind, "balance", what)
+}

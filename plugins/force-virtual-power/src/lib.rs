@@ -1,0 +1,72 @@
+//! Virtual power, or Zhukovsky's lever: the balancing load alone, from the powers of all loads.
+//!
+//! ```text
+//!   sum(F v cos(F, v)) + sum(M w) + Mb = 0     for dq = 1: v = PF1 of the point, w = PF1 of the link
+//! ```
+//!
+//! As a lever: turn the velocity plan by a right angle (here clockwise) and put every force into the image of its point;
+//! the moment of a force about the pole is then its power, and the plan is a lever that the balancing force holds. Reactions do
+//! no work, so they do not enter, and the method does not find them.
+
+mod lever;
+
+use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions, UnitBalance, power};
+use assur_group::Wrench;
+use assur_kinematics::{Linkage, Position};
+
+assur_force::inventory::submit! {
+    AnalyzerPlugin {
+        name: "virtual-power",
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "balancing load from the powers of all loads (Zhukovsky's lever); no reactions",
+        source: "principle of virtual power; Zhukovsky's lever",
+        instance: &VirtualPower,
+        gives_reactions: false,
+    }
+}
+
+/// The method.
+#[derive(Debug, Clone, Copy)]
+pub struct VirtualPower;
+
+/// Moment (N m) or force (N) that the balancing load must have.
+fn balancing(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> Result<f64, ForceError> {
+    let bodies = &position.bodies;
+    let drive = -bodies.iter().zip(loads).skip(1).map(|(body, load)| power(load, body)).sum::<f64>();
+    match UnitBalance::of(&linkage.mechanism, bodies) {
+        None => Ok(drive),
+        Some(unit) => unit.size(drive, -unit.power(bodies), linkage, position),
+    }
+}
+
+impl ForceAnalyzer for VirtualPower {
+    fn supports(&self, _linkage: &Linkage) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn solve(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &mut [Wrench<f64>],
+        out: &mut Reactions,
+    ) -> Result<(), ForceError> {
+        let none = Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN };
+        out.pairs.fill(none);
+        out.balancing = balancing(linkage, position, loads)?;
+        Ok(())
+    }
+
+    fn construction(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &[Wrench<f64>],
+    ) -> Result<Option<Construction>, ForceError> {
+        let balancing = balancing(linkage, position, loads)?;
+        Ok(Some(lever::draw(linkage, position, loads, balancing)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,139 @@
+use assur_force::{Drawing, ForceAnalyzer, Loads, Reactions, State, StepKind, find};
+use assur_force_newton_euler::NewtonEuler;
+use assur_group::plane::cross;
+use assur_group::{Order, Wrench};
+use assur_group_prp as _;
+use assur_group_rpp as _;
+use assur_group_rpr as _;
+use assur_group_rrp as _;
+use assur_group_rrr as _;
+use assur_kinematics::{Linkage, Position};
+use assur_specimen::Recipe;
+
+use crate::VirtualPower;
+
+fn compile(name: &str) -> Linkage {
+    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let scene = std::fs::read_to_string(path).unwrap();
+    Linkage::compile(assur_scene::read(name, &scene).unwrap_or_else(|errors| panic!("{errors}"))).unwrap()
+}
+
+/// A state that shows inertia as well, whatever the motion of the scene.
+fn loaded(linkage: &Linkage, coordinate: f64) -> (Position, Vec<Wrench<f64>>) {
+    let loads = Loads::compile(linkage).unwrap();
+    let mut position = linkage.position();
+    linkage.solve(coordinate, Order::Second, &mut position).unwrap();
+    let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
+    loads.apply(&state, &position.bodies, &mut wrenches);
+    loads.inertia(&state, &position.bodies, &mut wrenches);
+    (position, wrenches)
+}
+
+fn solve(
+    analyzer: &dyn ForceAnalyzer,
+    linkage: &Linkage,
+    position: &Position,
+    loads: &[Wrench<f64>],
+) -> Reactions {
+    let mut out = Reactions::new(linkage);
+    analyzer.solve(linkage, position, &mut loads.to_vec(), &mut out).unwrap();
+    out
+}
+
+const SCENES: [&str; 6] = ["shaper", "guide-shaper", "conveyor", "stephenson3", "press", "four-bar"];
+
+#[test]
+fn agrees_with_newton_euler_on_fixtures() {
+    for name in SCENES {
+        let linkage = compile(name);
+        for index in 0..linkage.mechanism.input.positions {
+            let (position, loads) = loaded(&linkage, linkage.mechanism.input.coordinate(index));
+            let whole = solve(&NewtonEuler, &linkage, &position, &loads);
+            let lever = solve(&VirtualPower, &linkage, &position, &loads);
+            let scale = whole.balancing.abs().max(1.0);
+            assert!((lever.balancing - whole.balancing).abs() < 1e-9 * scale, "{name} {index}");
+            assert!(lever.pairs.iter().all(|pair| pair.fx.is_nan() && pair.fy.is_nan() && pair.m.is_nan()));
+        }
+    }
+}
+
+/// Sum of the moments about the pole of the lever, and of their sizes.
+fn moments(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> (f64, f64) {
+    let drawn = VirtualPower.construction(linkage, position, loads).unwrap().unwrap();
+    let forces =
+        drawn.steps.iter().filter(|step| step.drawing == Drawing::Lever && step.kind != StepKind::Velocity);
+    let moments: Vec<f64> = forces.map(|step| cross(step.start, step.vector)).collect();
+    (moments.iter().sum(), moments.iter().map(|m| m.abs()).sum())
+}
+
+#[test]
+fn the_lever_is_in_equilibrium() {
+    for name in SCENES {
+        let linkage = compile(name);
+        for index in 0..linkage.mechanism.input.positions {
+            let (position, loads) = loaded(&linkage, linkage.mechanism.input.coordinate(index));
+            let (sum, size) = moments(&linkage, &position, &loads);
+            assert!(sum.abs() <= 1e-12 * size, "{name} {index}: {sum} of {size}");
+        }
+    }
+}
+
+#[test]
+fn random_mechanisms_balance_and_agree() {
+    let mut compared = 0;
+    for seed in 0..60 {
+        let groups = 1 + usize::try_from(seed % 4).unwrap();
+        let Some(specimen) = Recipe::of(groups).specimen(seed) else { continue };
+        let linkage = Linkage::compile(specimen.mechanism).unwrap();
+        let (position, loads) = loaded(&linkage, linkage.mechanism.input.coordinate(0));
+        let mut out = Reactions::new(&linkage);
+        if NewtonEuler.solve(&linkage, &position, &mut loads.clone(), &mut out).is_err() {
+            continue;
+        }
+        let lever = solve(&VirtualPower, &linkage, &position, &loads);
+        let greatest =
+            out.pairs.iter().fold(out.balancing.abs(), |g, pair| g.max(pair.fx.abs()).max(pair.fy.abs()));
+        assert!((lever.balancing - out.balancing).abs() < 1e-9 * greatest, "{seed}");
+        let (sum, size) = moments(&linkage, &position, &loads);
+        assert!(sum.abs() <= 1e-10 * size, "{seed}: {sum} of {size}");
+        compared += 1;
+    }
+    assert!(compared > 40, "{compared}");
+}
+
+#[test]
+fn images_are_velocities_turned_clockwise() {
+    // A crank of 60 mm pointing up: A moves to the left with 0.06 m/rad; turned clockwise, its image lies upward.
+    let linkage = compile("slider-crank");
+    let (position, loads) = loaded(&linkage, std::f64::consts::FRAC_PI_2);
+    let drawn = VirtualPower.construction(&linkage, &position, &loads).unwrap().unwrap();
+    let image = drawn.step(Drawing::Lever, "A").unwrap();
+    assert!(image.vector[0].abs() < 1e-16 && (image.vector[1] - 0.06).abs() < 1e-16);
+    assert_eq!((image.unit, image.note.as_str()), ("m/rad", "velocity of A for dq = 1, turned"));
+    assert_eq!(drawn.title, "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise");
+}
+
+#[test]
+fn an_idle_balancing_load_is_refused() {
+    // In its dead center the piston stands still: a force on it balances nothing.
+    let path = format!("{}/../../fixtures/slider-crank.toml", env!("CARGO_MANIFEST_DIR"));
+    let scene = std::fs::read_to_string(path).unwrap()
+        + "\n[balance]\nlink = \"piston\"\nat = \"B\"\nangle = \"90 deg\"\n";
+    let linkage = Linkage::compile(assur_scene::read("x", &scene).unwrap()).unwrap();
+    let (position, loads) = loaded(&linkage, std::f64::consts::FRAC_PI_2);
+    let mut out = Reactions::new(&linkage);
+    let error = VirtualPower.solve(&linkage, &position, &mut loads.clone(), &mut out).unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.starts_with("coordinate 1.570796327: the balancing force on `piston` does no work there"),
+        "{text}"
+    );
+}
+
+#[test]
+fn it_is_registered_without_reactions() {
+    let plugin = find("virtual-power").unwrap();
+    assert!(!plugin.gives_reactions && plugin.crate_name == "assur-force-virtual-power");
+    assert_eq!(plugin.instance.supports(&compile("shaper")), Ok(()));
+}
