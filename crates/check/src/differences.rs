@@ -42,6 +42,8 @@ pub(crate) fn extrapolated(quotients: &[(f64, f64)], noise: f64) -> Estimate {
         }
         before = row;
     }
-    let disagreement = (best.value - last.value).abs() - last.error;
+    // What rounding can put between the two is no disagreement.
+    let least = quotients.last().map_or(f64::NAN, |(step, _)| *step);
+    let disagreement = (best.value - last.value).abs() - 3.0 * noise / least;
     Estimate { error: best.error.max(disagreement), ..best }
 }

@@ -40,7 +40,9 @@ impl Element {
         let mechanism = &linkage.mechanism;
         let link = |link: LinkId| mechanism.links[link].name.as_str();
         match self {
-            Self::Place(place, Some(id)) => format!("point {} on {}", mechanism.points[id].name, link(place.link)),
+            Self::Place(place, Some(id)) => {
+                format!("point {} on {}", mechanism.points[id].name, link(place.link))
+            }
             Self::Place(place, None) => format!("center of mass of {}", link(place.link)),
             Self::Link(id) => format!("link {}", link(id)),
             Self::Slide(id) => format!("slide {}", mechanism.slides[id].name),

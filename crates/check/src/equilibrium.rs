@@ -41,7 +41,13 @@ impl<'a> Equilibrium<'a> {
         Self { subject, links, joints, guides }
     }
 
-    pub(crate) fn add(&mut self, one: &Solved, items: &Items, reactions: &Reactions, joints: &[JointReaction]) {
+    pub(crate) fn add(
+        &mut self,
+        one: &Solved,
+        items: &Items,
+        reactions: &Reactions,
+        joints: &[JointReaction],
+    ) {
         let linkage = self.subject.linkage;
         let scale = linkage.structure.scale;
         let mut sums = vec![Sum { wrench: Wrench::ZERO, size: 0.0 }; linkage.structure.links];
@@ -66,7 +72,15 @@ impl<'a> Equilibrium<'a> {
         }
     }
 
-    fn add_at(&self, one: &Solved, sum: &mut Sum, link: LinkId, world: [f64; 2], force: [f64; 2], moment: f64) {
+    fn add_at(
+        &self,
+        one: &Solved,
+        sum: &mut Sum,
+        link: LinkId,
+        world: [f64; 2],
+        force: [f64; 2],
+        moment: f64,
+    ) {
         let body = &one.position.bodies[link];
         let arm = [world[0] - body.x, world[1] - body.y];
         sum.wrench.add_at(arm, force, moment);

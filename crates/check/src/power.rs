@@ -23,7 +23,7 @@ pub(crate) fn balances_by_moment(mechanism: &Mechanism) -> bool {
 pub(crate) struct Power<'a> {
     subject: &'a Subject<'a>,
     lagrange: Worst,
-    virtual_power: Worst,
+    lever: Worst,
     reduced: Worst,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Power<'a> {
             "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units of the \
              terms and of the power that each reaction exchanges, by the sum of 1/determinant over the groups",
         );
-        let virtual_power = Worst::new(
+        let lever = Worst::new(
             "virtual power",
             "power of all loads and inertia loads against that of the balancing load; limit as for Lagrange-d'Alembert",
         );
@@ -42,7 +42,7 @@ impl<'a> Power<'a> {
             "reduced quantities",
             "J, J' and Q written out once more; limit: 64 rounding units of their terms",
         );
-        Self { subject, lagrange, virtual_power, reduced }
+        Self { subject, lagrange, lever, reduced }
     }
 
     pub(crate) fn add(
@@ -71,7 +71,12 @@ impl<'a> Power<'a> {
             }
         }
         let own = loads.reduced(state, bodies);
-        self.compare_reduced(one, [inertia, slope, moment], [own.inertia, own.inertia_derivative, own.moment], sizes);
+        self.compare_reduced(
+            one,
+            [inertia, slope, moment],
+            [own.inertia, own.inertia_derivative, own.moment],
+            sizes,
+        );
         let exchanged = self.exchanged(one, joints);
         let total = balancing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
         let total = total.max(f64::MIN_POSITIVE);
@@ -82,7 +87,7 @@ impl<'a> Power<'a> {
         loads.apply(state, bodies, &mut wrenches);
         loads.inertia(state, bodies, &mut wrenches);
         let sum: f64 = wrenches.iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
-        self.virtual_power.offer(one.index, (balancing + sum).abs() / total, limit, || "all loads".to_owned());
+        self.lever.offer(one.index, (balancing + sum).abs() / total, limit, || "all loads".to_owned());
     }
 
     /// Power that the joints take from one link and give to another: it cancels but for rounding.
@@ -125,7 +130,7 @@ impl<'a> Power<'a> {
     }
 
     pub(crate) fn into_checks(self) -> Vec<Check> {
-        let all = [self.reduced, self.lagrange, self.virtual_power];
+        let all = [self.reduced, self.lagrange, self.lever];
         all.into_iter().filter_map(Worst::into_check).collect()
     }
 }

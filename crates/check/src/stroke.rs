@@ -81,7 +81,8 @@ fn around(table: &Table, x: f64, hair: f64, period: Option<f64>) -> [f64; 2] {
 /// Extremes of a place along an axis over the cycle; where the mechanism can't take the whole cycle, over the range.
 pub(crate) fn extremes(linkage: &Linkage, place: Place, axis: f64) -> Option<Extremes> {
     let input = &linkage.mechanism.input;
-    let cycle = input.period().and_then(|period| over(linkage, place, axis, [input.from, input.from + period]));
+    let cycle =
+        input.period().and_then(|period| over(linkage, place, axis, [input.from, input.from + period]));
     match (cycle, input.range) {
         (None, Range::To(to)) => over(linkage, place, axis, [input.from, to]),
         (cycle, _) => cycle,

@@ -11,8 +11,12 @@ use crate::noise::{SAMPLES, SPACING, noise_of};
 use crate::subject::{Solved, Subject};
 use crate::worst::{Check, Worst};
 
-/// First step of the differences, in units of the coordinate.
+/// First step of the differences, in units of the coordinate, at a position of determinant 1. Functions bend the faster, the
+/// smaller the determinant is; the step shrinks with it, down to a hundredth.
 const FIRST_STEP: f64 = 0.2;
+
+/// Least part of the first step that is begun with.
+const LEAST_PART: f64 = 0.01;
 
 /// Steps below this leave no digits to differences; a position so close to the end of assembly is left out.
 const LEAST_STEP: f64 = 1e-7;
@@ -57,7 +61,8 @@ pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
     let mut worst =
         [Worst::new("TestPf PF1", REASON), Worst::new("TestPf PF2", REASON), Worst::new("TestPf J'", REASON)];
     let all = elements(subject.linkage);
-    let heavy = subject.linkage.mechanism.links.iter().skip(1).any(|link| link.mass > 0.0 || link.inertia > 0.0);
+    let heavy =
+        subject.linkage.mechanism.links.iter().skip(1).any(|link| link.mass > 0.0 || link.inertia > 0.0);
     let mut scratch = subject.linkage.position();
     for one in solved {
         let Some(around) = sampled(subject, &all, one, &mut scratch) else {
@@ -89,7 +94,7 @@ fn sampled(subject: &Subject<'_>, all: &[Element], one: &Solved, scratch: &mut P
         subject.linkage.solve(coordinate, Order::Second, scratch).ok()?;
         Some(sample(subject, all, scratch, &one.position))
     };
-    let (mut step, mut pairs) = (FIRST_STEP * unit, Vec::new());
+    let (mut step, mut pairs) = (FIRST_STEP * one.health.max(LEAST_PART) * unit, Vec::new());
     while pairs.len() < LEVELS && step > LEAST_STEP * unit {
         // The step is made exact: q + h and q - h are the numbers that were meant.
         let (high, low) = (q + step, q - step);
@@ -123,7 +128,8 @@ fn measured(around: &Around, number: &dyn Fn(&Sample) -> f64) -> f64 {
 
 /// Deviation and limit of a derivative: `below` is the function, `value` what was calculated for its derivative.
 fn deviation(around: &Around, below: &dyn Fn(&Sample) -> f64, value: f64, noises: [f64; 2]) -> [f64; 2] {
-    let quotient = |(step, [low, high]): &(f64, [Sample; 2])| (*step, (below(high) - below(low)) / (2.0 * step));
+    let quotient =
+        |(step, [low, high]): &(f64, [Sample; 2])| (*step, (below(high) - below(low)) / (2.0 * step));
     let quotients: Vec<_> = around.pairs.iter().map(quotient).collect();
     let estimate = extrapolated(&quotients, noises[0]);
     [(value - estimate.value).abs(), SAFETY * (estimate.error + noises[1])]
@@ -163,7 +169,8 @@ fn compare_inertia(subject: &Subject<'_>, one: &Solved, around: &Around, worst: 
     let unit = size / subject.coordinate_unit();
     // J' sums products of PF1 and PF2; its rounding is that of J by the unit of the coordinate, and its own size.
     let floor = FLOOR * f64::EPSILON;
-    let noises = [measured(around, &below).max(floor * size), floor * (around.slope.abs() + unit) * one.condition];
+    let noises =
+        [measured(around, &below).max(floor * size), floor * (around.slope.abs() + unit) * one.condition];
     let [off, limit] = deviation(around, &below, around.slope, noises);
     worst.offer(one.index, off / unit, limit / unit, || "all links".to_owned());
 }

@@ -37,8 +37,16 @@ pub(crate) struct Worst {
 
 impl Worst {
     pub(crate) fn new(name: &'static str, reason: &'static str) -> Self {
-        let check =
-            Check { name, residual: 0.0, limit: 0.0, at: None, place: String::new(), reason, left_out: 0, ok: true };
+        let check = Check {
+            name,
+            residual: 0.0,
+            limit: 0.0,
+            at: None,
+            place: String::new(),
+            reason,
+            left_out: 0,
+            ok: true,
+        };
         Self { check, offers: 0 }
     }
 
@@ -53,8 +61,14 @@ impl Worst {
             _ => self.offers == 1 || share(residual, limit) > share(self.check.residual, self.check.limit),
         };
         if worse {
-            self.check =
-                Check { residual, limit, at: Some(at), place: place(), ok: self.check.ok && holds, ..self.check.clone() };
+            self.check = Check {
+                residual,
+                limit,
+                at: Some(at),
+                place: place(),
+                ok: self.check.ok && holds,
+                ..self.check.clone()
+            };
         }
     }
 

@@ -42,7 +42,11 @@ impl Now<'_> {
 }
 
 /// What the compiled loads give, summed by cause and link.
-pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> BTreeMap<(Cause, usize), Wrench<f64>> {
+pub(crate) fn given(
+    loads: &Loads,
+    state: &State,
+    bodies: &[Body<f64>],
+) -> BTreeMap<(Cause, usize), Wrench<f64>> {
     let mut all = BTreeMap::new();
     loads.by_cause(state, bodies, &mut |cause, link, wrench| {
         let sum = all.entry((cause, link)).or_insert(Wrench::ZERO);
@@ -84,7 +88,9 @@ impl<'a> Writer<'a> {
                 self.spring(&now, id, spring, &mut items);
             }
         }
-        for (id, contact) in self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
+        for (id, contact) in
+            self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND)
+        {
             items.insert((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact));
         }
         items
@@ -135,17 +141,26 @@ impl<'a> Writer<'a> {
         let body = &now.bodies[place.link];
         let arm = body.arm(place.at);
         let sense = if now.state.speed == 0.0 { input.sign() } else { now.state.speed.signum() };
-        let [low, high] = sizes(value, &At {
-            state: now.state,
-            point: body.point(place.at),
-            pf1: body.first(arm),
-            extremes,
-            sense,
-            period: input.period(),
-            scale: self.scale,
-        });
+        let [low, high] = sizes(
+            value,
+            &At {
+                state: now.state,
+                point: body.point(place.at),
+                pf1: body.first(arm),
+                extremes,
+                sense,
+                period: input.period(),
+                scale: self.scale,
+            },
+        );
         // Not clamp(): that panics for NaN, and here NaN must come through as a failed check.
-        if given < low || !low.is_finite() { low } else if given > high { high } else { given }
+        if given < low || !low.is_finite() {
+            low
+        } else if given > high {
+            high
+        } else {
+            given
+        }
     }
 
     fn force(&self, now: &Now<'_>, id: usize, force: &Force) -> Item {

@@ -17,7 +17,8 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
         let sign = mechanism.input.sign();
         let unit = if turns(mechanism) { 1.0 } else { draft.size };
         let speed = sign * draft.rng.range(1.0, 12.0) * unit;
-        let acceleration = if draft.rng.chance(0.6) { sign * draft.rng.signed(1.0, 60.0) * unit } else { 0.0 };
+        let acceleration =
+            if draft.rng.chance(0.6) { sign * draft.rng.signed(1.0, 60.0) * unit } else { 0.0 };
         mechanism.motion = Some(Motion::Prescribed { speed, acceleration });
     }
     if draft.rng.chance(0.7) {

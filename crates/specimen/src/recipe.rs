@@ -140,7 +140,7 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
         input.positions = POSITIONS[1];
         input.range = Range::Cycle(if draft.rng.chance(0.2) { 2.0 * TAU } else { TAU });
         input.direction = if draft.rng.chance(0.5) { Sense::Cw } else { Sense::Ccw };
-        let cycle = health(&linkage, input, 4);
+        let cycle = health(&linkage, input, 40);
         if cycle > LEAST_HEALTH {
             return Some((mechanism, cycle));
         }
@@ -149,7 +149,7 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
     (input.positions, input.direction) = (POSITIONS[0], Sense::Ccw);
     for part in [1.0, 0.4, 0.15] {
         input.range = Range::To(input.from + part * way);
-        let least = health(&linkage, input, 1);
+        let least = health(&linkage, input, 10);
         if least > LEAST_HEALTH {
             return Some((mechanism, least));
         }
@@ -157,7 +157,8 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
     None
 }
 
-/// Smallest determinant over the positions, and over `finer` times as many; 0 where one can't be solved.
+/// Smallest determinant over `finer` times as many positions, so that none between them is skipped (guides that become
+/// parallel there would let the mechanism run through infinity); 0 where one can't be solved.
 fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
     let mut position = linkage.position();
     let input = Input { positions: finer * input.positions, ..input.clone() };

@@ -17,7 +17,8 @@ fn specimens() -> Vec<(u64, Specimen)> {
 fn the_text_of_a_specimen_reads_as_the_same_mechanism() {
     for (seed, specimen) in specimens() {
         let text = scene_text(&specimen.mechanism);
-        let read = assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
+        let read =
+            assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
         assert_eq!(read, specimen.mechanism, "seed {seed}\n{text}");
     }
 }
@@ -32,7 +33,8 @@ fn the_constructed_pose_is_the_first_position() {
         // Each group may multiply rounding by the inverse of its determinant.
         let condition: f64 = position.health.iter().map(|health| 1.0 / health.abs()).product();
         for (body, [x, y, angle]) in position.bodies.iter().zip(&specimen.poses) {
-            let off = (body.x - x).hypot(body.y - y) / scale + (body.c - angle.cos()).hypot(body.s - angle.sin());
+            let off =
+                (body.x - x).hypot(body.y - y) / scale + (body.c - angle.cos()).hypot(body.s - angle.sin());
             assert!(off < 1e-14 * condition.max(10.0), "seed {seed}: off by {off:e}, condition {condition}");
         }
     }

@@ -3,8 +3,7 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Direction, GROUND, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table,
-    Value,
+    Balance, Direction, GROUND, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table, Value,
 };
 
 /// The text of a scene, all numbers in SI with all their digits.

@@ -1,0 +1,36 @@
+use super::{checks, hold, scene, show};
+
+/// Crank 2, ground 3, coupler and rocker 1.5: assembles while cos q >= 1/3.
+fn near_the_end(distance: f64) -> String {
+    let end = (1.0_f64 / 3.0).acos();
+    format!(
+        "[ground]\npoints = {{ O = [0, 0], C = [3, 0] }}\n[link.crank]\npoints = {{ O = 0, A = 2 }}\n\
+         [link.coupler]\npoints = {{ A = 0, B = 1.5 }}\nmass = 2\ncenter = 0.7\n[link.rocker]\npoints = {{ C = 0, B = 1.5 }}\n\
+         [input]\nlink = \"crank\"\nfrom = {:?}\nto = {:?}\npositions = 2\n[[moment]]\nlink = \"rocker\"\nvalue = 3\n\
+         [assembly]\nB = [2.5, 1.5]\n[motion]\nspeed = 3\n",
+        end - 2.0 * distance,
+        end - distance,
+    )
+}
+
+#[test]
+fn sound_results_pass_up_to_the_end_of_assembly_and_the_limit_grows() {
+    let mut before = 0.0;
+    for power in 1..=7 {
+        let all = checks(&scene(&near_the_end(0.1_f64.powi(power))));
+        assert!(hold(&all), "10^-{power} rad from the end\n{}", show(&all));
+        let Some(second) = all.iter().find(|check| check.name == "TestPf PF2") else { continue };
+        assert!(second.limit > before, "10^-{power} rad from the end: {:e} after {before:e}", second.limit);
+        before = second.limit;
+    }
+    assert!(before > 1e-9);
+}
+
+#[test]
+fn positions_without_room_for_differences_are_left_out_and_counted() {
+    let all = checks(&scene(&near_the_end(2e-8)));
+    let test_pf = all.iter().find(|check| check.name == "TestPf PF1");
+    // Both positions lie closer to the end than the least step.
+    assert!(test_pf.is_none_or(|check| check.left_out > 0), "{}", show(&all));
+    assert!(all.iter().any(|check| check.name == "closure PF2"));
+}
