@@ -4,6 +4,7 @@
 //! asks for. Knows no concrete plugin, no file and no terminal.
 
 mod angles;
+mod checks;
 mod error;
 mod forces;
 mod motions;

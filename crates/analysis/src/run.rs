@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use assur_force::State;
+use assur_group::Order;
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::Balance;
 use assur_results::{Analysis, Failure, InputReport, Named, PositionResult, Reduced};
@@ -14,6 +15,17 @@ use crate::names::Names;
 use crate::{motions, structure};
 
 impl Study {
+    /// The positions that can't be assembled; nothing else is calculated.
+    pub fn failures(&self) -> Vec<Failure> {
+        let mut position = self.linkage.position();
+        let indices = 0..self.linkage.mechanism.input.positions;
+        let failed = indices.filter_map(|index| {
+            let error = self.linkage.solve_index(index, Order::Place, &mut position).err()?;
+            Some(Failure { index, coordinate: error.coordinate, message: error.to_string() })
+        });
+        failed.collect()
+    }
+
     /// Calculates everything that the scene asks for. A position without a solution is told among the failures, with what
     /// could still be calculated there.
     pub fn analyze(&self) -> Analysis {
@@ -38,7 +50,7 @@ impl Study {
             failures: run.failures,
             trajectory: Vec::new(),
             dynamics: None,
-            checks: Vec::new(),
+            checks: self.checks(),
         }
     }
 }

@@ -93,6 +93,10 @@ pub struct CheckRow {
     /// The place of the largest residual in words: a link, a pair.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub place: String,
+    /// What is compared, and where the limit comes from.
+    pub reason: String,
+    /// Positions that had to be left out.
+    pub left_out: usize,
     /// Whether it holds.
     pub ok: bool,
 }

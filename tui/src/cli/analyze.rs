@@ -1,6 +1,6 @@
 //! `assur analyze`.
 
-use assur_results::{Analysis, Failure, csv, json};
+use assur_results::{Failure, csv, json};
 
 use super::args::{AnalyzeArgs, Format};
 use super::fault::{Fault, Status};
@@ -31,18 +31,18 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             output::print_or_write(&text, target)?;
         }
     }
-    tell_failures(&analysis, style);
+    tell_failures(&analysis.failures, style);
     Ok(if analysis.failures.is_empty() { Status::Done } else { Status::Failed })
 }
 
 /// Positions without a solution go to standard error, the first ones in full.
-fn tell_failures(analysis: &Analysis, style: Style) {
-    for Failure { message, .. } in analysis.failures.iter().take(MOST) {
+pub(crate) fn tell_failures(failures: &[Failure], style: Style) {
+    for Failure { message, .. } in failures.iter().take(MOST) {
         style.tell(&format!("error: {message}"));
     }
-    if analysis.failures.len() > MOST {
+    if failures.len() > MOST {
         let rest: Vec<_> =
-            analysis.failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
+            failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
         style.tell(&format!("error: no solution in {} more positions: {}", rest.len(), rest.join(", ")));
     }
 }

@@ -1,11 +1,22 @@
 //! `assur check`.
 
+use assur_results::text;
+
 use super::args::SceneArgs;
 use super::fault::{Fault, Status};
-use super::scene;
 use super::style::Style;
+use super::{analyze, output, scene};
 
 pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
-    let _study = scene::study(args, style)?;
-    Err(Fault::other("the checks are not available yet"))
+    // The whole mechanism is checked, whatever the scene asks for.
+    let study = scene::whole_study(args, style)?;
+    let checks = study.checks();
+    output::print(&text::checks(&checks, style.ascii))?;
+    for check in checks.iter().filter(|check| !check.ok) {
+        style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
+    }
+    let failures = study.failures();
+    analyze::tell_failures(&failures, style);
+    let holds = failures.is_empty() && checks.iter().all(|check| check.ok);
+    Ok(if holds { Status::Done } else { Status::Failed })
 }

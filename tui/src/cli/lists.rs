@@ -27,7 +27,7 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     for plugin in catalogues().map_err(Fault::other)? {
         add("catalogue", plugin.name, plugin.crate_name, plugin.summary);
     }
-    output::print(&columns(&rows, 0, style.ascii))?;
+    output::print(&columns(&rows, style.ascii))?;
     Ok(Status::Done)
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     let header = ["catalogue", "motor", "poles", "kW", "sync rpm", "rpm", "Mmax/Mn", "J kg m^2", "remarks"];
     let mut rows = vec![header.map(String::from).to_vec()];
     rows.extend(motors.iter().map(|motor| row(motor, style)));
-    output::print(&columns(&rows, 3, style.ascii))?;
+    output::print(&columns(&rows, style.ascii))?;
     if motors.is_empty() {
         style.tell("no motor fits");
     }

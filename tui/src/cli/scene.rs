@@ -22,8 +22,18 @@ pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
 /// Reads and compiles a scene file.
 pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Study, Fault> {
     let options = options(&args.methods)?;
+    compiled(args, &options, read(&args.scene, style)?)
+}
+
+/// The same, as if the scene asked for everything.
+pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Study, Fault> {
+    let options = options(&args.methods)?;
     let mechanism = read(&args.scene, style)?;
-    Study::of(mechanism, &options).map_err(|error| in_file(&args.scene, &error.to_string()))
+    compiled(args, &options, Mechanism { output: None, ..mechanism })
+}
+
+fn compiled(args: &SceneArgs, options: &Options, mechanism: Mechanism) -> Result<Study, Fault> {
+    Study::of(mechanism, options).map_err(|error| in_file(&args.scene, &error.to_string()))
 }
 
 /// The methods asked for, which must exist even where the scene has no use for them.

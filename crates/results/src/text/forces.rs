@@ -1,0 +1,126 @@
+//! Reduction, reactions, and the balancing load.
+
+use super::Source;
+use super::layout::{Column, Page};
+use super::motion::{column, keys};
+use super::number::single;
+use super::units::{ANGLE, FORCE, LENGTH, MOMENT, Unit};
+use crate::{PairReaction, PositionResult};
+
+pub(super) fn write(source: &Source<'_>, page: &mut Page) {
+    reduction(source, page);
+    reactions(source, page);
+    balancing(source, page);
+}
+
+fn reduction(source: &Source<'_>, page: &mut Page) {
+    if !source.analysis.positions.iter().any(|position| position.reduced.is_some()) {
+        return;
+    }
+    let units = source.units.reduced;
+    page.section("Reduction to the input link");
+    page.caption("Inertia J, its derivative dJ/dq, and Q of all loads but the balancing one");
+    let columns = vec![
+        column(source, "J", units[0], |p| Some(p.reduced?.inertia)),
+        column(source, "dJ/dq", units[1], |p| Some(p.reduced?.inertia_derivative)),
+        column(source, "Q", units[2], |p| Some(p.reduced?.moment)),
+    ];
+    page.table(&keys(source), vec![columns]);
+}
+
+/// Force of a pair on one of its links in one position.
+fn force(position: &PositionResult, pair: usize, link: usize) -> Option<[f64; 2]> {
+    let (_, reaction) = position.reactions.as_ref()?.0.get(pair)?;
+    reaction.forces.get(link).map(|(_, force)| *force)
+}
+
+/// Which links of a pair are shown: of two the first (the other has the opposite), of more all.
+fn shown(reaction: &PairReaction) -> std::ops::Range<usize> {
+    if reaction.forces.len() > 2 { 0..reaction.forces.len() } else { 0..1 }
+}
+
+fn reactions(source: &Source<'_>, page: &mut Page) {
+    let Some(first) = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref()) else {
+        return;
+    };
+    let keys = keys(source);
+    page.section("Reactions");
+    page.paragraph(
+        "The force that the pair exerts on the named link (the other link gets the opposite): projections, modulus R, \
+         direction from the x axis. Slides: M is the moment on the sliding link about its point; s is where along the guide, \
+         from that point, the force alone would do the same.",
+    );
+    for (pair, (name, reaction)) in first.iter().enumerate() {
+        let groups: Vec<_> = shown(reaction).map(|link| of_pair(source, pair, link, reaction)).collect();
+        let links: Vec<_> = shown(reaction).map(|link| &*reaction.forces[link].0).collect();
+        page.caption(&format!("{name} on {}", links.join(", ")));
+        page.table(&keys, groups);
+    }
+    greatest(source, first, page);
+}
+
+fn of_pair(source: &Source<'_>, pair: usize, link: usize, reaction: &PairReaction) -> Vec<Column> {
+    let f = move |p: &PositionResult| force(p, pair, link);
+    let of = |i: usize| move |p: &PositionResult| p.reactions.as_ref()?.0.get(i).map(|(_, r)| (r.moment, r.offset));
+    let mut columns = vec![
+        column(source, "Rx", FORCE, move |p| f(p).map(|f| f[0])),
+        column(source, "Ry", FORCE, move |p| f(p).map(|f| f[1])),
+        column(source, "R", FORCE, move |p| f(p).map(|f| f[0].hypot(f[1]))),
+        column(source, "direction", ANGLE, move |p| f(p).and_then(direction)),
+    ];
+    if reaction.moment.is_some() {
+        columns.push(column(source, "M", MOMENT, move |p| of(pair)(p).and_then(|(moment, _)| moment)));
+        columns.push(column(source, "s", LENGTH, move |p| of(pair)(p).and_then(|(_, offset)| offset)));
+    }
+    columns
+}
+
+/// Angle of a force; a force of nothing has none.
+fn direction(force: [f64; 2]) -> Option<f64> {
+    (force[0].hypot(force[1]) > 1e-9).then(|| force[1].atan2(force[0]))
+}
+
+/// A coordinate with its unit.
+fn place(source: &Source<'_>, position: &PositionResult) -> Vec<String> {
+    let unit = source.units.coordinate;
+    vec![position.index.to_string(), single(position.coordinate * unit.factor)]
+}
+
+fn greatest(source: &Source<'_>, first: &crate::Named<PairReaction>, page: &mut Page) {
+    let coordinate = format!("{}, {}", source.analysis.input.link, source.units.coordinate.name);
+    let mut rows = vec![vec!["pair".to_owned(), "on".to_owned(), "R, N".to_owned(), "position".to_owned(), coordinate]];
+    for (pair, (name, reaction)) in first.iter().enumerate() {
+        for link in shown(reaction) {
+            let modulus = |p: &&PositionResult| force(p, pair, link).map_or(0.0, |f| f[0].hypot(f[1]));
+            let found = source.analysis.positions.iter().max_by(|a, b| modulus(a).total_cmp(&modulus(b)));
+            let Some(position) = found else { continue };
+            let mut row = vec![name.to_owned(), reaction.forces[link].0.to_string(), single(modulus(&position))];
+            row.extend(place(source, position));
+            rows.push(row);
+        }
+    }
+    page.caption("Greatest reactions");
+    page.rows(&rows);
+}
+
+fn balancing(source: &Source<'_>, page: &mut Page) {
+    let size = |p: &PositionResult| p.balancing;
+    if !source.analysis.positions.iter().any(|position| position.balancing.is_some()) {
+        return;
+    }
+    let moment = source.analysis.input.balancing_is_moment;
+    let (name, sign, unit): (_, _, Unit) = if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
+    page.section(&format!("Balancing {name}"));
+    page.table(&keys(source), vec![vec![column(source, sign, unit, size)]]);
+    let by_size = |p: &&PositionResult| p.balancing.map_or(0.0, f64::abs);
+    let found = source.analysis.positions.iter().max_by(|a, b| by_size(a).total_cmp(&by_size(b)));
+    if let Some(position) = found {
+        let [index, coordinate] = [0, 1].map(|i| place(source, position)[i].clone());
+        page.caption(&format!(
+            "Greatest: {} {} in position {index} ({coordinate} {})",
+            single(position.balancing.unwrap_or_default()),
+            unit.name,
+            source.units.coordinate.name
+        ));
+    }
+}

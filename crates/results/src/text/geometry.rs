@@ -1,0 +1,66 @@
+//! The section on dimensions and masses.
+
+use super::Source;
+use super::layout::Page;
+use super::number::short;
+
+pub(super) fn write(source: &Source<'_>, page: &mut Page) {
+    page.section("Geometry and masses");
+    points(source, page);
+    slides(source, page);
+    masses(source, page);
+}
+
+fn mm(value: f64) -> String {
+    short(value * 1e3)
+}
+
+fn points(source: &Source<'_>, page: &mut Page) {
+    let mut rows = vec![["link", "point", "x, mm", "y, mm"].map(String::from).to_vec()];
+    for (id, link) in source.mechanism.links.iter().enumerate() {
+        for (point_id, point) in source.mechanism.points.iter().enumerate() {
+            if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
+                rows.push(vec![link.name.clone(), point.name.clone(), mm(x), mm(y)]);
+            }
+        }
+    }
+    page.caption("Points in the frames of their links");
+    page.rows(&rows);
+}
+
+fn slides(source: &Source<'_>, page: &mut Page) {
+    if source.mechanism.slides.is_empty() {
+        return;
+    }
+    let header = ["slide", "point x, mm", "y, mm", "on", "through x, mm", "y, mm", "angle, deg", "tilt, deg"];
+    let mut rows = vec![header.map(String::from).to_vec()];
+    for slide in &source.mechanism.slides {
+        rows.push(vec![
+            slide.name.clone(),
+            mm(slide.point[0]),
+            mm(slide.point[1]),
+            source.mechanism.links.get(slide.on).map_or_else(String::new, |link| link.name.clone()),
+            mm(slide.through[0]),
+            mm(slide.through[1]),
+            short(slide.angle.to_degrees()),
+            short(slide.tilt.to_degrees()),
+        ]);
+    }
+    page.caption("Slides: the point of the sliding link, and the guide line in the frame of the link that carries it");
+    page.rows(&rows);
+}
+
+fn masses(source: &Source<'_>, page: &mut Page) {
+    let heavy = |link: &&assur_mechanism::Link| link.mass > 0.0 || link.inertia > 0.0;
+    let header = ["link", "mass, kg", "center x, mm", "y, mm", "inertia, kg·m²"];
+    let mut rows = vec![header.map(String::from).to_vec()];
+    rows.extend(source.mechanism.links.iter().skip(1).filter(heavy).map(|link| {
+        vec![link.name.clone(), short(link.mass), mm(link.center[0]), mm(link.center[1]), short(link.inertia)]
+    }));
+    if rows.len() == 1 {
+        page.caption("All links are massless.");
+        return;
+    }
+    page.caption("Masses, centers of mass in the frames of the links, moments of inertia about them");
+    page.rows(&rows);
+}

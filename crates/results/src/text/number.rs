@@ -1,0 +1,43 @@
+//! Numbers as a column shows them.
+
+/// Significant digits of the largest value of a column.
+const DIGITS: i32 = 6;
+
+/// The values of one column with one number of decimals: as many as the largest needs for six significant digits, so that
+/// what is small beside it shows as small. `None` is a dash.
+pub(super) fn column(values: &[Option<f64>]) -> Vec<String> {
+    let largest = values.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    values.iter().map(|value| value.map_or_else(|| "-".to_owned(), |value| beside(value, largest))).collect()
+}
+
+/// One value with six significant digits.
+pub(super) fn single(value: f64) -> String {
+    beside(value, value.abs())
+}
+
+/// One value with six significant digits and no zeros at the end.
+pub(super) fn short(value: f64) -> String {
+    let text = single(value);
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+fn beside(value: f64, largest: f64) -> String {
+    if largest == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = largest.log10().floor();
+    if !(-4.0..7.0).contains(&exponent) {
+        return if value == 0.0 { "0".to_owned() } else { format!("{value:.5e}") };
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "between -4 and 7")]
+    let decimals = (DIGITS - 1 - exponent as i32).max(0);
+    let text = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
+    // No minus before a zero.
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
+        _ => text,
+    }
+}

@@ -1,0 +1,72 @@
+//! The section on structure.
+
+use assur_mechanism::Link;
+
+use super::Source;
+use super::layout::Page;
+
+/// Classes in Roman numerals.
+fn roman(class: u8) -> &'static str {
+    ["0", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"].get(usize::from(class)).copied().unwrap_or("IX+")
+}
+
+pub(super) fn write(source: &Source<'_>, page: &mut Page) {
+    let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
+    page.section("Structure");
+    let names: Vec<_> = mechanism.links.iter().skip(1).map(|link| link.name.as_str()).collect();
+    page.paragraph(&format!("Moving links: {} ({}), input link {}", names.len(), names.join(", "), source.analysis.input.link));
+    page.paragraph(&format!(
+        "Mobility by Chebyshev's formula: W = 3*{} - 2*{} = {}",
+        structure.moving_links, structure.pairs, structure.mobility
+    ));
+    if let Some(found) = structure.mobility_by_rank {
+        page.paragraph(&format!("Mobility by the rank of the constraints in the first position: {found}"));
+    }
+    if let Some(note) = &structure.note {
+        page.paragraph(&format!("Note: {note}"));
+    }
+    page.paragraph(&format!("Formula: {}", structure.formula));
+    page.paragraph(&format!("Class of the mechanism: {}", roman(structure.class)));
+    pairs(source, page);
+    groups(source, page);
+}
+
+fn pairs(source: &Source<'_>, page: &mut Page) {
+    let name = |link: usize| -> &str { source.mechanism.links.get(link).map_or("", |link: &Link| &link.name) };
+    let mut rows = vec![["pair", "sort", "links", "count"].map(String::from).to_vec()];
+    for pin in source.mechanism.points.iter().filter(|point| point.is_pin()) {
+        let links: Vec<_> = pin.places.iter().map(|place| name(place.link)).collect();
+        let sort = if links.len() > 2 { "R, multiple joint" } else { "R" };
+        rows.push(vec![pin.name.clone(), sort.to_owned(), links.join(", "), (links.len() - 1).to_string()]);
+    }
+    for slide in &source.mechanism.slides {
+        let links = format!("{}, {}", name(slide.link), name(slide.on));
+        rows.push(vec![slide.name.clone(), "P".to_owned(), links, "1".to_owned()]);
+    }
+    page.caption("Pairs (R: turning, P: sliding)");
+    page.rows(&rows);
+}
+
+fn groups(source: &Source<'_>, page: &mut Page) {
+    let groups = &source.analysis.structure.groups;
+    if groups.is_empty() {
+        return;
+    }
+    let header = ["group", "kind", "class", "type", "order", "links", "inner", "outer", "way"];
+    let mut rows = vec![header.map(String::from).to_vec()];
+    for (index, group) in groups.iter().enumerate() {
+        rows.push(vec![
+            (index + 1).to_string(),
+            group.kind.clone(),
+            roman(group.class).to_owned(),
+            if group.number > 0 { group.number.to_string() } else { "-".to_owned() },
+            group.order.to_string(),
+            group.links.join(", "),
+            group.inner.join(", "),
+            group.outer.join(", "),
+            format!("{} of 0-{}", group.way, group.ways.saturating_sub(1)),
+        ]);
+    }
+    page.caption("Assur groups in solving order");
+    page.rows(&rows);
+}
