@@ -45,6 +45,12 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     ) -> Result<Option<Construction>, ForceError> {
         Ok(None)
     }
+
+    /// By how much the method magnifies rounding in this position beyond what the groups themselves do (1 / determinant);
+    /// 1 for a method that has no singular positions of its own. Infinite where it has no solution.
+    fn condition(&self, _linkage: &Linkage, _position: &Position) -> f64 {
+        1.0
+    }
 }
 
 /// Why there are no reactions. Says the coordinate; the layer above adds the number of the position.

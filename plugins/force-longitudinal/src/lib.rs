@@ -136,6 +136,15 @@ impl ForceAnalyzer for Longitudinal {
         let scene = drawing::Scene::of(&layout, linkage, &position.bodies, loads);
         Ok(Some(drawing::draw(&scene, &setting, &unknowns)))
     }
+
+    fn condition(&self, linkage: &Linkage, position: &Position) -> f64 {
+        let Ok(layout) = Layout::of(linkage) else { return f64::INFINITY };
+        if self.form == Form::Stable {
+            return 1.0;
+        }
+        let setting = Setting::of(&layout, &position.bodies, &vec![Wrench::ZERO; position.bodies.len()]);
+        1.0 / drawing::Pole::of(&setting).weight.abs()
+    }
 }
 
 #[cfg(test)]

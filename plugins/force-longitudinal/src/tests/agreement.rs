@@ -1,4 +1,4 @@
-use assur_force::ForceError;
+use assur_force::{ForceAnalyzer, ForceError};
 use assur_force_newton_euler::NewtonEuler;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -93,6 +93,21 @@ fn published_form_fails_exactly_across_the_guide_and_says_so() {
                  them {angle:.3e} rad), so the pole is at infinity and this form has no solution there; use `longitudinal`"
             )
         );
+    }
+}
+
+#[test]
+fn published_form_tells_how_much_it_magnifies_rounding() {
+    let linkage = compile(&press_full_turn());
+    let condition =
+        |form: Form, q: f64| Longitudinal { form }.condition(&linkage, &super::loaded(&linkage, q).0);
+    assert_eq!(condition(Form::Stable, 0.001), 1.0);
+    // The crank makes the angle q with the normal to the guide.
+    assert!((condition(Form::Published, 0.001) * 0.001_f64.sin() - 1.0).abs() < 1e-12);
+    for q in [1e-6, 1e-4, 1e-3, 1e-2] {
+        let whole = reactions(&NewtonEuler, &linkage, q).unwrap();
+        let off = difference(&linkage, &reactions(&PUBLISHED, &linkage, q).unwrap(), &whole);
+        assert!(off < 64.0 * f64::EPSILON * condition(Form::Published, q), "{q} {off}");
     }
 }
 
