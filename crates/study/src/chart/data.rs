@@ -1,0 +1,223 @@
+//! What a chart holds.
+
+use std::collections::BTreeMap;
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+/// Speed against accuracy of one scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ChartData {
+    /// Title of the scene.
+    pub title: String,
+    /// One for each method and setting, in the order of the stages.
+    pub rows: Vec<Row>,
+    /// By stage: how its reference was obtained.
+    pub reference: BTreeMap<Stage, String>,
+    /// By stage: the reference's own relative error, as estimated.
+    pub reference_error: BTreeMap<Stage, f64>,
+    /// Whether everything that was to be measured has been.
+    pub complete: bool,
+}
+
+/// A stage of the calculation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Stage {
+    /// Transfer functions: PF0, PF1, PF2 of all links.
+    Kinematics,
+    /// Reactions and the balancing load.
+    Forces,
+    /// Motion from an initial state, or over one cycle of the steady regime.
+    Motion,
+    /// The flywheel for a wanted unevenness.
+    Flywheel,
+    /// The steady regime.
+    Steady,
+}
+
+impl Stage {
+    /// All, in order.
+    pub const ALL: [Self; 5] = [Self::Kinematics, Self::Forces, Self::Motion, Self::Flywheel, Self::Steady];
+
+    /// The name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Kinematics => "kinematics",
+            Self::Forces => "forces",
+            Self::Motion => "motion",
+            Self::Flywheel => "flywheel",
+            Self::Steady => "steady",
+        }
+    }
+
+    /// A heading.
+    pub fn heading(self) -> &'static str {
+        match self {
+            Self::Kinematics => "Transfer functions",
+            Self::Forces => "Forces",
+            Self::Motion => "Motion",
+            Self::Flywheel => "Flywheel",
+            Self::Steady => "Steady regime",
+        }
+    }
+
+    /// What an evaluation is.
+    pub fn evaluation(self) -> &'static str {
+        match self {
+            Self::Kinematics | Self::Forces => "group solutions",
+            Self::Motion | Self::Flywheel | Self::Steady => "evaluations of the equation of motion",
+        }
+    }
+}
+
+/// What one time is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Unit {
+    /// One position of the mechanism.
+    Position,
+    /// One whole run.
+    Run,
+}
+
+impl Unit {
+    /// The name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Run => "run",
+        }
+    }
+}
+
+/// A value of a setting.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A number: a tolerance, a step.
+    Number(f64),
+    /// A word: the type of number.
+    Word(&'static str),
+}
+
+/// The settings of a method, by name.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Setting(pub Vec<(&'static str, Value)>);
+
+impl Setting {
+    /// One number.
+    pub fn number(name: &'static str, value: f64) -> Self {
+        Self(vec![(name, Value::Number(value))])
+    }
+
+    /// One word.
+    pub fn word(name: &'static str, value: &'static str) -> Self {
+        Self(vec![(name, Value::Word(value))])
+    }
+
+    /// The value of this name.
+    pub fn get(&self, name: &str) -> Option<Value> {
+        self.0.iter().find(|(found, _)| *found == name).map(|(_, value)| *value)
+    }
+}
+
+impl Serialize for Setting {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, value) in &self.0 {
+            map.serialize_entry(name, value)?;
+        }
+        map.end()
+    }
+}
+
+impl std::fmt::Display for Setting {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (i, (name, value)) in self.0.iter().enumerate() {
+            let between = if i == 0 { "" } else { ", " };
+            match value {
+                Value::Number(number) => write!(f, "{between}{name} {}", super::units::short(*number))?,
+                Value::Word(word) => write!(f, "{between}{word}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One method at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// The stage.
+    pub stage: Stage,
+    /// Name of the method: a registered one, or one of this crate.
+    pub method: String,
+    /// Its setting.
+    pub setting: Setting,
+    /// Median time of one unit of work, s; `None` where it was not measured.
+    pub seconds: Option<f64>,
+    /// What one unit is.
+    pub unit: Unit,
+    /// Evaluations in one unit: see [`Stage::evaluation`].
+    pub evaluations: Option<u64>,
+    /// Largest relative deviation from the reference.
+    pub error: Option<f64>,
+    /// `error` is the reference's own error estimate: the true one is at most about that.
+    pub at_most: bool,
+    /// Whether the method did all of the work.
+    pub ok: bool,
+    /// Why not, or why something is missing.
+    pub reason: Option<String>,
+    /// Whether it stands on the Pareto front of its stage: no other is both faster and more exact.
+    pub front: bool,
+}
+
+impl Row {
+    /// A row without figures yet.
+    pub(crate) fn new(stage: Stage, unit: Unit, method: &str, setting: Setting) -> Self {
+        Self {
+            stage,
+            method: method.to_owned(),
+            setting,
+            seconds: None,
+            unit,
+            evaluations: None,
+            error: None,
+            at_most: false,
+            ok: false,
+            reason: None,
+            front: false,
+        }
+    }
+
+    /// Time and error, where the method did all of its work and both are known.
+    pub fn point(&self) -> Option<(f64, f64)> {
+        self.ok.then_some(())?;
+        self.seconds.zip(self.error)
+    }
+}
+
+/// How a stage is judged.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// How it was obtained.
+    pub how: String,
+    /// Its own relative error, as estimated.
+    pub error: f64,
+}
+
+impl ChartData {
+    /// The rows of a stage.
+    pub fn of(&self, stage: Stage) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(move |row| row.stage == stage)
+    }
+
+    /// One line of JSON, as the contract of results says.
+    ///
+    /// # Errors
+    ///
+    /// Of the serializer; there is no value here that it refuses.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string(self).map(|line| line + "\n")
+    }
+}

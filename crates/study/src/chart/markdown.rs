@@ -1,0 +1,85 @@
+//! The chart as a chapter in Markdown, with what follows from it in words.
+
+use super::text::{stage_text, unit_words};
+use super::{ChartData, Row, Stage, units};
+
+/// Errors for which the fastest method is told.
+const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
+
+/// A chapter on one scene.
+pub fn markdown(data: &ChartData, file: &str) -> String {
+    let mut text = format!("## {} (`{file}`)\n", data.title);
+    for stage in Stage::ALL {
+        if data.of(stage).next().is_none() {
+            continue;
+        }
+        text += &format!("\n### {}\n\n", stage.heading());
+        for sentence in words(data, stage) {
+            text += &format!("* {sentence}\n");
+        }
+        let drawn = stage_text(data, stage, false);
+        text += &format!("\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
+    }
+    text
+}
+
+/// What a stage says, in sentences: the fastest method for each accuracy, and what failed.
+pub fn words(data: &ChartData, stage: Stage) -> Vec<String> {
+    let mut said: Vec<String> = Vec::new();
+    let mut last: Option<&Row> = None;
+    for wanted in WANTED {
+        let best = fastest(data, stage, wanted);
+        match best {
+            Some(row) if last.is_some_and(|last| std::ptr::eq(last, row)) => {
+                if let Some(line) = said.last_mut() {
+                    *line = sentence(row, wanted, stage);
+                }
+            }
+            Some(row) => said.push(sentence(row, wanted, stage)),
+            None => {
+                said.push(format!("No method has an error below {}.", units::short(wanted)));
+                break;
+            }
+        }
+        last = best;
+    }
+    said.extend(failures(data, stage));
+    said
+}
+
+/// The fastest row of a stage with an error of at most `wanted`.
+fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
+    let good = data.of(stage).filter_map(|row| Some((row, row.point()?))).filter(|(_, point)| point.1 <= wanted);
+    good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)
+}
+
+fn sentence(row: &Row, wanted: f64, stage: Stage) -> String {
+    let (seconds, error) = row.point().unwrap_or_default();
+    let setting = row.setting.to_string();
+    let setting = if setting.is_empty() { setting } else { format!(" ({setting})") };
+    format!(
+        "Error of {} or less: `{}`{setting} is the fastest, {} for {}, error {}.",
+        units::short(wanted),
+        row.method,
+        units::time(seconds, false),
+        unit_words(stage),
+        units::error(error, row.at_most, false),
+    )
+}
+
+/// Methods of which no row did the whole work, each with its first reason.
+fn failures(data: &ChartData, stage: Stage) -> Vec<String> {
+    let mut names: Vec<&str> = Vec::new();
+    let mut said = Vec::new();
+    for row in data.of(stage) {
+        if names.contains(&row.method.as_str()) {
+            continue;
+        }
+        names.push(&row.method);
+        if data.of(stage).any(|other| other.method == row.method && other.ok) {
+            continue;
+        }
+        said.push(format!("`{}` can't: {}.", row.method, row.reason.as_deref().unwrap_or("it gives no result")));
+    }
+    said
+}

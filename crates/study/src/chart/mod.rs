@@ -1,0 +1,41 @@
+//! Speed against accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
+//!
+//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`], [`text`], [`markdown`] and the terminal UI
+//! ([`Scatter`]).
+//!
+//! * **Errors** are the largest deviation from a reference, relative to the largest value of the same quantity over the
+//!   work. The reference is better than what it judges: extended precision, a closed form, or a tight run of another
+//!   method. A method is never its own reference. What lies below the reference's own error estimate is reported as
+//!   "at most that".
+//! * **Times** are medians of repeated runs in one process, the methods taking turns so that drift hits all alike. The
+//!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
+
+mod canvas;
+mod csv;
+mod data;
+mod entry;
+mod forces;
+mod kinematics;
+mod markdown;
+mod options;
+mod pareto;
+mod race;
+mod reaction;
+mod ruler;
+mod run;
+mod scatter;
+mod text;
+mod units;
+mod work;
+
+pub use csv::csv;
+pub use data::{ChartData, Reference, Row, Setting, Stage, Unit, Value};
+pub use markdown::{markdown, words};
+pub use options::{Clock, Options, Progress};
+pub use pareto::front;
+pub use run::{ChartError, chart};
+pub use scatter::{Mark, Scatter};
+pub use text::text;
+
+#[cfg(test)]
+mod tests;

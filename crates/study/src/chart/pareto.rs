@@ -1,0 +1,34 @@
+//! The Pareto front.
+
+/// Indices of the points that no other beats in both coordinates (smaller is better), from the fastest to the most exact.
+/// Of equal points the first stands on the front.
+pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|a, b| {
+        let ((xa, ya), (xb, yb)) = (points[*a], points[*b]);
+        xa.total_cmp(&xb).then(ya.total_cmp(&yb)).then(a.cmp(b))
+    });
+    let mut least = f64::INFINITY;
+    order.retain(|index| {
+        let better = points[*index].1 < least;
+        least = least.min(points[*index].1);
+        better
+    });
+    order
+}
+
+/// Marks the rows that stand on the front of their stage.
+pub(crate) fn mark(rows: &mut [super::Row]) {
+    for stage in super::Stage::ALL {
+        let known: Vec<(usize, (f64, f64))> = rows
+            .iter()
+            .enumerate()
+            .filter(|(_, row)| row.stage == stage)
+            .filter_map(|(index, row)| Some((index, row.point()?)))
+            .collect();
+        let points: Vec<(f64, f64)> = known.iter().map(|(_, point)| *point).collect();
+        for index in front(&points) {
+            rows[known[index].0].front = true;
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Measuring the rows of a stage: each judged once, then timed in turns.
+
+use std::ops::ControlFlow;
+
+use super::entry::{Contestant, Entry, Field};
+use super::{Clock, Options, Progress, Row, Stage};
+
+/// Shortest stretch that is timed, s: far above the resolution of a clock.
+const STRETCH: f64 = 2e-4;
+
+/// Most runs in one stretch.
+const MOST_RUNS: f64 = 1e5;
+
+/// The reason of rows that were not reached.
+pub(crate) const STOPPED: &str = "stopped before it was measured";
+const OUT_OF_TIME: &str = "left out: the time of a quick chart was used up";
+
+/// The clock, the options, and whom to tell.
+pub(crate) struct Judge<'a> {
+    pub(crate) clock: &'a mut dyn Clock,
+    pub(crate) options: Options,
+    pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
+    /// When the chart began.
+    pub(crate) start: f64,
+    /// Someone asked to stop.
+    pub(crate) stopped: bool,
+}
+
+/// An entry that is judged and worth timing.
+struct Lane<'e, 'a> {
+    entry: &'e mut Entry<'a>,
+    /// Runs in one stretch.
+    runs: f64,
+    /// How often it shall be timed.
+    rounds: usize,
+    /// Time of one run, s, each time.
+    times: Vec<f64>,
+}
+
+impl Judge<'_> {
+    fn tell(&mut self, stage: Stage, done: usize, total: usize) {
+        if (self.progress)(Progress { stage, done, total }).is_break() {
+            self.stopped = true;
+        }
+    }
+
+    fn out_of_time(&mut self) -> bool {
+        self.clock.seconds() - self.start > self.options.limit
+    }
+
+    /// Judges and times all entries of a stage.
+    pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Row> {
+        let Field { reference, mut entries } = field;
+        let total = entries.len() + self.options.rounds;
+        let mut first_times = Vec::with_capacity(entries.len());
+        for (done, entry) in entries.iter_mut().enumerate() {
+            self.tell(stage, done, total);
+            first_times.push(self.judge(entry, reference.error));
+        }
+        let judged = entries.len();
+        let timed = entries.iter_mut().zip(first_times).filter_map(|(entry, time)| Some((entry, time?)));
+        let mut lanes = self.lanes(timed.collect());
+        let most = lanes.iter().map(|lane| lane.rounds).max().unwrap_or(0);
+        for round in 0..most {
+            self.tell(stage, judged + round * self.options.rounds / most, total);
+            if self.stopped || self.out_of_time() {
+                break;
+            }
+            self.round(&mut lanes, round, most);
+        }
+        for lane in lanes {
+            lane.entry.row.seconds = median(lane.times).map(|time| time / lane.entry.units);
+        }
+        entries.into_iter().map(|entry| entry.row).collect()
+    }
+
+    /// One judged run; its time where it did anything.
+    fn judge(&mut self, entry: &mut Entry<'_>, estimate: f64) -> Option<f64> {
+        let contestant = entry.contestant.as_mut()?;
+        if self.stopped || self.out_of_time() {
+            entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME }.to_owned());
+            return None;
+        }
+        let before = self.clock.seconds();
+        let verdict = contestant.judge();
+        let time = self.clock.seconds() - before;
+        let row = &mut entry.row;
+        row.evaluations = verdict.evaluations;
+        row.error = verdict.error.filter(|error| error.is_finite());
+        if let Some(error) = row.error.filter(|error| *error < estimate) {
+            row.at_most = error < estimate;
+            row.error = Some(estimate);
+        }
+        row.reason = verdict.failure;
+        if row.error.is_none() && row.reason.is_none() {
+            row.reason = Some("the result is not a finite number".to_owned());
+        }
+        row.ok = row.reason.is_none();
+        row.error.is_some().then_some(time)
+    }
+
+    /// How often each is timed: all share the time of the stage alike.
+    fn lanes<'e, 'a>(&mut self, timed: Vec<(&'e mut Entry<'a>, f64)>) -> Vec<Lane<'e, 'a>> {
+        let share = self.options.stage_seconds / timed.len().max(1) as f64;
+        let mut lanes = Vec::with_capacity(timed.len());
+        for (entry, judged) in timed {
+            // The judged run counts as one; short ones are run again to see how long they take when warm.
+            let (mut runs, mut one, mut times) = (1.0, judged, Vec::new());
+            if judged > STRETCH {
+                times.push(judged);
+            }
+            while one * runs < STRETCH && runs < MOST_RUNS {
+                one = self.stretch(entry, runs);
+                runs = if one * runs >= STRETCH { break } else { grown(runs, one) };
+            }
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped to a small positive number"
+            )]
+            let rounds = (share / (one * runs)).clamp(0.0, self.options.rounds as f64) as usize;
+            let least = usize::from(times.is_empty());
+            lanes.push(Lane { entry, runs, rounds: rounds.max(least), times });
+        }
+        lanes
+    }
+
+    /// One turn of every lane that is due: those with few rounds are spread over all.
+    fn round(&mut self, lanes: &mut [Lane<'_, '_>], round: usize, most: usize) {
+        for lane in lanes {
+            let due = (round + 1) * lane.rounds / most > round * lane.rounds / most;
+            if due {
+                let time = self.stretch(lane.entry, lane.runs);
+                lane.times.push(time);
+            }
+        }
+    }
+
+    /// Time of one run, s, from a stretch of some.
+    fn stretch(&mut self, entry: &mut Entry<'_>, runs: f64) -> f64 {
+        let Some(contestant) = entry.contestant.as_mut() else { return 0.0 };
+        let before = self.clock.seconds();
+        repeat(contestant.as_mut(), runs);
+        (self.clock.seconds() - before) / runs
+    }
+}
+
+fn repeat(contestant: &mut dyn Contestant, runs: f64) {
+    let mut left = runs;
+    while left > 0.0 {
+        contestant.run();
+        left -= 1.0;
+    }
+}
+
+/// More runs, so that a stretch becomes long enough.
+fn grown(runs: f64, one: f64) -> f64 {
+    let wanted = if one > 0.0 { STRETCH / one * 1.2 } else { runs * 10.0 };
+    wanted.clamp(runs + 1.0, runs * 10.0).min(MOST_RUNS).ceil()
+}
+
+/// The median; `None` of nothing.
+pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
+    times.sort_by(f64::total_cmp);
+    let middle = times.len() / 2;
+    let upper = *times.get(middle)?;
+    if times.len() % 2 == 1 {
+        return Some(upper);
+    }
+    Some(0.5 * (times[middle - 1] + upper))
+}

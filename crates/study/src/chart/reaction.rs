@@ -1,0 +1,112 @@
+//! Group by group in any number: reactions and the balancing load, by the closed forms of the groups or by their one
+//! linear system.
+
+use assur_force::UnitBalance;
+use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane, reactions_generally};
+use assur_kinematics::Linkage;
+use assur_number::Real;
+
+/// Where the reactions of a group come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Forms {
+    /// The closed forms of its kind.
+    Closed,
+    /// The transposed linear system of its constraints.
+    General,
+}
+
+/// Reactions in one number, with scratch.
+pub(crate) struct Answer<T> {
+    pub(crate) pairs: Vec<Wrench<T>>,
+    pub(crate) balancing: T,
+    loads: Vec<Wrench<T>>,
+    unit_pairs: Vec<Wrench<T>>,
+}
+
+impl<T: Number> Answer<T> {
+    pub(crate) fn new(linkage: &Linkage) -> Self {
+        let pairs = vec![Wrench::ZERO; linkage.structure.pairs.len()];
+        let loads = vec![Wrench::ZERO; linkage.structure.links];
+        Self { unit_pairs: pairs.clone(), pairs, balancing: T::ZERO, loads }
+    }
+
+    /// Solves one position. `loads`: about the origins of the bodies; `unit`: the balancing load of size 1, where it does
+    /// not act on the input link.
+    pub(crate) fn solve(
+        &mut self,
+        linkage: &Linkage,
+        groups: &[Box<dyn AssurGroup<T>>],
+        bodies: &[Body<T>],
+        loads: &[Wrench<f64>],
+        unit: Option<UnitBalance>,
+        forms: Forms,
+    ) -> Result<(), GroupError> {
+        for (own, load) in self.loads.iter_mut().zip(loads) {
+            *own = wrench(load);
+        }
+        self.balancing = pass(linkage, groups, bodies, &mut self.loads, &mut self.pairs, forms)?;
+        let Some(unit) = unit else { return Ok(()) };
+        self.loads.fill(Wrench::ZERO);
+        self.loads[unit.link] = wrench(&unit.wrench);
+        let idle = pass(linkage, groups, bodies, &mut self.loads, &mut self.unit_pairs, forms)?;
+        let size = -self.balancing / idle;
+        for (sum, unit) in self.pairs.iter_mut().zip(&self.unit_pairs) {
+            sum.fx += size * unit.fx;
+            sum.fy += size * unit.fy;
+            sum.m += size * unit.m;
+        }
+        self.balancing = size;
+        Ok(())
+    }
+}
+
+fn wrench<T: Real>(of: &Wrench<f64>) -> Wrench<T> {
+    Wrench { fx: T::from_f64(of.fx), fy: T::from_f64(of.fy), m: T::from_f64(of.m) }
+}
+
+fn pass<T: Number>(
+    linkage: &Linkage,
+    groups: &[Box<dyn AssurGroup<T>>],
+    bodies: &[Body<T>],
+    loads: &mut [Wrench<T>],
+    pairs: &mut [Wrench<T>],
+    forms: Forms,
+) -> Result<T, GroupError> {
+    for group in groups.iter().rev() {
+        match forms {
+            Forms::Closed => group.reactions(bodies, loads, pairs)?,
+            Forms::General => reactions_generally(group.frame(), bodies, loads, pairs)?,
+        }
+    }
+    let (reaction, drive) =
+        input_link(&linkage.structure.pairs[0].pair, linkage.mechanism.input.link, bodies, loads);
+    pairs[0] = reaction;
+    Ok(drive)
+}
+
+/// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the drive.
+fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[Wrench<T>]) -> (Wrench<T>, T) {
+    let (body, load) = (&bodies[input], &loads[input]);
+    let on_input = pair.a == input;
+    let signed = |x: T| if on_input { x } else { -x };
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => {
+            let own = plane::vector(if on_input { at_a } else { at_b });
+            let reaction = Wrench { fx: signed(-load.fx), fy: signed(-load.fy), m: T::ZERO };
+            (reaction, -load.about(body.arm(own)))
+        }
+        PairGeometry::Slide { point, .. } => {
+            // d(origin)/dq is the unit vector along the guide.
+            let along = [body.x1, body.y1];
+            let force = load.force();
+            let across = plane::cross(along, force);
+            let [x, y] = bodies[pair.a].point(plane::vector(point));
+            let reaction = Wrench {
+                fx: signed(across * along[1]),
+                fy: signed(-(across * along[0])),
+                m: signed(-load.about([x - body.x, y - body.y])),
+            };
+            (reaction, -plane::dot(force, along))
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! A whole chart.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+use assur_force::Loads;
+use assur_kinematics::Linkage;
+
+use super::entry::Field;
+use super::forces::{self, Loaded};
+use super::kinematics;
+use super::pareto;
+use super::race::Judge;
+use super::work::Work;
+use super::{ChartData, Clock, Options, Progress, Stage};
+
+/// Why a scene has no chart; what fails in one method is a row of it.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum ChartError {
+    /// The groups can't be built in another number.
+    #[error(transparent)]
+    Compile(#[from] assur_kinematics::CompileError),
+    /// No position can be assembled.
+    #[error(transparent)]
+    Position(#[from] assur_kinematics::PositionError),
+    /// All positions lie next to change points.
+    #[error(
+        "all positions of the scene lie next to change points, where the equations of a group say nothing: change \
+         `input.from` or `input.positions`"
+    )]
+    OnlyChangePoints,
+    /// The loads can't be compiled.
+    #[error(transparent)]
+    Load(#[from] assur_force::LoadError),
+    /// No analyzer is linked.
+    #[error(transparent)]
+    Analyzers(#[from] assur_force::RegistryError),
+    /// The extended precision finds no answer.
+    #[error(
+        "coordinate {coordinate:.9}: the groups have no solution in extended precision there, so that nothing can be judged: \
+         the position is singular; change `input.from` or `input.positions`"
+    )]
+    NoReference {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+    },
+}
+
+/// Measures every method of every stage that a mechanism has.
+///
+/// `progress` is called before each piece of work; when it breaks, what was measured is kept and
+/// [`ChartData::complete`] is false.
+///
+/// # Errors
+///
+/// [`ChartError`] where there is nothing to measure.
+pub fn chart(
+    linkage: &Linkage,
+    clock: &mut dyn Clock,
+    options: Options,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<ChartData, ChartError> {
+    let start = clock.seconds();
+    let mut charting = Charting {
+        judge: Judge { clock, options, progress, start, stopped: false },
+        data: ChartData {
+            title: linkage.mechanism.title.clone(),
+            rows: Vec::new(),
+            reference: BTreeMap::new(),
+            reference_error: BTreeMap::new(),
+            complete: true,
+        },
+    };
+    charting.positions(linkage)?;
+    let Charting { judge, mut data } = charting;
+    data.complete = !judge.stopped;
+    pareto::mark(&mut data.rows);
+    Ok(data)
+}
+
+struct Charting<'a> {
+    judge: Judge<'a>,
+    data: ChartData,
+}
+
+impl Charting<'_> {
+    fn stage(&mut self, stage: Stage, field: Field<'_>) {
+        self.data.reference.insert(stage, field.reference.how.clone());
+        self.data.reference_error.insert(stage, field.reference.error);
+        self.data.rows.extend(self.judge.race(stage, field));
+    }
+
+    /// Transfer functions and forces.
+    fn positions(&mut self, linkage: &Linkage) -> Result<(), ChartError> {
+        let work = Work::new(linkage)?;
+        if !linkage.groups().is_empty() {
+            self.stage(Stage::Kinematics, kinematics::field(&work, self.judge.options)?);
+        }
+        let loads = Loads::compile(linkage)?;
+        let loaded = Loaded::new(&work, &loads)?;
+        if !loaded.is_idle() {
+            self.stage(Stage::Forces, forces::field(&loaded)?);
+        }
+        Ok(())
+    }
+}

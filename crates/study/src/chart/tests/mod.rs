@@ -1,0 +1,3 @@
+//! Tests of the chart.
+
+mod scenes;

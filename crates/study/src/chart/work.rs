@@ -1,0 +1,176 @@
+//! The work that all methods of transfer functions and forces do: the scene's positions, and the truth about them.
+
+use assur_group::{Body, Order, derive_generally, place_by_newton};
+use assur_kinematics::{Chain, Linkage, Position};
+use assur_number::{Dd, Real};
+
+use super::entry::Verdict;
+use super::ruler::{Ruler, greater, numbers};
+use super::{ChartError, Reference};
+
+/// Positions nearer to a change point than this, in rad or in parts of the scale, are left to the study of stability:
+/// the equations of a group say nothing there.
+const NEAR_CHANGE: f64 = 0.02;
+
+/// The positions with their reference.
+pub(crate) struct Work<'a> {
+    pub(crate) linkage: &'a Linkage,
+    /// Coordinates, rad or m.
+    pub(crate) coordinates: Vec<f64>,
+    /// The bodies in extended precision, by position.
+    pub(crate) truth: Vec<Vec<Body<Dd>>>,
+    pub(crate) ruler: Ruler,
+    pub(crate) reference: Reference,
+    /// The chain in extended precision.
+    pub(crate) extended: Chain<Dd>,
+}
+
+impl<'a> Work<'a> {
+    /// Solves the positions of the scene in extended precision by the closed forms, and again by Newton's method.
+    pub(crate) fn new(linkage: &'a Linkage) -> Result<Self, ChartError> {
+        let extended = Chain::<Dd>::compile(&linkage.mechanism, &linkage.structure)?;
+        let input = &linkage.mechanism.input;
+        let all: Vec<f64> = (0..input.positions).map(|index| input.coordinate(index)).collect();
+        let mut position = linkage.position();
+        let apart = all.iter().copied().filter(|q| !near_change(linkage, *q));
+        let solved = apart.filter(|q| linkage.solve(*q, Order::Second, &mut position).is_ok());
+        let coordinates: Vec<f64> = solved.collect();
+        if coordinates.is_empty() {
+            linkage.solve_index(0, Order::Second, &mut linkage.position())?;
+            return Err(ChartError::OnlyChangePoints);
+        }
+        let mut truth = Vec::with_capacity(coordinates.len());
+        for q in &coordinates {
+            truth.push(closed(linkage, &extended, *q).ok_or(ChartError::NoReference { coordinate: *q })?);
+        }
+        let ruler = Ruler::new(truth.iter().map(Vec::as_slice), linkage.structure.scale);
+        let left = all.len() - coordinates.len();
+        let mut work = Self {
+            linkage,
+            coordinates,
+            truth,
+            ruler,
+            reference: Reference { how: String::new(), error: 0.0 },
+            extended,
+        };
+        work.reference = work.described(left);
+        Ok(work)
+    }
+
+    /// Number of positions.
+    pub(crate) fn len(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// Greatest deviation between the closed forms and Newton's method, both in extended precision.
+    fn described(&self, left: usize) -> Reference {
+        let mut error = 0.0;
+        let mut missing = 0;
+        for truth in &self.truth {
+            match newton_from(&self.extended, truth) {
+                Some(bodies) => error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers))),
+                None => missing += 1,
+            }
+        }
+        let mut how = format!(
+            "closed forms in double-double arithmetic (about 32 digits) at {} positions; own error by Newton's method and the \
+             general derivatives in the same arithmetic",
+            self.len()
+        );
+        if left > 0 {
+            how += &format!("; {left} positions are left out, next to change points or without an assembly");
+        }
+        if missing > 0 {
+            how += &format!("; at {missing} positions Newton's method could not confirm it");
+        }
+        // Rounding of the extended numbers themselves, should both agree in every digit.
+        Reference { how, error: greater(error, Dd::EPSILON) }
+    }
+
+    /// Judges what a method finds at each position; `solve` leaves the bodies of position `index` in the iterator it returns.
+    pub(crate) fn verdict(
+        &self,
+        evaluations: u64,
+        mut solve: impl FnMut(usize, f64) -> Result<Vec<[Dd; 10]>, String>,
+    ) -> Verdict {
+        let (mut worst, mut failures, mut first) = (None, 0_usize, None);
+        for (index, q) in self.coordinates.iter().enumerate() {
+            match solve(index, *q) {
+                Ok(found) => {
+                    let error = self.ruler.deviation(&self.truth[index], found.into_iter());
+                    worst = Some(greater(worst.unwrap_or(0.0), error));
+                }
+                Err(why) => {
+                    failures += 1;
+                    first.get_or_insert(why);
+                }
+            }
+        }
+        Verdict { evaluations: Some(evaluations), error: worst, failure: partial(failures, self.len(), first) }
+    }
+}
+
+/// What is said where some positions fail.
+pub(crate) fn partial(failures: usize, all: usize, first: Option<String>) -> Option<String> {
+    let first = first?;
+    Some(if failures < all {
+        format!("no answer at {failures} of {all} positions (figures are for the others), first: {first}")
+    } else {
+        first
+    })
+}
+
+/// Whether a coordinate lies next to a change point.
+fn near_change(linkage: &Linkage, q: f64) -> bool {
+    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+    let turn = std::f64::consts::TAU;
+    linkage.change_points().iter().any(|(at, _)| {
+        let apart = q - at;
+        let apart = if linkage.angular() { apart - turn * (apart / turn).round() } else { apart };
+        apart.abs() < NEAR_CHANGE * unit
+    })
+}
+
+/// One position by the closed forms in extended precision.
+fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>> {
+    let mut bodies = chain.bodies();
+    let mut health = vec![Dd::ZERO; chain.groups.len()];
+    let ways = linkage.ways.at(q);
+    chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
+    bodies.iter().all(|body| numbers(body).iter().all(|x| x.hi.is_finite())).then_some(bodies)
+}
+
+/// The same by Newton's method from a place that is rounded, so that it has something to do.
+fn newton_from(chain: &Chain<Dd>, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
+    let mut bodies: Vec<Body<Dd>> = truth.iter().map(|body| rounded(body)).collect();
+    let input = input_link(chain);
+    bodies[input] = truth[input];
+    for group in &chain.groups {
+        place_by_newton(group.frame(), &mut bodies).ok()?;
+        derive_generally(group.frame(), &mut bodies, Order::Second).ok()?;
+    }
+    Some(bodies)
+}
+
+fn input_link(chain: &Chain<Dd>) -> usize {
+    match chain.input {
+        assur_kinematics::Input::Crank { link, .. } | assur_kinematics::Input::Slider { link, .. } => link,
+    }
+}
+
+/// The pose to single precision, without derivatives.
+fn rounded(body: &Body<Dd>) -> Body<Dd> {
+    let single = |x: Dd| Dd::from_f64(f32::from_f64(x.to_f64()).to_f64());
+    Body { x: single(body.x), y: single(body.y), c: single(body.c), s: single(body.s), ..Body::ground() }
+}
+
+/// All positions by the program's own numbers.
+pub(crate) fn positions(work: &Work<'_>) -> Result<Vec<Position>, ChartError> {
+    let mut all = Vec::with_capacity(work.len());
+    for q in &work.coordinates {
+        let mut position = work.linkage.position();
+        work.linkage.solve(*q, Order::Second, &mut position)?;
+        all.push(position);
+    }
+    Ok(all)
+}

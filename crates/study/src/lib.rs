@@ -1,0 +1,7 @@
+//! What methods cost, how exact they are, and where they fail.
+//!
+//! * [`chart`]: speed against accuracy of every registered method on one scene.
+//!
+//! Reads no clock of its own: whoever asks for times hands in a [`chart::Clock`].
+
+pub mod chart;
