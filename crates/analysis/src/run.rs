@@ -26,7 +26,12 @@ impl Study {
         failed.collect()
     }
 
-    /// Calculates everything that the scene asks for. A position without a solution is told among the failures, with what
+    /// [`analyze`](Self::analyze), with [`checks`](Self::checks) of the numbers.
+    pub fn analyze_and_check(&self) -> Analysis {
+        Analysis { checks: self.checks(), ..self.analyze() }
+    }
+
+    /// Calculates everything that the scene asks for, without checks. A position without a solution is told among the failures, with what
     /// could still be calculated there.
     pub fn analyze(&self) -> Analysis {
         let mechanism = &self.linkage.mechanism;
@@ -50,7 +55,7 @@ impl Study {
             failures: run.failures,
             trajectory: Vec::new(),
             dynamics: None,
-            checks: self.checks(),
+            checks: Vec::new(),
         }
     }
 }

@@ -15,7 +15,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
     }
     let study = scene::study(&args.scene, style)?;
-    let analysis = study.analyze();
+    let analysis = study.analyze_and_check();
     let target = args.output.as_deref();
     match (args.format, target) {
         (Format::Json, _) => {
@@ -41,8 +41,7 @@ pub(crate) fn tell_failures(failures: &[Failure], style: Style) {
         style.tell(&format!("error: {message}"));
     }
     if failures.len() > MOST {
-        let rest: Vec<_> =
-            failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
+        let rest: Vec<_> = failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
         style.tell(&format!("error: no solution in {} more positions: {}", rest.len(), rest.join(", ")));
     }
 }

@@ -6,7 +6,9 @@ use super::motion::{column, keys};
 use super::units::Unit;
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
-    let Some(first) = source.analysis.positions.first().filter(|first| !first.condition.is_empty()) else { return };
+    let Some(first) = source.analysis.positions.first().filter(|first| !first.condition.is_empty()) else {
+        return;
+    };
     page.section("Condition of the groups");
     page.paragraph(
         "1 / (dimensionless determinant): 1 is the best there is; errors of PF1 grow with it, those of PF2 with its square; \

@@ -34,13 +34,18 @@ fn force(position: &PositionResult, pair: usize, link: usize) -> Option<[f64; 2]
     reaction.forces.get(link).map(|(_, force)| *force)
 }
 
-/// Which links of a pair are shown: of two the first (the other has the opposite), of more all.
-fn shown(reaction: &PairReaction) -> std::ops::Range<usize> {
-    if reaction.forces.len() > 2 { 0..reaction.forces.len() } else { 0..1 }
+/// Which links of a pair are shown: of two the first that moves (the other has the opposite), of more all.
+fn shown(source: &Source<'_>, reaction: &PairReaction) -> Vec<usize> {
+    let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
+    match &reaction.forces[..] {
+        [(first, _), _] => vec![usize::from(&**first == ground)],
+        forces => (0..forces.len()).collect(),
+    }
 }
 
 fn reactions(source: &Source<'_>, page: &mut Page) {
-    let Some(first) = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref()) else {
+    let Some(first) = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref())
+    else {
         return;
     };
     let keys = keys(source);
@@ -51,8 +56,10 @@ fn reactions(source: &Source<'_>, page: &mut Page) {
          from that point, the force alone would do the same.",
     );
     for (pair, (name, reaction)) in first.iter().enumerate() {
-        let groups: Vec<_> = shown(reaction).map(|link| of_pair(source, pair, link, reaction)).collect();
-        let links: Vec<_> = shown(reaction).map(|link| &*reaction.forces[link].0).collect();
+        let groups: Vec<_> =
+            shown(source, reaction).into_iter().map(|link| of_pair(source, pair, link, reaction)).collect();
+        let links: Vec<_> =
+            shown(source, reaction).into_iter().map(|link| &*reaction.forces[link].0).collect();
         page.caption(&format!("{name} on {}", links.join(", ")));
         page.table(&keys, groups);
     }
@@ -61,7 +68,9 @@ fn reactions(source: &Source<'_>, page: &mut Page) {
 
 fn of_pair(source: &Source<'_>, pair: usize, link: usize, reaction: &PairReaction) -> Vec<Column> {
     let f = move |p: &PositionResult| force(p, pair, link);
-    let of = |i: usize| move |p: &PositionResult| p.reactions.as_ref()?.0.get(i).map(|(_, r)| (r.moment, r.offset));
+    let of = |i: usize| {
+        move |p: &PositionResult| p.reactions.as_ref()?.0.get(i).map(|(_, r)| (r.moment, r.offset))
+    };
     let mut columns = vec![
         column(source, "Rx", FORCE, move |p| f(p).map(|f| f[0])),
         column(source, "Ry", FORCE, move |p| f(p).map(|f| f[1])),
@@ -75,9 +84,11 @@ fn of_pair(source: &Source<'_>, pair: usize, link: usize, reaction: &PairReactio
     columns
 }
 
-/// Angle of a force; a force of nothing has none.
+/// Angle of a force; a force of nothing has none. A component that is rounding does not count.
 fn direction(force: [f64; 2]) -> Option<f64> {
-    (force[0].hypot(force[1]) > 1e-9).then(|| force[1].atan2(force[0]))
+    let modulus = force[0].hypot(force[1]);
+    let [x, y] = force.map(|part| if part.abs() <= 1e-12 * modulus { 0.0 } else { part });
+    (modulus > 1e-9).then(|| y.atan2(x))
 }
 
 /// A coordinate with its unit.
@@ -88,13 +99,15 @@ fn place(source: &Source<'_>, position: &PositionResult) -> Vec<String> {
 
 fn greatest(source: &Source<'_>, first: &crate::Named<PairReaction>, page: &mut Page) {
     let coordinate = format!("{}, {}", source.analysis.input.link, source.units.coordinate.name);
-    let mut rows = vec![vec!["pair".to_owned(), "on".to_owned(), "R, N".to_owned(), "position".to_owned(), coordinate]];
+    let mut rows =
+        vec![vec!["pair".to_owned(), "on".to_owned(), "R, N".to_owned(), "position".to_owned(), coordinate]];
     for (pair, (name, reaction)) in first.iter().enumerate() {
-        for link in shown(reaction) {
+        for link in shown(source, reaction) {
             let modulus = |p: &&PositionResult| force(p, pair, link).map_or(0.0, |f| f[0].hypot(f[1]));
             let found = source.analysis.positions.iter().max_by(|a, b| modulus(a).total_cmp(&modulus(b)));
             let Some(position) = found else { continue };
-            let mut row = vec![name.to_owned(), reaction.forces[link].0.to_string(), single(modulus(&position))];
+            let mut row =
+                vec![name.to_owned(), reaction.forces[link].0.to_string(), single(modulus(&position))];
             row.extend(place(source, position));
             rows.push(row);
         }
@@ -109,7 +122,8 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
         return;
     }
     let moment = source.analysis.input.balancing_is_moment;
-    let (name, sign, unit): (_, _, Unit) = if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
+    let (name, sign, unit): (_, _, Unit) =
+        if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
     page.section(&format!("Balancing {name}"));
     page.table(&keys(source), vec![vec![column(source, sign, unit, size)]]);
     let by_size = |p: &&PositionResult| p.balancing.map_or(0.0, f64::abs);

@@ -46,7 +46,9 @@ fn slides(source: &Source<'_>, page: &mut Page) {
             short(slide.tilt.to_degrees()),
         ]);
     }
-    page.caption("Slides: the point of the sliding link, and the guide line in the frame of the link that carries it");
+    page.caption(
+        "Slides: the point of the sliding link, and the guide line in the frame of the link that carries it",
+    );
     page.rows(&rows);
 }
 

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use unicode_width::UnicodeWidthStr;
 
+use super::number;
 use crate::to_ascii;
 
 /// Columns of the report.
@@ -19,20 +20,52 @@ pub(super) struct Column {
     /// Its unit; may be empty.
     pub(super) unit: String,
     /// One cell a row.
-    pub(super) cells: Vec<String>,
+    pub(super) cells: Cells,
 }
 
-impl Column {
+/// What a column holds.
+#[derive(Debug, Clone)]
+pub(super) enum Cells {
+    /// Text as it is.
+    Text(Vec<String>),
+    /// Numbers, which get their digits when it is known what stands beside them; `None` is a dash.
+    Numbers(Vec<Option<f64>>),
+}
+
+/// A column whose cells are text.
+#[derive(Debug)]
+struct Ready {
+    head: String,
+    unit: String,
+    cells: Vec<String>,
+}
+
+impl Ready {
     fn width(&self) -> usize {
         let cells = self.cells.iter().map(|cell| cell.width());
         cells.chain([self.head.width(), self.unit.width()]).max().unwrap_or(0)
     }
+}
 
-    fn folded(mut self, ascii: bool) -> Self {
-        if ascii {
-            (self.head, self.unit) = (to_ascii(&self.head).into_owned(), to_ascii(&self.unit).into_owned());
+impl Column {
+    /// The largest number.
+    fn largest(&self) -> f64 {
+        match &self.cells {
+            Cells::Text(_) => 0.0,
+            Cells::Numbers(values) => {
+                values.iter().flatten().fold(0.0, |largest, value| largest.max(value.abs()))
+            }
         }
-        self
+    }
+
+    /// With its digits; `largest`: of all columns of the same unit.
+    fn ready(self, largest: f64, ascii: bool) -> Ready {
+        let cells = match self.cells {
+            Cells::Text(cells) => cells,
+            Cells::Numbers(values) => number::column(&values, largest),
+        };
+        let fold = |text: String| if ascii { to_ascii(&text).into_owned() } else { text };
+        Ready { head: fold(self.head), unit: fold(self.unit), cells }
     }
 }
 
@@ -95,9 +128,10 @@ impl Page {
     /// A table of numbers in blocks of the page's width, each with the key columns in front. Columns of one group stay
     /// together where they fit.
     pub(super) fn table(&mut self, keys: &[Column], groups: Vec<Vec<Column>>) {
-        let keys: Vec<_> = keys.iter().cloned().map(|column| column.folded(self.ascii)).collect();
+        let keys: Vec<_> = keys.iter().cloned().map(|key| (key.largest(), key)).collect();
+        let keys: Vec<_> = keys.into_iter().map(|(largest, key)| key.ready(largest, self.ascii)).collect();
         let room = WIDTH - total(&keys).min(WIDTH);
-        let mut block: Vec<Column> = Vec::new();
+        let mut block: Vec<Ready> = Vec::new();
         let mut first = true;
         for group in pieces(groups, room, self.ascii) {
             if !block.is_empty() && total(&block) + total(&group) > room {
@@ -111,7 +145,7 @@ impl Page {
         }
     }
 
-    fn block(&mut self, keys: &[Column], columns: &[Column], first: bool) {
+    fn block(&mut self, keys: &[Ready], columns: &[Ready], first: bool) {
         if !first {
             self.text.push('\n');
         }
@@ -142,15 +176,23 @@ impl Page {
 }
 
 /// Width of columns with the gaps in front of them.
-fn total(columns: &[Column]) -> usize {
+fn total(columns: &[Ready]) -> usize {
     columns.iter().map(|column| column.width() + GAP).sum()
 }
 
 /// Groups of columns, those that are wider than a page cut into single columns.
-fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Column>> {
+fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Ready>> {
+    let scales = scales(&groups);
     let mut pieces = Vec::new();
     for group in groups {
-        let group: Vec<_> = group.into_iter().map(|column| column.folded(ascii)).collect();
+        let group: Vec<_> = group
+            .into_iter()
+            .map(|column| {
+                let largest =
+                    scales.iter().find(|(unit, _)| *unit == column.unit).map_or(0.0, |(_, largest)| *largest);
+                column.ready(largest, ascii)
+            })
+            .collect();
         if total(&group) <= room {
             pieces.push(group);
         } else {
@@ -158,6 +200,19 @@ fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Column>
         }
     }
     pieces
+}
+
+/// The largest number of each unit.
+fn scales(groups: &[Vec<Column>]) -> Vec<(String, f64)> {
+    let mut scales: Vec<(String, f64)> = Vec::new();
+    for column in groups.iter().flatten() {
+        let largest = column.largest();
+        match scales.iter_mut().find(|(unit, _)| *unit == column.unit) {
+            Some((_, scale)) => *scale = scale.max(largest),
+            None => scales.push((column.unit.clone(), largest)),
+        }
+    }
+    scales
 }
 
 /// Rows of words in aligned columns, the first row above a line; columns of numbers are flush right.
@@ -169,7 +224,9 @@ pub fn columns(rows: &[Vec<String>], ascii: bool) -> String {
     let widths: Vec<usize> =
         (0..count).map(|column| cells(column).map(|cell| cell.width()).max().unwrap_or(0)).collect();
     let numeric: Vec<bool> = (0..count)
-        .map(|column| cells(column).skip(1).all(|cell| cell == "-" || cell.is_empty() || cell.parse::<f64>().is_ok()))
+        .map(|column| {
+            cells(column).skip(1).all(|cell| cell == "-" || cell.is_empty() || cell.parse::<f64>().is_ok())
+        })
         .collect();
     let mut text = String::new();
     for (index, row) in rows.iter().enumerate() {

@@ -53,14 +53,15 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
 
 /// The checks, one line each: name, largest residual, where, limit, ok or FAILED.
 pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
-    let mut rows = vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
+    let mut rows =
+        vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
     rows.extend(checks.iter().map(|check| {
         vec![
             check.name.clone(),
-            format!("{:.2e}", check.residual),
+            scientific(check.residual),
             check.at.map_or_else(|| "-".to_owned(), |at| at.to_string()),
             if check.place.is_empty() { "-".to_owned() } else { check.place.clone() },
-            format!("{:.2e}", check.limit),
+            scientific(check.limit),
             if check.ok { "ok" } else { "FAILED" }.to_owned(),
         ]
     }));
@@ -70,4 +71,8 @@ pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
 /// Broken into lines of the report's width, the ones after the first `indent` columns in.
 pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
     wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, indent)
+}
+
+fn scientific(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.2e}") }
 }

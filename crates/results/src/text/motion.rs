@@ -1,8 +1,7 @@
 //! Positions, transfer functions, velocities and accelerations.
 
 use super::Source;
-use super::layout::{Column, Page};
-use super::number;
+use super::layout::{Cells, Column, Page};
 use super::units::{MOVING, TURNING, Unit};
 use crate::PositionResult;
 
@@ -13,17 +12,23 @@ pub(super) fn column(
     unit: Unit,
     value: impl Fn(&PositionResult) -> Option<f64>,
 ) -> Column {
-    let values: Vec<_> =
-        source.analysis.positions.iter().map(|position| value(position).map(|value| value * unit.factor)).collect();
-    Column { head: head.into(), unit: unit.name.to_owned(), cells: number::column(&values) }
+    let values: Vec<_> = source
+        .analysis
+        .positions
+        .iter()
+        .map(|position| value(position).map(|value| value * unit.factor))
+        .collect();
+    Column { head: head.into(), unit: unit.name.to_owned(), cells: Cells::Numbers(values) }
 }
 
 /// Number and coordinate of the positions.
 pub(super) fn keys(source: &Source<'_>) -> [Column; 2] {
     let numbers = source.analysis.positions.iter().map(|position| position.index.to_string());
-    let number = Column { head: "No.".to_owned(), unit: String::new(), cells: numbers.collect() };
-    let coordinate =
-        column(source, &source.analysis.input.link, source.units.coordinate, |position| Some(position.coordinate));
+    let number =
+        Column { head: "No.".to_owned(), unit: String::new(), cells: Cells::Text(numbers.collect()) };
+    let coordinate = column(source, &source.analysis.input.link, source.units.coordinate, |position| {
+        Some(position.coordinate)
+    });
     [number, coordinate]
 }
 
@@ -38,6 +43,15 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     }
 }
 
+/// Points of a position that move, by index: those of the ground stand among the dimensions.
+fn moving<'a, T>(source: &Source<'_>, points: &'a crate::Named<T>) -> Vec<(usize, &'a str)> {
+    let fixed = |name: &str| {
+        let id = source.mechanism.point(name);
+        id.is_some_and(|id| source.mechanism.place_in(id, assur_mechanism::GROUND).is_some())
+    };
+    points.iter().map(|(name, _)| name).enumerate().filter(|(_, name)| !fixed(name)).collect()
+}
+
 /// The `i`-th of a list of names and values.
 fn at<T>(named: &crate::Named<T>, i: usize) -> Option<&T> {
     named.0.get(i).map(|(_, value)| value)
@@ -46,7 +60,7 @@ fn at<T>(named: &crate::Named<T>, i: usize) -> Option<&T> {
 fn positions(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
     let (keys, units) = (keys(source), &source.units);
     page.section("Positions");
-    let of_points = first.points.iter().enumerate().map(|(i, (name, _))| {
+    let of_points = moving(source, &first.points).into_iter().map(|(i, name)| {
         let axis = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf0[axis]);
         vec![
             column(source, format!("{name} x"), units.length[0], axis(0)),
@@ -76,12 +90,14 @@ fn transfer(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
     page.section("Transfer functions (derivatives by the input coordinate)");
     let of_links = first.links.iter().enumerate().map(|(i, (name, _))| {
         vec![
-            column(source, format!("{name} PF1"), units.angle[1], move |p| at(&p.links, i).map(|motion| motion.pf1)),
+            column(source, format!("{name} PF1"), units.angle[1], move |p| {
+                at(&p.links, i).map(|motion| motion.pf1)
+            }),
             column(source, "PF2", units.angle[2], move |p| at(&p.links, i).map(|motion| motion.pf2)),
         ]
     });
     table(page, "Links", &keys, of_links.collect());
-    let of_points = first.points.iter().enumerate().map(|(i, (name, _))| {
+    let of_points = moving(source, &first.points).into_iter().map(|(i, name)| {
         let pf1 = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf1[axis]);
         let pf2 = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf2[axis]);
         vec![
@@ -94,7 +110,9 @@ fn transfer(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
     table(page, "Points", &keys, of_points.collect());
     let of_slides = first.slides.iter().enumerate().map(|(i, (name, _))| {
         vec![
-            column(source, format!("{name} PF1"), units.length[1], move |p| at(&p.slides, i).map(|motion| motion.pf1)),
+            column(source, format!("{name} PF1"), units.length[1], move |p| {
+                at(&p.slides, i).map(|motion| motion.pf1)
+            }),
             column(source, "PF2", units.length[2], move |p| at(&p.slides, i).map(|motion| motion.pf2)),
         ]
     });
@@ -110,7 +128,12 @@ fn rates(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
     ];
     table(page, "Input", &keys, vec![of_input]);
     let Some(velocities) = &first.velocities else { return };
-    table(page, "Angular velocities (w) and accelerations (e) of the links", &keys, links(source, velocities));
+    table(
+        page,
+        "Angular velocities (w) and accelerations (e) of the links",
+        &keys,
+        links(source, velocities),
+    );
     table(page, "Points", &keys, points(source, velocities));
     table(page, "Slides, relative", &keys, slides(source, velocities));
 }
@@ -125,7 +148,7 @@ fn links(source: &Source<'_>, velocities: &crate::Rates) -> Vec<Vec<Column>> {
 }
 
 fn points(source: &Source<'_>, velocities: &crate::Rates) -> Vec<Vec<Column>> {
-    let each = velocities.points.iter().enumerate().map(|(i, (name, _))| {
+    let each = moving(source, &velocities.points).into_iter().map(|(i, name)| {
         let v = move |p: &PositionResult| at(&p.velocities.as_ref()?.points, i).copied();
         let a = move |p: &PositionResult| at(&p.accelerations.as_ref()?.points, i).copied();
         vec![

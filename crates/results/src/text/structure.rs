@@ -14,7 +14,12 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
     page.section("Structure");
     let names: Vec<_> = mechanism.links.iter().skip(1).map(|link| link.name.as_str()).collect();
-    page.paragraph(&format!("Moving links: {} ({}), input link {}", names.len(), names.join(", "), source.analysis.input.link));
+    page.paragraph(&format!(
+        "Moving links: {} ({}), input link {}",
+        names.len(),
+        names.join(", "),
+        source.analysis.input.link
+    ));
     page.paragraph(&format!(
         "Mobility by Chebyshev's formula: W = 3*{} - 2*{} = {}",
         structure.moving_links, structure.pairs, structure.mobility
@@ -32,7 +37,8 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
 }
 
 fn pairs(source: &Source<'_>, page: &mut Page) {
-    let name = |link: usize| -> &str { source.mechanism.links.get(link).map_or("", |link: &Link| &link.name) };
+    let name =
+        |link: usize| -> &str { source.mechanism.links.get(link).map_or("", |link: &Link| &link.name) };
     let mut rows = vec![["pair", "sort", "links", "count"].map(String::from).to_vec()];
     for pin in source.mechanism.points.iter().filter(|point| point.is_pin()) {
         let links: Vec<_> = pin.places.iter().map(|place| name(place.link)).collect();
@@ -52,7 +58,7 @@ fn groups(source: &Source<'_>, page: &mut Page) {
     if groups.is_empty() {
         return;
     }
-    let header = ["group", "kind", "class", "type", "order", "links", "inner", "outer", "way"];
+    let header = ["group", "kind", "class", "type", "order", "links", "inner", "outer", "way", "ways"];
     let mut rows = vec![header.map(String::from).to_vec()];
     for (index, group) in groups.iter().enumerate() {
         rows.push(vec![
@@ -64,9 +70,10 @@ fn groups(source: &Source<'_>, page: &mut Page) {
             group.links.join(", "),
             group.inner.join(", "),
             group.outer.join(", "),
-            format!("{} of 0-{}", group.way, group.ways.saturating_sub(1)),
+            group.way.to_string(),
+            group.ways.to_string(),
         ]);
     }
-    page.caption("Assur groups in solving order");
+    page.caption("Assur groups in solving order (way: the assembly in the first position, counted from 0)");
     page.rows(&rows);
 }
