@@ -63,6 +63,15 @@ pub enum DynamicsError {
         /// Coordinate, rad or m.
         coordinate: f64,
     },
+    /// The moment is not linear in the speed on a smooth piece.
+    #[error(
+        "the moment of the loads at coordinate {coordinate:.6} is not linear in the speed between two jumps or kinks: this \
+         method needs that"
+    )]
+    NotLinear {
+        /// Coordinate, rad or m.
+        coordinate: f64,
+    },
     /// The collocation fails.
     #[error("the speed can't be followed at coordinate {coordinate:.6}: the moments change too steeply")]
     NoPath {

@@ -10,6 +10,7 @@ mod driven;
 mod error;
 mod machine;
 mod motor;
+mod point;
 mod scene;
 mod shaft;
 mod steady;
@@ -21,6 +22,7 @@ pub use driven::Driven;
 pub use error::DynamicsError;
 pub use machine::Machine;
 pub use motor::DriveMotor;
+pub use point::ReductionPoint;
 pub use scene::{Steady, SteadyMotor, steady};
 pub use shaft::{Shaft, Source};
 pub use steady::{

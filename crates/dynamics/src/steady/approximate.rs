@@ -12,6 +12,7 @@
 //! The last one is exact where the moments depend on the coordinate alone: of all places the straight line of the
 //! greatest speed touches the energy-mass diagram from one side, that of the least from the other.
 
+use super::CycleRequest;
 use super::collocation::{Nodal, RULE, S, dot, product};
 use super::curve::{Piece, extremes};
 use super::path::{Datum, Panel};
@@ -20,6 +21,8 @@ use super::path::{Datum, Panel};
 #[derive(Debug, Clone)]
 pub(crate) struct Diagram {
     panels: Vec<Panel>,
+    /// Mean speed, at which moments over speed are taken, rad/s.
+    speed: f64,
     /// Moment of the drive that makes the work of a cycle zero, N m.
     pub(crate) mean_moment: f64,
     /// Mean of J over the cycle, kg m².
@@ -42,18 +45,19 @@ pub(crate) struct Approximations {
 }
 
 impl Diagram {
-    pub(crate) fn new(panels: &[Panel], length: f64) -> Self {
+    pub(crate) fn new(panels: &[Panel], request: &CycleRequest) -> Self {
+        let (length, v) = (request.length, request.mean_speed.abs());
         let (weights, last) = (&RULE.a[S - 1], S - 1);
-        let over = |panel: &Panel, field: fn(&Datum) -> f64| {
+        let over = |panel: &Panel, field: &dyn Fn(&Datum) -> f64| {
             panel.h * dot(weights, &panel.data.nodes.map(|node| field(&node)))
         };
-        let total: f64 = panels.iter().map(|panel| over(panel, |d| d.moment)).sum();
-        let inertia: f64 = panels.iter().map(|panel| over(panel, |d| d.inertia)).sum();
+        let total: f64 = panels.iter().map(|panel| over(panel, &|d| d.moment_at(v))).sum();
+        let inertia: f64 = panels.iter().map(|panel| over(panel, &|d| d.inertia)).sum();
         let mean_moment = -total / length;
         let mut level = 0.0;
         let mut work = Vec::with_capacity(panels.len());
         for panel in panels {
-            let moments = panel.data.nodes.map(|node| node.moment + mean_moment);
+            let moments = panel.data.nodes.map(|node| node.moment_at(v) + mean_moment);
             let done = product(&RULE.a, &moments);
             let mut values = [level; S + 1];
             for (value, done) in values[1..].iter_mut().zip(done) {
@@ -64,6 +68,7 @@ impl Diagram {
         }
         Self {
             panels: panels.to_vec(),
+            speed: v,
             mean_moment,
             mean_inertia: inertia / length,
             work,
@@ -75,7 +80,7 @@ impl Diagram {
     fn range(&self, k: f64) -> [f64; 2] {
         let piece = |(panel, work): (&Panel, &[f64; S + 1])| {
             let value = |work: f64, datum: &Datum| work - k * datum.inertia;
-            let slope = |datum: &Datum| datum.moment + self.mean_moment - k * datum.slope;
+            let slope = |datum: &Datum| datum.moment_at(self.speed) + self.mean_moment - k * datum.slope;
             let nodes = &panel.data.nodes;
             let values: Nodal = std::array::from_fn(|i| value(work[i + 1], &nodes[i]));
             Piece {

@@ -6,7 +6,9 @@
 mod approximate;
 mod arc;
 mod collocation;
+mod crossing;
 mod curve;
+mod newton;
 mod path;
 mod regime;
 mod report;
@@ -102,7 +104,7 @@ impl<'a> Survey<'a> {
         let way = Way { start: request.start, sense: request.mean_speed.signum(), length: request.length };
         let mut road = Road::new(motion, way);
         let panels = road.panels(request.mean_speed.abs(), RESOLVE)?;
-        let diagram = Diagram::new(&panels, way.length);
+        let diagram = Diagram::new(&panels, &request);
         Ok(Self { shooter: Shooter { road, panels, cycles: 0 }, diagram, request })
     }
 
@@ -132,7 +134,7 @@ impl<'a> Survey<'a> {
     pub fn greatest_resistance(&self) -> f64 {
         let nodes =
             self.shooter.panels.iter().flat_map(|panel| panel.data.nodes.iter().chain([&panel.data.start]));
-        nodes.map(|node| -node.moment).fold(f64::NEG_INFINITY, f64::max)
+        nodes.map(|node| -node.moment_at(self.wanted_speed())).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 

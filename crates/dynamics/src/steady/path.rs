@@ -3,7 +3,7 @@
 //! With x = sense * (q - q0) and v = sense * w the equation J e + J' w²/2 = Q reads d(J v²/2)/dx = M, M the moment along the
 //! path: the kinetic energy T(x) is the integral of the moment (E eq. 1).
 
-use assur_integrator::{Motion, Piece, State};
+use assur_integrator::{Motion, MotionError, Piece, State};
 
 use super::collocation::{Nodal, RULE, S};
 use crate::DynamicsError;
@@ -18,8 +18,18 @@ pub(crate) struct Datum {
     pub(crate) inertia: f64,
     /// dJ/dx.
     pub(crate) slope: f64,
-    /// Moment of the loads along the path. Valid where it does not depend on the speed.
+    /// Moment of the loads along the path, the part that does not depend on the speed.
     pub(crate) moment: f64,
+    /// Its derivative by the speed: on a smooth piece loads are linear in it (dampers, rows of tables).
+    pub(crate) by_speed: f64,
+}
+
+impl Datum {
+    /// Moment of the loads along the path at speed `v`.
+    #[inline]
+    pub(crate) fn moment_at(&self, v: f64) -> f64 {
+        self.moment + self.by_speed * v
+    }
 }
 
 /// Coefficients over a panel.
@@ -28,6 +38,8 @@ pub(crate) struct Data {
     pub(crate) start: Datum,
     pub(crate) middle: Datum,
     pub(crate) nodes: [Datum; S],
+    /// Speeds v between which the moments hold.
+    pub(crate) speed: [f64; 2],
 }
 
 /// A part of the path on which the coefficients are one smooth formula, well resolved by one polynomial.
@@ -84,7 +96,7 @@ impl<'a> Road<'a> {
         State { time: 0.0, coordinate: self.way.coordinate(x), speed: self.way.sense * v }
     }
 
-    fn failed(&self, x: f64, source: assur_integrator::MotionError) -> DynamicsError {
+    fn failed(&self, x: f64, source: MotionError) -> DynamicsError {
         DynamicsError::Equation { coordinate: self.way.coordinate(x), source }
     }
 
@@ -101,44 +113,57 @@ impl<'a> Road<'a> {
         })
     }
 
-    /// Coefficients at `x`, by the formulas entered last.
-    pub(crate) fn datum(&mut self, x: f64, v: f64) -> Result<Datum, DynamicsError> {
+    fn reduced(&mut self, x: f64, v: f64) -> Result<Datum, DynamicsError> {
         self.evaluations += 1;
         let state = self.state(x, v);
         let found = self.motion.reduced(&state).map_err(|source| self.failed(x, source))?;
         let sense = self.way.sense;
-        let datum = Datum {
-            inertia: found.inertia,
-            slope: sense * found.inertia_derivative,
-            moment: sense * found.moment,
-        };
-        if datum.inertia.is_finite() && datum.slope.is_finite() && datum.moment.is_finite() {
-            return Ok(datum);
+        let (slope, moment) = (sense * found.inertia_derivative, sense * found.moment);
+        if found.inertia.is_finite() && slope.is_finite() && moment.is_finite() {
+            return Ok(Datum { inertia: found.inertia, slope, moment, by_speed: 0.0 });
         }
-        let source = assur_integrator::MotionError::NotFinite { acceleration: datum.moment / datum.inertia };
-        Err(self.failed(x, source))
+        Err(self.failed(x, MotionError::NotFinite { acceleration: moment / found.inertia }))
     }
 
-    /// Moment of the loads along the path and its derivative by the speed, by a central difference.
-    pub(crate) fn moment(&mut self, x: f64, v: f64) -> Result<[f64; 2], DynamicsError> {
-        /// Third root of the rounding: both errors of the difference are alike.
-        const STEP: f64 = 6e-6;
-        let dv = STEP * v.abs().max(1e-6);
-        let (low, high) = (self.datum(x, v - dv)?.moment, self.datum(x, v + dv)?.moment);
-        Ok([self.datum(x, v)?.moment, (high - low) / (2.0 * dv)])
+    /// Coefficients at `x` by the formulas entered last; `v` is a speed near which they are wanted.
+    pub(crate) fn datum(&mut self, x: f64, v: f64) -> Result<Datum, DynamicsError> {
+        let mut datum = self.reduced(x, v)?;
+        if self.by_speed {
+            let half = self.reduced(x, 0.5 * v)?.moment;
+            datum.by_speed = (datum.moment - half) / (0.5 * v);
+            datum.moment = 2.0 * half - datum.moment;
+        }
+        Ok(datum)
     }
 
-    /// Coefficients over a panel, by the formulas entered last.
+    /// Coefficients over a stretch whose formulas hold near the speed `v`.
     pub(crate) fn data(&mut self, x: f64, h: f64, v: f64) -> Result<Data, DynamicsError> {
+        let [_, speed] = self.enter(x + 0.5 * h, v)?;
         let mut data = Data {
             start: self.datum(x, v)?,
             middle: self.datum(x + h * RULE.middle, v)?,
             nodes: [Datum::default(); S],
+            speed,
         };
         for (node, c) in data.nodes.iter_mut().zip(&RULE.c) {
             *node = self.datum(x + h * c, v)?;
         }
+        self.check_linear(x + h * RULE.middle, v, &data.middle)?;
         Ok(data)
+    }
+
+    fn check_linear(&mut self, x: f64, v: f64, datum: &Datum) -> Result<(), DynamicsError> {
+        /// Rounding of the moments, which are differences of larger ones.
+        const ROUNDING: f64 = 1e-8;
+        if !self.by_speed {
+            return Ok(());
+        }
+        let (found, expected) = (self.reduced(x, 1.5 * v)?.moment, datum.moment_at(1.5 * v));
+        let scale = datum.moment.abs() + (datum.by_speed * v).abs() + datum.inertia * v * v;
+        if (found - expected).abs() > ROUNDING * scale {
+            return Err(DynamicsError::NotLinear { coordinate: self.way.coordinate(x) });
+        }
+        Ok(())
     }
 
     /// Places where the formulas change along the path, 0 and the length included.
@@ -172,10 +197,10 @@ impl<'a> Road<'a> {
         let mut scale = Datum::default();
         for ends in corners.windows(2) {
             // Longest first guess: an eighth of a cycle.
-            let parts = (8.0 * (ends[1] - ends[0]) / self.way.length).ceil().max(1.0);
-            let h = (ends[1] - ends[0]) / parts;
-            self.enter(ends[0] + 0.5 * (ends[1] - ends[0]), v)?;
-            for part in 0..parts as u32 {
+            let longest = self.way.length / 8.0;
+            let parts = (1..8_u8).find(|n| (ends[1] - ends[0]) / f64::from(*n) <= longest).unwrap_or(8);
+            let h = (ends[1] - ends[0]) / f64::from(parts);
+            for part in 0..parts {
                 self.cut(ends[0] + f64::from(part) * h, h, v, tolerance, &mut scale, &mut panels)?;
             }
         }
@@ -196,16 +221,16 @@ impl<'a> Road<'a> {
         let data = self.data(x, h, v)?;
         for node in &data.nodes {
             scale.inertia = scale.inertia.max(node.inertia.abs());
-            scale.moment = scale.moment.max(node.moment.abs());
+            scale.moment = scale.moment.max(node.moment_at(v).abs());
         }
-        let miss = |field: fn(&Datum) -> f64| {
+        let miss = |field: &dyn Fn(&Datum) -> f64| {
             let values: Nodal = data.nodes.map(|node| field(&node));
             RULE.interpolate(field(&data.start), &values, RULE.middle) - field(&data.middle)
         };
         // What a moment does is measured by the kinetic energy: one that vanishes but for rounding is resolved.
         let moment = scale.moment.max(scale.inertia * v * v / self.way.length);
-        let good = miss(|d| d.inertia).abs() <= tolerance * scale.inertia
-            && miss(|d| d.moment).abs() <= tolerance * moment;
+        let good = miss(&|d| d.inertia).abs() <= tolerance * scale.inertia
+            && miss(&|d| d.moment_at(v)).abs() <= tolerance * moment;
         if good || h < LEAST * self.way.length {
             panels.push(Panel { x, h, data });
             return Ok(());

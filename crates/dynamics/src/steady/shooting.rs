@@ -136,6 +136,21 @@ impl Solution {
     }
 }
 
+/// Newton's step of the initial energy. Where the motion flees from its present speed instead (a motor beyond its
+/// breakdown), Newton's method would lead to the unstable regime: there the step goes where the motion goes.
+fn restoring_step(found: &Solution, number: usize) -> Result<f64, DynamicsError> {
+    /// Cycles that one step makes in the direction of the motion.
+    const AHEAD: f64 = 4.0;
+    let (gap, energy, left) = (found.end - found.start, found.start, 1.0 - found.multiplier());
+    if number == 1 && left.abs() < NEUTRAL {
+        return Err(DynamicsError::NoRegime { work: gap, energy });
+    }
+    if left < NEUTRAL {
+        return Ok((AHEAD * gap).clamp(-0.3 * energy, 0.3 * energy));
+    }
+    Ok((gap / left).clamp(-0.7 * energy, 2.0 * energy))
+}
+
 impl Shooter<'_> {
     /// Refuses a machine without inertia somewhere.
     pub(crate) fn check_inertia(&self, setup: &Setup) -> Result<(), DynamicsError> {
@@ -182,11 +197,7 @@ impl Shooter<'_> {
             let relative = match closing {
                 Closing::Free => return Ok(found),
                 Closing::Speed => {
-                    let left = 1.0 - found.multiplier();
-                    if left.abs() < NEUTRAL {
-                        return Err(DynamicsError::NoRegime { work: gap, energy });
-                    }
-                    let step = (gap / left).clamp(-0.7 * energy, 2.0 * energy);
+                    let step = restoring_step(&found, number)?;
                     energy += step;
                     (step / energy).abs()
                 }
@@ -240,8 +251,7 @@ impl Shooter<'_> {
         let mut worst: f64 = 0.0;
         let mut marked = vec![false; self.panels.len()];
         for arc in &found.arcs {
-            let moment = found.middle_moment(arc, &mut self.road)?;
-            let miss = arc.residual(moment) / arc.start;
+            let miss = arc.residual(found.middle_moment(arc)) / arc.start;
             worst = worst.max(miss);
             let panel = self.panels.partition_point(|panel| panel.x <= arc.x + 0.5 * arc.h).saturating_sub(1);
             marked[panel] |= miss > tolerance && self.panels[panel].h > LEAST * self.road.way.length;
@@ -257,7 +267,6 @@ impl Shooter<'_> {
             }
             let half = 0.5 * panel.h;
             let v = found.speed_at(panel.x + half);
-            self.road.enter(panel.x + half, v)?;
             for x in [panel.x, panel.x + half] {
                 let data = self.road.data(x, half, v)?;
                 self.panels.push(Panel { x, h: half, data });
@@ -269,17 +278,10 @@ impl Shooter<'_> {
 
 impl Solution {
     /// Moment by the equation in the middle of an arc.
-    fn middle_moment(&self, arc: &super::arc::Arc, road: &mut Road<'_>) -> Result<f64, DynamicsError> {
+    fn middle_moment(&self, arc: &super::arc::Arc) -> f64 {
         let inertia = arc.data.middle.inertia + self.setup.shaft.inertia;
         let v = (2.0 * arc.middle_energy() / inertia).sqrt();
-        let x = arc.x + arc.h * super::collocation::RULE.middle;
-        let load = if road.by_speed {
-            road.enter(x, v)?;
-            road.moment(x, v)?[0]
-        } else {
-            arc.data.middle.moment
-        };
-        Ok(load + self.setup.shaft.moment(arc.factor, v).value)
+        arc.data.middle.moment_at(v) + self.setup.shaft.moment(arc.factor, v).value
     }
 
     /// Speed along the path at a place, rad/s.

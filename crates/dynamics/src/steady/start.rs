@@ -37,8 +37,8 @@ impl Survey<'_> {
             }
             (unknowns, trials) = (found.unknowns, found.trials);
         };
-        self.diagram = Diagram::new(&self.shooter.panels, self.request.length);
-        let (first, turns) = self.from_mean_speed(&tuned, &wish)?;
+        self.diagram = Diagram::new(&self.shooter.panels, &self.request);
+        let (first, turns) = self.turns_to(&tuned, &wish)?;
         Ok(Regime::new(self.reached(drive, wish, tuned, residual), first, turns))
     }
 
@@ -81,7 +81,7 @@ impl Survey<'_> {
     }
 
     /// The first turn from the mean speed (S fig. 9) and the iteration from there (S fig. 10).
-    fn from_mean_speed(
+    fn turns_to(
         &mut self,
         tuned: &Tuned,
         wish: &Wish,

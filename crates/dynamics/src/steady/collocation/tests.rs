@@ -6,15 +6,14 @@ use super::{Lu, Nodal, RULE, S, dot, product};
 
 #[test]
 fn integrates_powers_exactly() {
-    // The weights are those of Radau: exact to degree 2 S - 2. The matrix is exact to degree S - 1.
-    for degree in 0..=2 * S - 2 {
-        let power = degree as i32;
+    // The weights are those of Radau: exact to degree 2 S - 2 = 14. The matrix is exact to degree S - 1.
+    for power in 0..15_i32 {
         let values = RULE.c.map(|c| c.powi(power));
-        assert_relative_eq!(dot(&RULE.a[S - 1], &values), 1.0 / (degree as f64 + 1.0), epsilon = 3e-15);
-        if degree < S {
+        assert_relative_eq!(dot(&RULE.a[S - 1], &values), 1.0 / f64::from(power + 1), epsilon = 3e-15);
+        if power < 8 {
             let integral = product(&RULE.a, &values);
             for (got, c) in integral.iter().zip(&RULE.c) {
-                assert_relative_eq!(*got, c.powi(power + 1) / (degree as f64 + 1.0), epsilon = 3e-15);
+                assert_relative_eq!(*got, c.powi(power + 1) / f64::from(power + 1), epsilon = 3e-15);
             }
         }
     }
