@@ -3,9 +3,10 @@
 use crossterm::event::KeyCode;
 
 use super::draw::scale::Zoom;
+use super::found::Found;
 use super::key::Key;
-use super::state::{Arrows, Help, State, Traces, View, Wish};
-use super::study::Source;
+use super::state::{Arrows, Help, Pane, State, Traces, View, Wish};
+use super::study::{Source, Study};
 use super::theme::{Role, Theme};
 use super::work::Job;
 
@@ -38,7 +39,7 @@ pub(crate) fn group(state: &mut State, by: isize) {
 
 /// The next or previous column of the table.
 pub(crate) fn column(state: &mut State, by: isize) {
-    let count = state.study.as_ref().map_or(0, |study| study.series.len());
+    let count = state.study.as_ref().map_or(0, Study::column_count);
     state.chosen.column = round(state.chosen.column, by, count);
 }
 
@@ -174,4 +175,80 @@ pub(crate) fn preview_menu(state: &mut State) {
     if state.study.is_none() {
         preview(state);
     }
+}
+
+fn found(state: &State) -> Option<&Found> {
+    state.study.as_ref()?.found.as_deref()
+}
+
+/// The next or previous reaction.
+pub(crate) fn reaction(state: &mut State, by: isize) {
+    let count = found(state).map_or(0, |found| found.reactions.len());
+    state.chosen.reaction = round(state.chosen.reaction, by, count);
+}
+
+/// The next or previous quantity of the motion.
+pub(crate) fn motion(state: &mut State, by: isize) {
+    let count = found(state).map_or(0, |found| found.motion.len());
+    state.chosen.motion = round(state.chosen.motion, by, count);
+}
+
+/// The next or previous check.
+pub(crate) fn check(state: &mut State, by: isize) {
+    let count = found(state).map_or(0, |found| found.checks.len());
+    state.chosen.check = round(state.chosen.check, by, count);
+}
+
+/// Goes to the position of the chosen check's largest residual.
+pub(crate) fn worst(state: &mut State) {
+    let at = found(state).and_then(|found| found.checks.get(state.chosen.check)?.at);
+    match at {
+        Some(at) => state.go_to(at),
+        None => state.say(Role::Plain, state.texts.no_worst),
+    }
+}
+
+/// The next part of the view.
+pub(crate) fn pane(state: &mut State) {
+    state.pane = match state.pane {
+        Pane::Table => Pane::Curves,
+        Pane::Curves => Pane::Hodograph,
+        Pane::Hodograph => Pane::Table,
+    };
+}
+
+/// The next registered force analyzer that can treat the open scene.
+fn next_analyzer(state: &State) -> Option<String> {
+    let study = state.study.as_ref()?;
+    let fit: Vec<&str> = assur_force::analyzers()
+        .unwrap_or_default()
+        .into_iter()
+        .filter(|plugin| plugin.gives_reactions && plugin.instance.supports(&study.linkage).is_ok())
+        .map(|plugin| plugin.name)
+        .collect();
+    let now = study.found.as_ref().map_or("", |found| &found.analyzer);
+    let index = fit.iter().position(|name| *name == now).unwrap_or(0);
+    fit.get((index + 1) % fit.len().max(1)).map(|name| (*name).to_owned())
+}
+
+/// Calculates again with the next force analyzer.
+pub(crate) fn analyzer(state: &mut State) {
+    state.analyzer = next_analyzer(state);
+    if let Some(study) = &mut state.study {
+        study.other = None;
+    }
+    state.analyze(false);
+}
+
+/// Shows the difference to the next force analyzer, or stops that.
+pub(crate) fn difference(state: &mut State) {
+    if let Some(study) = &mut state.study
+        && study.other.take().is_some()
+    {
+        return;
+    }
+    let now = state.analyzer.clone();
+    state.analyzer = next_analyzer(state);
+    state.analyze(true);
+    state.analyzer = now;
 }

@@ -52,9 +52,9 @@ const fn command(
 }
 
 use Group::{Choose, Look, Move, Program, Views};
-use View::{Curves, Mechanism, Menu, Structure, Table};
+use View::{Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Structure, Table};
 
-const SCENE: &[View] = &[Mechanism, Curves, Structure, Table];
+const SCENE: &[View] = &[Mechanism, Curves, Forces, Motion, Drive, Checks, Structure, Table];
 const DRAWN: &[View] = &[Mechanism, Structure];
 
 /// All commands, in the order of the help screen.
@@ -72,16 +72,30 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("previous-item", Choose, &[code(KeyCode::Up), char('k')], &[Mechanism, Curves], |s| act::item(s, -1)),
     command("next-group", Choose, &[code(KeyCode::Down), char('j')], &[Structure], |s| act::group(s, 1)),
     command("previous-group", Choose, &[code(KeyCode::Up), char('k')], &[Structure], |s| act::group(s, -1)),
+    command("next-reaction", Choose, &[code(KeyCode::Down), char('j')], &[Forces], |s| act::reaction(s, 1)),
+    command("previous-reaction", Choose, &[code(KeyCode::Up), char('k')], &[Forces], |s| act::reaction(s, -1)),
+    command("analyzer", Choose, &[char('f')], &[Forces], act::analyzer),
+    command("difference", Choose, &[char('d')], &[Forces], act::difference),
+    command("pane", Choose, &[code(KeyCode::Tab)], &[Forces, Motion], act::pane),
+    command("next-motion", Choose, &[code(KeyCode::Down), char('j')], &[Motion], |s| act::motion(s, 1)),
+    command("previous-motion", Choose, &[code(KeyCode::Up), char('k')], &[Motion], |s| act::motion(s, -1)),
+    command("next-check", Choose, &[code(KeyCode::Down), char('j')], &[Checks], |s| act::check(s, 1)),
+    command("previous-check", Choose, &[code(KeyCode::Up), char('k')], &[Checks], |s| act::check(s, -1)),
+    command("worst", Choose, &[code(KeyCode::Enter)], &[Checks], act::worst),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
     command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| act::column(s, -1)),
     command("sort", Choose, &[char('s')], &[Table], act::sort),
     command("next-scene", Choose, &[code(KeyCode::Down), char('j'), code(KeyCode::Right)], &[Menu], |s| act::scene(s, 1)),
     command("previous-scene", Choose, &[code(KeyCode::Up), char('k'), code(KeyCode::Left)], &[Menu], |s| act::scene(s, -1)),
     command("open-scene", Choose, &[code(KeyCode::Enter)], &[Menu], act::open_scene),
-    command("mechanism", Views, &[char('1')], SCENE, |s| s.view = Mechanism),
-    command("curves", Views, &[char('2')], SCENE, |s| s.view = Curves),
-    command("structure", Views, &[char('9')], SCENE, |s| s.view = Structure),
-    command("table", Views, &[char('t')], SCENE, |s| s.view = Table),
+    command("mechanism", Views, &[char('1')], SCENE, |s| s.show(Mechanism)),
+    command("curves", Views, &[char('2')], SCENE, |s| s.show(Curves)),
+    command("forces", Views, &[char('3')], SCENE, |s| s.show(Forces)),
+    command("motion", Views, &[char('5')], SCENE, |s| s.show(Motion)),
+    command("drive", Views, &[char('6')], SCENE, |s| s.show(Drive)),
+    command("checks", Views, &[char('7')], SCENE, |s| s.show(Checks)),
+    command("structure", Views, &[char('9')], SCENE, |s| s.show(Structure)),
+    command("table", Views, &[char('t')], SCENE, |s| s.show(Table)),
     command("menu", Views, &[char('o')], SCENE, act::menu),
     command("arrows", Look, &[char('v')], &[Mechanism], act::arrows),
     command("trace", Look, &[char('x')], &[Mechanism], act::traces),

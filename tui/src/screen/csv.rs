@@ -6,7 +6,7 @@ use super::study::Study;
 pub(crate) fn of_columns(study: &Study, columns: &[usize]) -> String {
     let mut text = String::from("position");
     for &column in columns {
-        let series = &study.series[column];
+        let Some(series) = study.column(column) else { continue };
         text.push(',');
         text.push_str(&field(&format!("{}_{}", series.short, series.unit)));
     }
@@ -14,7 +14,7 @@ pub(crate) fn of_columns(study: &Study, columns: &[usize]) -> String {
     for position in 0..study.positions() {
         text.push_str(&position.to_string());
         for &column in columns {
-            let value = study.series[column].values.get(position).copied().unwrap_or(f64::NAN);
+            let value = study.column(column).and_then(|series| series.values.get(position)).copied().unwrap_or(f64::NAN);
             text.push(',');
             if value.is_finite() {
                 text.push_str(&value.to_string());

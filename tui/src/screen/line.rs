@@ -172,9 +172,9 @@ pub(crate) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let Some(study) = &state.study else { return };
-    let count = study.series.len();
+    let count = study.column_count();
     let fits = |column: &usize| {
-        let series = &study.series[*column];
+        let Some(series) = study.column(*column) else { return false };
         series.of.to_lowercase().contains(&wanted) || series.short.to_lowercase().contains(&wanted)
     };
     let found = (1..=count).map(|step| (state.chosen.column + step) % count).find(fits);

@@ -8,6 +8,7 @@ mod act;
 mod command;
 mod csv;
 mod draw;
+mod found;
 mod key;
 mod line;
 mod locale;
@@ -85,6 +86,9 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     }
     let mut state = State::new(study, look(&options));
     state.size = crossterm::terminal::size().unwrap_or(state.size);
+    state.analyzer.clone_from(&options.analyzer);
+    state.integrator.clone_from(&options.integrator);
+    state.analyze(false);
     act::preview_menu(&mut state);
     session::run(state, options.mouse)?;
     Ok(0)

@@ -2,6 +2,9 @@
 
 use super::number::number;
 
+/// A value this small beside the greatest one is rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// One quantity over the positions.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Series {
@@ -18,8 +21,15 @@ pub(crate) struct Series {
 impl Series {
     /// Value and unit at a position.
     pub(crate) fn show(&self, position: usize) -> String {
+        format!("{} {}", self.bare(position), self.unit)
+    }
+
+    /// Value at a position without its unit; what is rounding beside the greatest value is 0.
+    pub(crate) fn bare(&self, position: usize) -> String {
+        let most = self.values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |most, v| most.max(v.abs()));
         match self.values.get(position) {
-            Some(value) if value.is_finite() => format!("{} {}", number(*value), self.unit),
+            Some(value) if value.abs() <= ROUNDING * most => "0".to_owned(),
+            Some(value) if value.is_finite() => number(*value),
             _ => "-".to_owned(),
         }
     }

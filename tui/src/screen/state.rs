@@ -1,13 +1,14 @@
 //! Everything a frame depends on. Commands change it, views read it.
 
 use super::draw::raster::Marker;
+use super::found::Found;
 use super::draw::scale::Zoom;
 use super::menu::Menu;
 use super::prompt::Prompt;
 use super::study::Study;
 use super::text::{ENGLISH, Texts, fill};
 use super::theme::{Role, Theme};
-use super::work::{Job, Report};
+use super::work::{Job, Report, Request};
 use super::writing::OutputFile;
 
 /// What is shown.
@@ -16,6 +17,10 @@ pub(crate) enum View {
     Menu,
     Mechanism,
     Curves,
+    Forces,
+    Motion,
+    Drive,
+    Checks,
     Structure,
     Table,
 }
@@ -50,6 +55,14 @@ impl Default for Look {
     }
 }
 
+/// What a view with several parts shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Pane {
+    Table,
+    Curves,
+    Hodograph,
+}
+
 /// Which arrows the drawing has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Arrows {
@@ -80,6 +93,11 @@ pub(crate) struct Chosen {
     /// Index in [`Study::transfers`].
     pub(crate) transfer: usize,
     pub(crate) group: usize,
+    /// Index in [`super::found::Found::reactions`].
+    pub(crate) reaction: usize,
+    pub(crate) check: usize,
+    /// First quantity of the motion view.
+    pub(crate) motion: usize,
     /// Column of the table.
     pub(crate) column: usize,
 }
@@ -97,6 +115,12 @@ pub(crate) struct State {
     pub(crate) zoom: Zoom,
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
+    pub(crate) pane: Pane,
+    /// Force analyzer and integrator that are asked for; `None`: the scene's.
+    pub(crate) analyzer: Option<String>,
+    pub(crate) integrator: Option<String>,
+    /// How many scenes were opened: an answer to an older one is dropped.
+    pub(crate) generation: usize,
     /// Column and sense by which the table is sorted.
     pub(crate) sorted: Option<(usize, bool)>,
     pub(crate) playing: bool,
@@ -130,6 +154,10 @@ impl State {
             zoom: Zoom::WHOLE,
             arrows: Arrows::Velocity,
             traces: Traces::All,
+            pane: Pane::Table,
+            analyzer: None,
+            integrator: None,
+            generation: 0,
             sorted: None,
             playing: false,
             focused: true,
@@ -187,6 +215,7 @@ impl State {
             Report::Opened(Ok(study)) => self.open(*study),
             Report::Opened(Err(text)) => self.fault = Some(text),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
+            Report::Analyzed { generation, other, found } => return self.take_found(generation, other, found),
         }
         true
     }
@@ -204,10 +233,77 @@ impl State {
         self.chosen.transfer = self.chosen.transfer.min(study.transfers.len().saturating_sub(1));
         self.chosen.group = self.chosen.group.min(study.linkage.structure.groups.len().saturating_sub(1));
         self.chosen.column = self.chosen.column.min(study.series.len().saturating_sub(1));
+        let Chosen { transfer, group, column, .. } = self.chosen;
+        self.chosen = Chosen { transfer, group, column, ..Chosen::default() };
         self.fault = None;
         self.study = Some(study);
+        self.generation += 1;
+        self.analyze(false);
         if again {
             self.say(Role::Good, self.texts.reloaded);
         }
+    }
+}
+
+impl State {
+    /// Asks for the analysis of the open scene; `other`: by [`State::analyzer`]'s successor, for the difference.
+    pub(crate) fn analyze(&mut self, other: bool) {
+        let Some(study) = &self.study else { return };
+        let request = Request {
+            generation: self.generation,
+            linkage: study.linkage.clone(),
+            analyzer: self.analyzer.clone(),
+            integrator: self.integrator.clone(),
+            other,
+        };
+        self.wishes.push(Wish::Work(Job::Analyze(request)));
+    }
+
+    fn take_found(&mut self, generation: usize, other: bool, found: Result<Box<Found>, String>) -> bool {
+        let texts = self.texts;
+        let Some(study) = self.study.as_mut().filter(|_| generation == self.generation) else { return false };
+        match found {
+            Ok(found) if other => study.other = Some(found),
+            Ok(found) => {
+                study.found = Some(found);
+                study.fault = None;
+            }
+            Err(text) => {
+                study.fault.get_or_insert_with(|| text.clone());
+                self.say(Role::Bad, fill(texts.no_analysis, &[&text]));
+            }
+        }
+        true
+    }
+
+    /// Whether a view has something to show.
+    pub(crate) fn has(&self, view: View) -> bool {
+        let found = self.study.as_ref().and_then(|study| study.found.as_ref());
+        match view {
+            View::Menu => true,
+            View::Mechanism | View::Curves | View::Structure | View::Table => self.study.is_some(),
+            View::Forces => found.is_some_and(|found| found.has_forces()),
+            View::Motion => {
+                found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
+            }
+            View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
+            View::Checks => found.is_some_and(|found| !found.checks.is_empty()),
+        }
+    }
+
+    /// Goes to a view, or says that this scene has nothing for it.
+    pub(crate) fn show(&mut self, view: View) {
+        if self.has(view) {
+            self.view = view;
+            return;
+        }
+        let study = self.study.as_ref();
+        let running = study.is_some_and(|study| study.found.is_none() && study.fault.is_none());
+        let text = match study.and_then(|study| study.fault.as_ref()) {
+            Some(fault) => fill(self.texts.no_analysis, &[fault]),
+            None if running => self.texts.still_running.to_owned(),
+            None => self.texts.nothing_here.to_owned(),
+        };
+        self.say(Role::Bad, text);
     }
 }

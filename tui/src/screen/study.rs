@@ -8,6 +8,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, Range};
 
 use super::draw::scale::Bounds;
+use super::found::Found;
 use super::quantities;
 use super::series::{Key, Series, Transfer};
 
@@ -49,6 +50,12 @@ pub(crate) struct Study {
     pub(crate) series: Vec<Series>,
     /// Those that come with two derivatives.
     pub(crate) transfers: Vec<Transfer>,
+    /// What the analysis found; `None` while it runs, or where there is none.
+    pub(crate) found: Option<Box<Found>>,
+    /// The same by another force analyzer, for the difference.
+    pub(crate) other: Option<Box<Found>>,
+    /// Why there is no analysis.
+    pub(crate) fault: Option<String>,
 }
 
 /// Positions between the scene's own that make a path smooth.
@@ -81,7 +88,7 @@ impl Study {
         let strokes = strokes(&linkage, &fine);
         let bounds = bounds(&linkage, &fine, &paths, &strokes);
         let (series, transfers) = quantities::of(&linkage, &poses);
-        Self { source, linkage, poses, failures, paths, strokes, bounds, series, transfers }
+        Self { source, linkage, poses, failures, paths, strokes, bounds, series, transfers, found: None, other: None, fault: None }
     }
 
     /// Number of positions.
@@ -169,6 +176,26 @@ impl Study {
             Key::Point(id) => &mechanism.points[id].name,
             Key::Link(id) => &mechanism.links[id].name,
             Key::Slide(id) => &mechanism.slides[id].name,
+        }
+    }
+}
+
+impl Study {
+    /// Every series: the transfer functions, then what the analysis found.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
+    }
+
+    /// How many there are.
+    pub(crate) fn column_count(&self) -> usize {
+        self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
+    }
+
+    /// One of them.
+    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
+        match index.checked_sub(self.series.len()) {
+            None => self.series.get(index),
+            Some(beyond) => self.found.as_ref()?.series.get(beyond),
         }
     }
 }

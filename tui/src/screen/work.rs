@@ -1,9 +1,15 @@
 //! What is done beside the screen: reading, compiling, calculating.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 
+use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
+use assur_results::CheckRow;
+
+use super::found::Found;
 use super::menu::SCENES;
 use super::session::Event;
 use super::study::{Source, Study};
@@ -17,6 +23,20 @@ pub(crate) enum Job {
     Open(Source),
     /// Compile a shipped scene for its picture.
     Preview(usize),
+    /// Calculate all that a scene asks for.
+    Analyze(Request),
+}
+
+/// Which analysis.
+#[derive(Debug, Clone)]
+pub(crate) struct Request {
+    /// Which opening of a scene it belongs to; an answer to an older one is dropped.
+    pub(crate) generation: usize,
+    pub(crate) linkage: Arc<Linkage>,
+    pub(crate) analyzer: Option<String>,
+    pub(crate) integrator: Option<String>,
+    /// Whether it is only compared with the main one.
+    pub(crate) other: bool,
 }
 
 /// What the worker found.
@@ -26,6 +46,8 @@ pub(crate) enum Report {
     Opened(Result<Box<Study>, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Study>, String>),
+    /// An analysis, or why there is none.
+    Analyzed { generation: usize, other: bool, found: Result<Box<Found>, String> },
 }
 
 /// Starts a job; the report comes as an event.
@@ -34,12 +56,22 @@ pub(crate) fn start(job: Job, sender: Sender<Event>) {
         let report = catch_unwind(AssertUnwindSafe(|| run(&job))).unwrap_or_else(|panic| {
             let what = panic.downcast_ref::<String>().map_or("", String::as_str);
             let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
-            Report::Opened(Err(fill(ENGLISH.worker_failed, &[&what])))
+            failed(&job, fill(ENGLISH.worker_failed, &[&what]))
         });
         // Where nobody listens any more the program is leaving.
         let _ = sender.send(Event::Work(report));
     });
     drop(beside);
+}
+
+fn failed(job: &Job, text: String) -> Report {
+    match job {
+        Job::Open(_) => Report::Opened(Err(text)),
+        Job::Preview(index) => Report::Preview(*index, Err(text)),
+        Job::Analyze(request) => {
+            Report::Analyzed { generation: request.generation, other: request.other, found: Err(text) }
+        }
+    }
 }
 
 fn run(job: &Job) -> Report {
@@ -50,7 +82,30 @@ fn run(job: &Job) -> Report {
             let study = study.and_then(|(name, text)| Study::read(Source::Shipped(name), text));
             Report::Preview(*index, study.map(Box::new))
         }
+        Job::Analyze(request) => Report::Analyzed {
+            generation: request.generation,
+            other: request.other,
+            found: analyze(request).map(Box::new),
+        },
     }
+}
+
+/// Calculates a scene, and checks it where it is not only compared.
+fn analyze(request: &Request) -> Result<Found, String> {
+    let mechanism = &request.linkage.mechanism;
+    let options =
+        assur_analysis::Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
+    let study = assur_analysis::Study::of(mechanism.clone(), &options).map_err(|error| error.to_string())?;
+    let analysis = study.analyze();
+    // The whole mechanism is checked, whatever the scene asks for; as `assur check` does.
+    let checks = if request.other { Vec::new() } else { checks(mechanism, &options) };
+    let analyzer = study.analyzer.map_or("", |plugin| plugin.name).to_owned();
+    Ok(Found::of(analyzer, analysis, checks, mechanism.input.positions))
+}
+
+fn checks(mechanism: &Mechanism, options: &assur_analysis::Options) -> Vec<CheckRow> {
+    let whole = Mechanism { output: None, ..mechanism.clone() };
+    assur_analysis::Study::of(whole, options).map(|study| study.checks()).unwrap_or_default()
 }
 
 /// Reads a scene from where it is.

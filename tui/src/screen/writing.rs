@@ -30,7 +30,7 @@ pub(crate) fn write(state: &mut State) {
     let (ending, content) = match state.view {
         View::Mechanism | View::Structure => ("svg", svg::drawing(study, state.position)),
         View::Curves => ("csv", csv::of_columns(study, &curve_columns(state, study))),
-        _ => ("csv", csv::of_columns(study, &(0..study.series.len()).collect::<Vec<_>>())),
+        _ => ("csv", csv::of_columns(study, &(0..study.column_count()).collect::<Vec<_>>())),
     };
     let name = file_name(state, study, ending);
     let file = OutputFile { path: PathBuf::from(name), content, overwrite: false };

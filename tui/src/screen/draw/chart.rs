@@ -39,8 +39,8 @@ pub(crate) struct Chart<'a> {
     /// Places as position numbers (also between two), and what is there.
     pub(crate) marks: Vec<(f64, Mark)>,
     pub(crate) cursor: usize,
-    /// Whether the first position follows the last.
-    pub(crate) closed: bool,
+    /// Where each value lies on the axis, 0 to 1; `None`: equally spaced.
+    pub(crate) places: Option<&'a [f64]>,
 }
 
 /// Column of a position in so many columns.
@@ -75,7 +75,8 @@ impl Chart<'_> {
             height: area.height - 1,
         };
         let Some([low, high]) = self.range() else { return };
-        let frame = Frame { plot, low, high, count: self.curves.iter().map(|c| c.0.len()).max().unwrap_or(0) };
+        let count = self.curves.iter().map(|c| c.0.len()).max().unwrap_or(0);
+        let frame = Frame { plot, low, high, count, places: self.places };
         let mut raster = Raster::new(plot, look.marker);
         if low < 0.0 && high > 0.0 {
             let zero = frame.row(0.0);
@@ -100,7 +101,7 @@ impl Chart<'_> {
         Some(if high - low > least { [low, high] } else { [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())] })
     }
 
-    fn draw_marks(&self, frame: &Frame, raster: &Raster, style: Style, buffer: &mut Buffer) {
+    fn draw_marks(&self, frame: &Frame<'_>, raster: &Raster, style: Style, buffer: &mut Buffer) {
         let Some((values, _)) = self.curves.first() else { return };
         let mut labels = Labels::new(frame.plot);
         for &(at, mark) in &self.marks {
@@ -111,8 +112,8 @@ impl Chart<'_> {
     }
 
     /// The cursor: a reversed column, so that it is seen without color.
-    fn draw_cursor(&self, frame: &Frame, look: Look, buffer: &mut Buffer) {
-        let x = frame.plot.x + column_of(self.cursor, frame.count, frame.plot.width);
+    fn draw_cursor(&self, frame: &Frame<'_>, look: Look, buffer: &mut Buffer) {
+        let x = frame.plot.x + short(whole(frame.column(self.cursor as f64)));
         for y in frame.plot.y..frame.plot.bottom() {
             if let Some(cell) = buffer.cell_mut((x, y)) {
                 if cell.symbol() == " " {
@@ -133,7 +134,7 @@ fn between(values: &[f64], at: f64) -> f64 {
     if part > 0.0 { a + part * (b - a) } else { a }
 }
 
-fn curve(frame: &Frame, values: &[f64], style: Style, raster: &mut Raster) {
+fn curve(frame: &Frame<'_>, values: &[f64], style: Style, raster: &mut Raster) {
     let at = |i: usize| [frame.column(i as f64), frame.row(values[i])];
     for i in 0..values.len() {
         if i + 1 < values.len() && values[i + 1].is_finite() && values[i].is_finite() {
@@ -146,16 +147,20 @@ fn curve(frame: &Frame, values: &[f64], style: Style, raster: &mut Raster) {
 
 /// The plotted area and its ranges.
 #[derive(Debug)]
-struct Frame {
+struct Frame<'a> {
     plot: Rect,
     low: f64,
     high: f64,
     count: usize,
+    places: Option<&'a [f64]>,
 }
 
-impl Frame {
+impl Frame<'_> {
     fn column(&self, position: f64) -> f64 {
-        column(position, self.count, self.plot.width)
+        match self.places.and_then(|places| places.get(whole(position.max(0.0)))) {
+            Some(part) => part * f64::from(self.plot.width.saturating_sub(1)) + 0.5,
+            None => column(position, self.count, self.plot.width),
+        }
     }
 
     fn row(&self, value: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 pub(crate) mod chart;
 pub(crate) mod figure;
+pub(crate) mod hodograph;
 pub(crate) mod label;
 pub(crate) mod plot;
 pub(crate) mod raster;

@@ -44,6 +44,9 @@ pub(crate) enum Stroke {
     Dotted(usize),
 }
 
+/// A piece of a chain longer than this many dots is beyond any screen.
+const MOST_DOTS: f64 = 1e5;
+
 #[derive(Debug, Clone, Copy, Default)]
 struct Cell {
     bits: u8,
@@ -99,8 +102,27 @@ impl Raster {
 
     /// Draws a chain of lines.
     pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke, style: Style) {
+        let Stroke::Dotted(every) = stroke else {
+            points.windows(2).for_each(|two| self.line(two[0], two[1], stroke, style));
+            return;
+        };
+        // Dots at equal distances along the whole chain, whatever the length of its pieces.
+        let (across, down) = self.marker.dots();
+        let gap = if self.marker == Marker::Ascii { 1.0 } else { every as f64 };
+        let mut travelled = gap;
         for two in points.windows(2) {
-            self.line(two[0], two[1], stroke, style);
+            let [dx, dy] = [two[1][0] - two[0][0], two[1][1] - two[0][1]];
+            let length = (dx * across as f64).hypot(dy * down as f64);
+            if !length.is_finite() || length > MOST_DOTS {
+                continue;
+            }
+            let mut part = gap - travelled;
+            while part < length {
+                let t = part / length;
+                self.dot([two[0][0] + t * dx, two[0][1] + t * dy], '.', style);
+                part += gap;
+            }
+            travelled = gap - (part - length);
         }
     }
 

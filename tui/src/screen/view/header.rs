@@ -20,6 +20,10 @@ pub(crate) fn name(state: &State, view: View) -> &'static str {
         View::Menu => state.texts.menu,
         View::Mechanism => state.texts.mechanism,
         View::Curves => state.texts.curves,
+        View::Forces => state.texts.forces,
+        View::Motion => state.texts.motion,
+        View::Drive => state.texts.drive,
+        View::Checks => state.texts.checks,
         View::Structure => state.texts.structure,
         View::Table => state.texts.table,
     }
@@ -28,6 +32,10 @@ pub(crate) fn name(state: &State, view: View) -> &'static str {
 const TABS: &[(&str, View)] = &[
     ("mechanism", View::Mechanism),
     ("curves", View::Curves),
+    ("forces", View::Forces),
+    ("motion", View::Motion),
+    ("drive", View::Drive),
+    ("checks", View::Checks),
     ("structure", View::Structure),
     ("table", View::Table),
 ];
@@ -58,7 +66,7 @@ fn place(state: &State, study: &Study) -> String {
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let mut column = 1;
-    for (command, view) in TABS {
+    for (command, view) in TABS.iter().filter(|(_, view)| state.has(*view)) {
         let key = COMMANDS.iter().find(|c| c.name == *command && c.group == Group::Views);
         let key = key.and_then(|c| c.keys.first()).map(|key| key.name()).unwrap_or_default();
         let text = format!(" {key} {} ", name(state, *view));

@@ -63,7 +63,7 @@ fn traces(state: &State, study: &Study, scale: &Scale, raster: &mut Raster) {
         };
         if wanted {
             let cells: Vec<[f64; 2]> = path.iter().map(|at| scale.cell(*at)).collect();
-            raster.polyline(&cells, Stroke::Dotted(2), style);
+            raster.polyline(&cells, Stroke::Dotted(3), style);
         }
     }
 }

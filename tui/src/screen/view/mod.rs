@@ -1,12 +1,16 @@
 //! Views: pure functions from the state to a frame.
 
 pub(crate) mod ascii;
+pub(crate) mod checks;
 pub(crate) mod curves;
+pub(crate) mod drive;
 pub(crate) mod footer;
+pub(crate) mod forces;
 pub(crate) mod header;
 pub(crate) mod help;
 pub(crate) mod mechanism;
 pub(crate) mod menu;
+pub(crate) mod motion;
 pub(crate) mod panel;
 pub(crate) mod structure;
 pub(crate) mod table;
@@ -55,6 +59,10 @@ fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
     match (state.view, &state.study) {
         (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
         (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),
+        (View::Forces, Some(study)) => forces::draw(state, study, area, buffer),
+        (View::Motion, Some(study)) => motion::draw(state, study, area, buffer),
+        (View::Drive, Some(study)) => drive::draw(state, study, area, buffer),
+        (View::Checks, Some(study)) => checks::draw(state, study, area, buffer),
         (View::Structure, Some(study)) => structure::draw(state, study, area, buffer),
         (View::Table, Some(study)) => table::draw(state, study, area, buffer),
         (View::Menu, _) | (_, None) => menu::draw(state, area, buffer),

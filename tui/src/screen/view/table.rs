@@ -5,7 +5,6 @@ use ratatui::layout::Rect;
 
 use super::put;
 use crate::screen::draw::raster::short;
-use crate::screen::number::number;
 use crate::screen::state::State;
 use crate::screen::study::Study;
 use crate::screen::text::fill;
@@ -21,7 +20,7 @@ pub(crate) fn order(state: &State) -> Vec<usize> {
     let Some(study) = &state.study else { return Vec::new() };
     let mut order: Vec<usize> = (0..study.positions()).collect();
     if let Some((column, up)) = state.sorted
-        && let Some(series) = study.series.get(column)
+        && let Some(series) = study.column(column)
     {
         let value = |i: usize| series.values.get(i).copied().unwrap_or(f64::NAN);
         order.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
@@ -43,7 +42,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     put(buffer, area, 1, 0, state.texts.number, theme.style(Role::Header));
     let mut left = FIRST;
     for &(column, width) in &columns {
-        let series = &study.series[column];
+        let Some(series) = study.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
         put(buffer, area, left, 0, &format!("{:>1$}", series.short, usize::from(width) - 1), theme.style(role));
         put(buffer, area, left, 1, &format!("{:>1$}", series.unit, usize::from(width) - 1), theme.style(Role::Dim));
@@ -65,8 +64,7 @@ fn draw_row(state: &State, study: &Study, position: usize, columns: &[(usize, u1
     let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
-        let value = study.series[column].values.get(position).copied().unwrap_or(f64::NAN);
-        let value = if value.is_finite() { number(value) } else { "-".to_owned() };
+        let value = study.column(column).map_or_else(String::new, |series| series.bare(position));
         text.push_str(&format!("{value:>0$} ", usize::from(width) - 1));
     }
     put(buffer, Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, style);
@@ -75,14 +73,14 @@ fn draw_row(state: &State, study: &Study, position: usize, columns: &[(usize, u1
 /// The columns from the chosen one's page, with their widths.
 fn visible_columns(state: &State, study: &Study, room: u16) -> Vec<(usize, u16)> {
     let width = |column: usize| {
-        let series = &study.series[column];
+        let Some(series) = study.column(column) else { return COLUMN };
         COLUMN.max(short(series.short.chars().count().max(series.unit.len()) + 1))
     };
     let mut first = 0;
     loop {
         let mut used = 0;
         let mut columns = Vec::new();
-        for column in first..study.series.len() {
+        for column in first..study.column_count() {
             used += width(column);
             if used > room && !columns.is_empty() {
                 break;
@@ -98,11 +96,11 @@ fn visible_columns(state: &State, study: &Study, room: u16) -> Vec<(usize, u16)>
 }
 
 fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
-    let of = study.series.get(state.chosen.column).map_or("", |series| series.of.as_str());
+    let of = study.column(state.chosen.column).map_or("", |series| series.of.as_str());
     let (first, last) = (columns.first().map_or(0, |c| c.0 + 1), columns.last().map_or(0, |c| c.0 + 1));
-    let mut text = format!("{of}   {first}-{last} / {}", study.series.len());
+    let mut text = format!("{of}   {first}-{last} / {}", study.column_count());
     if let Some((column, up)) = state.sorted {
-        let name = study.series.get(column).map_or("", |series| series.short.as_str());
+        let name = study.column(column).map_or("", |series| series.short.as_str());
         text.push_str("   ");
         text.push_str(&fill(state.texts.sorted_by, &[&name]));
         text.push(if up { '^' } else { 'v' });

@@ -1,0 +1,50 @@
+//! Every check in a line: name, largest residual, limit, where, and whether it holds, in words.
+
+use assur_results::CheckRow;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::put;
+use crate::screen::draw::raster::short;
+use crate::screen::state::State;
+use crate::screen::study::Study;
+use crate::screen::theme::Role;
+
+/// Where the columns begin.
+const COLUMNS: [u16; 5] = [2, 32, 42, 52, 66];
+/// Where the word begins.
+const WORD: u16 = 73;
+
+/// Draws the view.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &study.found else { return };
+    let theme = state.look.theme;
+    for (title, column) in state.texts.check_columns.split('|').zip(COLUMNS) {
+        put(buffer, area, column, 0, title, theme.style(Role::Dim));
+    }
+    let height = usize::from(area.height.saturating_sub(1));
+    let skip = (state.chosen.check + 1).saturating_sub(height);
+    for (row, (index, check)) in found.checks.iter().enumerate().skip(skip).take(height).enumerate() {
+        let line = Rect { y: area.y + 1 + short(row), height: 1, ..area };
+        draw_row(state, check, index == state.chosen.check, line, buffer);
+    }
+}
+
+fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
+    if chosen {
+        put(buffer, area, 0, 0, &">".to_owned(), style);
+    }
+    let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
+    let residual = format!("{:.2e}", check.residual);
+    let limit = format!("{:.2e}", check.limit);
+    let cells = [check.name.as_str(), &residual, &limit, check.place.as_str(), &at];
+    let ends = COLUMNS.iter().skip(1).chain([&WORD]);
+    for ((text, &column), &end) in cells.into_iter().zip(&COLUMNS).zip(ends) {
+        let cut = Rect { width: (end - 1).min(area.width), ..area };
+        put(buffer, cut, column, 0, text, style);
+    }
+    let (word, role) = if check.ok { (state.texts.ok, Role::Good) } else { (state.texts.failed, Role::Bad) };
+    put(buffer, area, WORD, 0, word, theme.style(role));
+}

@@ -1,0 +1,151 @@
+//! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::{curves, put};
+use crate::screen::draw::chart::Chart;
+use crate::screen::draw::hodograph;
+use crate::screen::draw::raster::short;
+use crate::screen::found::{Found, Reaction};
+use crate::screen::number::{digits, number};
+use crate::screen::state::{Pane, State};
+use crate::screen::study::Study;
+use crate::screen::text::fill;
+use crate::screen::theme::Role;
+
+/// Columns of the table: where each ends.
+const ENDS: [u16; 5] = [38, 49, 60, 69, 79];
+/// Rows of a chart below the table.
+const BELOW: u16 = 9;
+
+/// Draws the view.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &study.found else { return };
+    let theme = state.look.theme;
+    let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    put(buffer, title, 1, 0, &heading(state, study, found), theme.style(Role::Header));
+    match state.pane {
+        Pane::Table => {
+            let rows = short(found.reactions.len()) + 1;
+            let below = BELOW.max(rest.height.saturating_sub(rows + 1));
+            let [table, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
+            draw_table(state, study, found, table, buffer);
+            let side = (below.height * 3).min(below.width / 2);
+            let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
+            draw_curves(state, study, found, left, &[usize::MAX], buffer);
+            draw_hodograph(state, found, right, buffer);
+        }
+        Pane::Curves => draw_curves(state, study, found, rest, &[0, 1, 2], buffer),
+        Pane::Hodograph => draw_hodograph(state, found, rest, buffer),
+    }
+}
+
+fn heading(state: &State, study: &Study, found: &Found) -> String {
+    let name = fill(state.texts.analyzer, &[&found.analyzer]);
+    match &study.other {
+        Some(other) => format!("{name}   {}", fill(state.texts.difference_to, &[&other.analyzer])),
+        None => name,
+    }
+}
+
+/// The chosen reaction.
+fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
+    found.reactions.get(state.chosen.reaction)
+}
+
+/// Name of a reaction: `A on crank`, `balancing load`.
+fn name(state: &State, reaction: &Reaction) -> String {
+    if reaction.pair.is_empty() {
+        state.texts.balancing.to_owned()
+    } else {
+        fill(state.texts.pair_on, &[&reaction.pair, &reaction.link])
+    }
+}
+
+fn draw_table(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let moment = if study.other.is_some() { state.texts.difference } else { state.texts.moment };
+    let header = ["Fx, N", "Fy, N", "F, N", state.texts.direction, moment];
+    for (text, end) in header.into_iter().zip(ENDS) {
+        put(buffer, area, end.saturating_sub(short(text.chars().count())), 0, text, theme.style(Role::Dim));
+    }
+    put(buffer, area, 1, 0, state.texts.reaction_of, theme.style(Role::Dim));
+    let height = usize::from(area.height.saturating_sub(1));
+    let skip = (state.chosen.reaction + 1).saturating_sub(height);
+    for (row, (index, reaction)) in found.reactions.iter().enumerate().skip(skip).take(height).enumerate() {
+        let chosen = index == state.chosen.reaction;
+        let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
+        let mut text = format!("{}{}", if chosen { '>' } else { ' ' }, name(state, reaction));
+        for (cell, end) in cells(state, study, found, reaction).into_iter().zip(ENDS) {
+            let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
+            text.push_str(&format!("{cell:>width$}"));
+        }
+        put(buffer, area, 0, short(row) + 1, &text, style);
+    }
+}
+
+fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> Vec<String> {
+    let value = |index: usize| found.series[index].values.get(state.position).copied().unwrap_or(f64::NAN);
+    if reaction.pair.is_empty() {
+        let series = &found.series[reaction.series[0]];
+        let unit = format!("{} {}", number(value(reaction.series[0])), series.unit);
+        return vec![String::new(), String::new(), unit, String::new(), difference(state, study, found, reaction)];
+    }
+    let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
+    let direction = if modulus > 0.0 { format!("{} deg", digits(fy.atan2(fx).to_degrees(), 4)) } else { "-".into() };
+    let last = if study.other.is_some() {
+        difference(state, study, found, reaction)
+    } else {
+        reaction.moment.map_or_else(String::new, |index| digits(value(index), 5))
+    };
+    vec![number(fx), number(fy), number(modulus), direction, last]
+}
+
+/// Modulus of the difference of two analyzers.
+fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> String {
+    let Some(other) = &study.other else { return String::new() };
+    let same = other.reactions.iter().find(|r| r.pair == reaction.pair && r.link == reaction.link);
+    let Some(same) = same else { return "-".to_owned() };
+    let at = |found: &Found, index: usize| found.series[index].values.get(state.position).copied();
+    let parts = reaction.series.iter().zip(&same.series).take(2.min(reaction.series.len()));
+    let squares: Option<f64> =
+        parts.map(|(a, b)| Some((at(found, *a)? - at(other, *b)?).powi(2))).sum();
+    squares.map_or_else(|| "-".to_owned(), |sum| format!("{:.1e}", sum.sqrt()))
+}
+
+/// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
+fn draw_curves(state: &State, study: &Study, found: &Found, area: Rect, which: &[usize], buffer: &mut Buffer) {
+    let Some(reaction) = chosen(state, found) else { return };
+    let mut wanted: Vec<usize> =
+        which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
+    wanted.dedup();
+    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
+    let count = u32::try_from(wanted.len()).unwrap_or(1);
+    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); wanted.len()]).split(charts);
+    for (index, place) in wanted.into_iter().zip(stacked.iter()) {
+        let series = &found.series[index];
+        let mut all = vec![(series.values.as_slice(), state.look.theme.style(Role::First))];
+        if let Some(other) = &study.other
+            && let Some(same) = other.series.iter().find(|other| other.of == series.of)
+        {
+            all.push((same.values.as_slice(), state.look.theme.style(Role::Third)));
+        }
+        let chart = Chart {
+            title: format!("{}  {}", series.of, series.show(state.position)),
+            curves: all,
+            marks: Vec::new(),
+            cursor: state.position,
+            places: None,
+        };
+        chart.draw(*place, curves::LABELS, state.look, buffer);
+    }
+    curves::coordinate_axis(state, study, axis, buffer);
+}
+
+fn draw_hodograph(state: &State, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let Some(reaction) = chosen(state, found).filter(|reaction| reaction.series.len() == 3) else { return };
+    let values = |i: usize| found.series[reaction.series[i]].values.as_slice();
+    let title = fill(state.texts.hodograph, &[&name(state, reaction)]);
+    hodograph::draw(&title, "N", [values(0), values(1)], state.position, area, state.look, buffer);
+}

@@ -1,0 +1,111 @@
+//! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
+
+use assur_results::{Analysis, Dynamics};
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::{curves, put};
+use crate::screen::draw::chart::Chart;
+use crate::screen::draw::raster::short;
+use crate::screen::found::Found;
+use crate::screen::number::{digits, number, plain};
+use crate::screen::state::{Pane, State};
+use crate::screen::study::Study;
+use crate::screen::theme::Role;
+
+/// Columns for the numbers of the regime.
+const NUMBERS: u16 = 30;
+
+/// Draws the view.
+pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &study.found else { return };
+    let lines = found.analysis.dynamics.as_ref().map(|d| regime(d, found.analysis.input.angular)).unwrap_or_default();
+    let width = if lines.is_empty() { 0 } else { NUMBERS };
+    let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, numbers, 1, short(row), line, state.look.theme.style(Role::Plain));
+    }
+    let over_time = state.pane != Pane::Table && !found.analysis.trajectory.is_empty();
+    if over_time || found.motion.is_empty() {
+        draw_course(state, &found.analysis, charts, buffer);
+    } else {
+        draw_positions(state, study, found, charts, buffer);
+    }
+}
+
+fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
+    let room = usize::from(charts.height / 5).max(1);
+    let shown: Vec<usize> = found.motion.iter().copied().take(room.max(found.motion.len().min(room))).collect();
+    let count = u32::try_from(shown.len().max(1)).unwrap_or(1);
+    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); shown.len()]).split(charts);
+    let first = state.chosen.motion % found.motion.len().max(1);
+    for (slot, place) in stacked.iter().enumerate() {
+        let index = found.motion[(first + slot) % found.motion.len()];
+        let series = &found.series[index];
+        let chart = Chart {
+            title: format!("{}  {}", series.of, series.show(state.position)),
+            curves: vec![(series.values.as_slice(), state.look.theme.style(Role::First))],
+            marks: Vec::new(),
+            cursor: state.position,
+            places: None,
+        };
+        chart.draw(*place, curves::LABELS, state.look, buffer);
+    }
+    curves::coordinate_axis(state, study, axis, buffer);
+}
+
+/// Coordinate, speed and acceleration over time.
+fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buffer) {
+    let course = &analysis.trajectory;
+    let (Some(first), Some(last)) = (course.first(), course.last()) else { return };
+    let q = if analysis.input.angular { "rad" } else { "m" };
+    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
+    let stacked: [Rect; 3] = Layout::vertical([Constraint::Ratio(1, 3); 3]).areas(charts);
+    let span = (last.time - first.time).max(f64::MIN_POSITIVE);
+    let times: Vec<f64> = course.iter().map(|sample| (sample.time - first.time) / span).collect();
+    let columns: [(&str, String, Vec<f64>); 3] = [
+        (state.texts.coordinate, q.to_owned(), course.iter().map(|s| s.coordinate).collect()),
+        (state.texts.speed, format!("{q}/s"), course.iter().map(|s| s.speed).collect()),
+        (state.texts.acceleration, format!("{q}/s2"), course.iter().map(|s| s.acceleration).collect()),
+    ];
+    let cursor = state.position.min(course.len() - 1);
+    for ((name, unit, values), place) in columns.iter().zip(stacked) {
+        let chart = Chart {
+            title: format!("{name}  {} {unit}", number(values[cursor])),
+            curves: vec![(values.as_slice(), state.look.theme.style(Role::First))],
+            marks: Vec::new(),
+            cursor,
+            places: Some(&times),
+        };
+        chart.draw(place, curves::LABELS, state.look, buffer);
+    }
+    let style = state.look.theme.style(Role::Plain);
+    put(buffer, axis, curves::LABELS, 0, &plain(first.time), style);
+    let end = plain(last.time);
+    put(buffer, axis, axis.width.saturating_sub(short(end.len()) + 1), 0, &end, style);
+    put(buffer, axis, curves::LABELS, 1, state.texts.time, state.look.theme.style(Role::Dim));
+}
+
+/// The numbers of the regime, one a line.
+pub(crate) fn regime(dynamics: &Dynamics, angular: bool) -> Vec<String> {
+    let speed = if angular { "rad/s" } else { "m/s" };
+    let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
+    let place = if angular { "deg" } else { "mm" };
+    let all: [(&str, Option<f64>, &str); 10] = [
+        ("mean speed", dynamics.mean_speed, speed),
+        ("unevenness", dynamics.unevenness, ""),
+        ("least speed", dynamics.speed_min, speed),
+        ("  at", dynamics.coordinate_at_min.map(degrees), place),
+        ("greatest speed", dynamics.speed_max, speed),
+        ("  at", dynamics.coordinate_at_max.map(degrees), place),
+        ("excess work", dynamics.excess_work, "J"),
+        ("dynamic unevenness", dynamics.dynamic_unevenness, ""),
+        ("torque", dynamics.torque, "N m"),
+        ("required power", dynamics.required_power, "W"),
+    ];
+    let lines = all.into_iter().filter_map(|(name, value, unit)| {
+        value.map(|value| format!("{name} {} {unit}", digits(value, 5)))
+    });
+    lines.collect()
+}
