@@ -1,0 +1,91 @@
+//! Instant centers, absolute and relative.
+
+use assur_group::Body;
+use assur_group::plane::{minus, perp, plus, scaled};
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::GROUND;
+use serde::Serialize;
+
+use crate::plan::{Plan, VectorKind, length};
+
+/// A relative turn below this part of the relative motion, over a typical length, is rounding.
+const STILL: f64 = 1e-12;
+
+/// Where an instant center lies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CenterAt {
+    /// At this place, m.
+    Point([f64; 2]),
+    /// At infinity, in this direction (a unit vector): the links do not turn against each other.
+    Direction([f64; 2]),
+    /// The links do not move against each other in this position: every point is a center.
+    Everywhere,
+}
+
+/// The instant center of one link against another.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Center {
+    /// The link.
+    pub link: String,
+    /// Against which; `ground` for an absolute center.
+    pub against: String,
+    /// Where.
+    pub at: CenterAt,
+}
+
+/// The centers of all pairs of links: the absolute ones first, then the relative ones. `position` needs PF1.
+pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
+    let links = &linkage.mechanism.links;
+    let mut list = Vec::new();
+    for against in 0..links.len() {
+        for link in against + 1..links.len() {
+            let [one, two] = [link, against].map(|id| &position.bodies[id]);
+            let name = if against == GROUND { "ground".to_owned() } else { links[against].name.clone() };
+            let at = center(one, two, linkage.structure.scale);
+            list.push(Center { link: links[link].name.clone(), against: name, at });
+        }
+    }
+    list
+}
+
+/// Where two bodies have one velocity.
+fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
+    let origin = [one.x, one.y];
+    let other = two.first(minus(origin, [two.x, two.y]));
+    let slip = minus([one.x1, one.y1], other);
+    let turn = one.w1 - two.w1;
+    let motion = length([one.x1, one.y1]) + length(other) + scale * (one.w1.abs() + two.w1.abs());
+    if turn.abs() * scale > STILL * motion {
+        // slip + turn x (P - origin) = 0
+        return CenterAt::Point(plus(origin, scaled(1.0 / turn, perp(slip))));
+    }
+    let size = length(slip);
+    if size > STILL * motion {
+        return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
+    }
+    CenterAt::Everywhere
+}
+
+/// The centers in the drawing of the mechanism, m: finite ones as points, directions as lines of a typical length.
+pub fn centers_plan(linkage: &Linkage, position: &Position) -> Plan {
+    let mut plan = Plan::new("Instant centers", "m");
+    for (id, point) in linkage.mechanism.points.iter().enumerate() {
+        plan.point(&point.name, linkage.point_motion(id, position).pf0);
+    }
+    for center in instant_centers(linkage, position) {
+        let name = format!("P({},{})", center.link, center.against);
+        match center.at {
+            CenterAt::Point(at) => plan.point(name, at),
+            CenterAt::Direction(along) => {
+                let link = linkage.mechanism.link(&center.link).unwrap_or_default();
+                let body = &position.bodies[link];
+                let note = format!("`{}` does not turn against `{}`: center at infinity", center.link, center.against);
+                let line = scaled(linkage.structure.scale, along);
+                plan.push(VectorKind::Line, name, [body.x, body.y], line, note);
+            }
+            CenterAt::Everywhere => {}
+        }
+    }
+    plan.finish(0.0)
+}

@@ -1,0 +1,84 @@
+//! The construction of a force analyzer as plans.
+
+use assur_force::{Construction, Drawing, Step, StepKind};
+use assur_group::plane::{minus, plus, scaled};
+
+use crate::plan::{Plan, PlanVector, VectorKind, length};
+
+/// One plan for each drawing that the construction has: mechanism (m), polygon (N), lever (m/rad).
+///
+/// Forces in a drawing of lengths are scaled so that the greatest is half as long as the drawing is wide; their
+/// [`size`](PlanVector::size) stays in N. The residual of the polygon says how far it is from closing.
+pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
+    let drawings = [Drawing::Mechanism, Drawing::Polygon, Drawing::Lever];
+    drawings.into_iter().filter_map(|drawing| plan(construction, drawing)).collect()
+}
+
+fn plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
+    let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
+    let first = steps.first()?;
+    let (what, unit) = match drawing {
+        Drawing::Mechanism => ("in the mechanism", "m"),
+        Drawing::Polygon => ("force polygon", "N"),
+        Drawing::Lever => ("lever", if is_force(first) { "m/rad" } else { first.unit }),
+    };
+    let mut plan = Plan::new(format!("{}: {what}", construction.title), unit);
+    let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
+    for step in &steps {
+        if step.kind == StepKind::Point {
+            plan.point(&step.name, step.start);
+            continue;
+        }
+        let factor = if is_force(step) { per_newton } else { 1.0 };
+        plan.items.push(PlanVector {
+            name: step.name.clone(),
+            kind: kind(step.kind),
+            start: step.start,
+            end: plus(step.start, scaled(factor, step.vector)),
+            size: length(step.vector),
+            unit: step.unit.to_owned(),
+            note: step.note.clone(),
+        });
+    }
+    let open = if drawing == Drawing::Polygon { open(&steps) } else { 0.0 };
+    Some(plan.finish(open))
+}
+
+fn is_force(step: &Step) -> bool {
+    step.unit == "N"
+}
+
+/// Lengths of the drawing for 1 N.
+fn drawn_per_newton(steps: &[&Step]) -> f64 {
+    let places = || steps.iter().flat_map(|step| [Some(step.start), end_of_line(step)]).flatten();
+    let Some(first) = places().next() else { return 0.0 };
+    let width = places().map(|place| length(minus(place, first))).fold(0.0, f64::max);
+    let forces = steps.iter().filter(|step| is_force(step)).map(|step| length(step.vector));
+    let greatest = forces.fold(0.0, f64::max);
+    if greatest > 0.0 { 0.5 * width / greatest } else { 0.0 }
+}
+
+fn end_of_line(step: &Step) -> Option<[f64; 2]> {
+    (!is_force(step)).then(|| plus(step.start, step.vector))
+}
+
+/// How far the sides up to the closing one, and the reactions that replace it, are from closing.
+fn open(steps: &[&Step]) -> f64 {
+    let sum = |wanted: &dyn Fn(StepKind) -> bool| {
+        let sides = steps.iter().filter(|step| wanted(step.kind));
+        length(sides.fold([0.0; 2], |sum, side| plus(sum, side.vector)))
+    };
+    sum(&|kind| kind != StepKind::Reaction).max(sum(&|kind| kind != StepKind::Closing))
+}
+
+fn kind(of: StepKind) -> VectorKind {
+    match of {
+        StepKind::Point | StepKind::Line => VectorKind::Line,
+        StepKind::Load => VectorKind::Load,
+        StepKind::Part => VectorKind::Part,
+        StepKind::Balancing => VectorKind::Balancing,
+        StepKind::Closing => VectorKind::Closing,
+        StepKind::Reaction => VectorKind::Reaction,
+        StepKind::Velocity => VectorKind::Absolute,
+    }
+}

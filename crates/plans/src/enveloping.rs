@@ -1,0 +1,102 @@
+//! The straight line that an arc of a link envelopes (L, the press).
+
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_mechanism::{Contact, Range};
+use serde::Serialize;
+
+use crate::PlansError;
+
+/// The arc in one position.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EnvelopingPoint {
+    /// Coordinate, rad or m.
+    pub coordinate: f64,
+    /// Lowest point of the arc, m.
+    pub lowest: [f64; 2],
+    /// Its height above the line, m.
+    pub deviation: f64,
+    /// Speed of sliding along the line at the lowest point, per unit speed of the coordinate, m/rad; 0 where the arc rolls.
+    pub sliding: f64,
+}
+
+/// How well an arc envelopes a horizontal straight line.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Enveloping {
+    /// Name of the contact.
+    pub contact: String,
+    /// The interval of the coordinate, rad or m.
+    pub interval: [f64; 2],
+    /// Height of the line from which the path deviates least: the middle between its highest and lowest place, m.
+    pub level: f64,
+    /// Greatest deviation from the line, m.
+    pub greatest: f64,
+    /// Coordinate where it occurs first.
+    pub greatest_at: f64,
+    /// Way of the lowest point along the line between both ends of the interval, m, with its sign.
+    pub way: f64,
+    /// The path.
+    pub path: Vec<EnvelopingPoint>,
+}
+
+/// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene), in `count`
+/// equal steps with both ends.
+///
+/// # Errors
+///
+/// [`PlansError`] where there is no such contact, a position can't be taken, or `count` is less than 2.
+pub fn enveloping(linkage: &Linkage, contact: usize, count: usize) -> Result<Enveloping, PlansError> {
+    let contacts = &linkage.mechanism.contacts;
+    let found = contacts.get(contact).ok_or(PlansError::NoContact { number: contact, count: contacts.len() })?;
+    if count < 2 {
+        return Err(PlansError::TooFew { count });
+    }
+    let interval = interval(linkage, found);
+    let path = path(linkage, found, interval, count)?;
+    let heights = || path.iter().map(|point| point.lowest[1]);
+    let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+    let level = f64::midpoint(low, high);
+    let path: Vec<EnvelopingPoint> =
+        path.into_iter().map(|point| EnvelopingPoint { deviation: point.lowest[1] - level, ..point }).collect();
+    let worst = path.iter().fold(path[0], |worst, point| {
+        if point.deviation.abs() > worst.deviation.abs() { *point } else { worst }
+    });
+    Ok(Enveloping {
+        contact: found.name.clone(),
+        interval,
+        level,
+        greatest: worst.deviation.abs(),
+        greatest_at: worst.coordinate,
+        way: path[count - 1].lowest[0] - path[0].lowest[0],
+        path,
+    })
+}
+
+fn interval(linkage: &Linkage, contact: &Contact) -> [f64; 2] {
+    let input = &linkage.mechanism.input;
+    contact.during.unwrap_or(match input.range {
+        Range::To(to) => [input.from, to],
+        Range::Cycle(cycle) => [input.from, input.from + input.direction.sign() * cycle],
+    })
+}
+
+fn path(
+    linkage: &Linkage,
+    contact: &Contact,
+    [from, to]: [f64; 2],
+    count: usize,
+) -> Result<Vec<EnvelopingPoint>, PlansError> {
+    let mut position = linkage.position();
+    let mut list = Vec::with_capacity(count);
+    for index in 0..count {
+        let coordinate = from + (to - from) * (index as f64) / ((count - 1) as f64);
+        linkage.solve(coordinate, Order::First, &mut position)?;
+        let body = &position.bodies[contact.center.link];
+        let center = body.arm(contact.center.at);
+        // The line is horizontal, so that the lowest point lies under the center, however the link is turned.
+        let arm = [center[0], center[1] - contact.radius];
+        let lowest = [body.x + arm[0], body.y + arm[1]];
+        list.push(EnvelopingPoint { coordinate, lowest, deviation: 0.0, sliding: body.first(arm)[0] });
+    }
+    Ok(list)
+}

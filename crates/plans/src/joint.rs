@@ -1,0 +1,37 @@
+//! Reactions of joints as plain data.
+
+use assur_force::{Reactions, joint_reactions};
+use assur_kinematics::Linkage;
+use assur_structure::name_of;
+use serde::Serialize;
+
+/// The force that a pin or slide exerts on one of its links.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct JointForce {
+    /// Pin or slide.
+    pub joint: String,
+    /// The link that the force acts on.
+    pub on: String,
+    /// Force, N.
+    pub force: [f64; 2],
+    /// Of a slide, for the sliding link: moment about its point, N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+}
+
+/// All reactions: pins in the order of the points, then slides; each for every link that it joins.
+pub fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<JointForce> {
+    let mechanism = &linkage.mechanism;
+    let mut list = Vec::new();
+    for joint in joint_reactions(linkage, reactions) {
+        for (nth, (link, force)) in joint.forces.iter().enumerate() {
+            list.push(JointForce {
+                joint: name_of(mechanism, joint.joint).to_owned(),
+                on: mechanism.links[*link].name.clone(),
+                force: *force,
+                moment: joint.moment.filter(|_| nth == 0),
+            });
+        }
+    }
+    list
+}

@@ -1,0 +1,45 @@
+//! The plans that are drawn beside a calculation: as plain data to draw or to print, nothing drawn here.
+//!
+//! * [`force_polygons`]: loads and reactions of every group and of the input link, laid end to end.
+//! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
+//! * [`instant_centers`]: absolute and relative, at infinity as a direction.
+//! * [`construction_plans`]: what a force analyzer draws (longitudinal reactions, Zhukovsky's lever).
+//! * [`split`]: reactions by cause; [`samples`], [`extremes`], [`hodograph`], [`sign_changes`]: reactions over the cycle.
+//! * [`enveloping`]: the straight line that an arc envelopes.
+//! * [`sheet`]: all plans of one position; [`text()`] and [`sheet_text`] write tables.
+//!
+//! SI units. Knows no terminal, no file and no concrete method.
+
+mod acceleration;
+mod centers;
+mod construction;
+mod cycle;
+mod enveloping;
+mod error;
+mod images;
+mod joint;
+mod plan;
+mod polygon;
+mod sheet;
+mod sign;
+mod split;
+mod text;
+mod velocity;
+
+pub use acceleration::acceleration_plan;
+pub use centers::{Center, CenterAt, centers_plan, instant_centers};
+pub use construction::construction_plans;
+pub use cycle::{Extreme, Hodograph, Sample, extremes, hodograph, samples};
+pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
+pub use error::PlansError;
+pub use joint::{JointForce, joint_forces};
+pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
+pub use polygon::{NamedLoad, force_polygons, named_loads};
+pub use sheet::{Sheet, sheet};
+pub use sign::{SignChange, sign_changes};
+pub use split::{Share, Split, split};
+pub use text::{extremes_text, sheet_text, split_text, text};
+pub use velocity::velocity_plan;
+
+#[cfg(test)]
+mod tests;

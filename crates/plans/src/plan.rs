@@ -1,0 +1,152 @@
+//! A plan as data.
+
+use assur_group::plane::minus;
+use serde::Serialize;
+
+/// Width of a drawing for which the scale is suggested, mm.
+const PAPER: f64 = 150.0;
+
+/// What a vector of a plan is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum VectorKind {
+    /// A load of the scene.
+    Load,
+    /// A weight.
+    Weight,
+    /// An inertia load.
+    Inertia,
+    /// A reaction in a pair to a body outside.
+    Reaction,
+    /// The reaction in an inner pair: drawn inside the polygon, no side of it.
+    Inner,
+    /// The balancing load.
+    Balancing,
+    /// The closing side of a polygon.
+    Closing,
+    /// A part of a force along a line.
+    Part,
+    /// A line of the construction.
+    Line,
+    /// From the pole to the image of a point.
+    Absolute,
+    /// Of one point of a link against another.
+    Relative,
+    /// Normal part, towards the other point.
+    Normal,
+    /// Tangential part.
+    Tangential,
+    /// Coriolis part.
+    Coriolis,
+}
+
+/// One vector of a plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlanVector {
+    /// Short name: `R(A)`, `v(B)`.
+    pub name: String,
+    /// What it is.
+    pub kind: VectorKind,
+    /// Where it begins, in the unit of the plan.
+    pub start: [f64; 2],
+    /// Where it ends, in the unit of the plan.
+    pub end: [f64; 2],
+    /// Its size in `unit`: the distance of start and end, but for forces that are drawn into a plan of lengths.
+    pub size: f64,
+    /// Unit of the size.
+    pub unit: String,
+    /// What it means.
+    pub note: String,
+}
+
+/// A named point of a plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlanPoint {
+    /// Its name.
+    pub name: String,
+    /// Where it lies, in the unit of the plan.
+    pub at: [f64; 2],
+}
+
+/// Vectors and points in one drawing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Plan {
+    /// One line.
+    pub title: String,
+    /// Unit of the coordinates.
+    pub unit: String,
+    /// Suggested scale, units for 1 mm of paper: 1, 2 or 5 by a power of ten; 0 for an empty plan.
+    pub scale: f64,
+    /// The vectors in the order in which they are drawn.
+    pub items: Vec<PlanVector>,
+    /// The points.
+    pub points: Vec<PlanPoint>,
+    /// What is left open, as a part of the greatest vector: how far a polygon is from closing, or an image of a point from the
+    /// end of its parts.
+    pub residual: f64,
+}
+
+impl Plan {
+    pub(crate) fn new(title: impl Into<String>, unit: &str) -> Self {
+        let (title, unit) = (title.into(), unit.to_owned());
+        Self { title, unit, scale: 0.0, items: Vec::new(), points: Vec::new(), residual: 0.0 }
+    }
+
+    /// Adds a vector in the unit of the plan; gives back its end.
+    pub(crate) fn push(
+        &mut self,
+        kind: VectorKind,
+        name: String,
+        start: [f64; 2],
+        vector: [f64; 2],
+        note: String,
+    ) -> [f64; 2] {
+        let end = [start[0] + vector[0], start[1] + vector[1]];
+        let (size, unit) = (length(vector), self.unit.clone());
+        self.items.push(PlanVector { name, kind, start, end, size, unit, note });
+        end
+    }
+
+    /// Adds a point.
+    pub(crate) fn point(&mut self, name: impl Into<String>, at: [f64; 2]) {
+        self.points.push(PlanPoint { name: name.into(), at });
+    }
+
+    /// Length of the greatest vector as it is drawn.
+    pub fn greatest(&self) -> f64 {
+        self.items.iter().map(|item| length(minus(item.end, item.start))).fold(0.0, f64::max)
+    }
+
+    /// Lower left and upper right corner of all that is drawn; `None` for an empty plan.
+    pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
+        let ends = self.items.iter().flat_map(|item| [item.start, item.end]);
+        let all = ends.chain(self.points.iter().map(|point| point.at));
+        all.fold(None, |bounds, [x, y]| {
+            let [[x0, y0], [x1, y1]] = bounds.unwrap_or([[x, y]; 2]);
+            Some([[x0.min(x), y0.min(y)], [x1.max(x), y1.max(y)]])
+        })
+    }
+
+    /// Sets residual and scale when everything is there. `open`: the absolute error.
+    pub(crate) fn finish(mut self, open: f64) -> Self {
+        let greatest = self.greatest();
+        self.residual = if greatest > 0.0 { open / greatest } else { open };
+        let extent = self.bounds().map_or(0.0, |[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
+        self.scale = round_scale(extent / PAPER);
+        self
+    }
+}
+
+/// The next of 1, 2, 5 by a power of ten that is not less.
+fn round_scale(least: f64) -> f64 {
+    if least <= 0.0 || !least.is_finite() {
+        return 0.0;
+    }
+    let power = 10.0_f64.powf(least.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * power);
+    steps.into_iter().find(|step| *step >= least * (1.0 - 1e-12)).unwrap_or(10.0 * power)
+}
+
+pub(crate) fn length(v: [f64; 2]) -> f64 {
+    v[0].hypot(v[1])
+}

@@ -1,0 +1,131 @@
+//! Force polygons of the groups and of the input link (S figs. 15, 17).
+
+use assur_force::{Cause, Loads, Reactions, State, UnitBalance};
+use assur_group::plane::{opposite, scaled};
+use assur_group::{Body, Wrench};
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{GROUND, InputPair, LinkId};
+
+use crate::plan::{Plan, VectorKind, length};
+
+/// One load on one link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NamedLoad {
+    /// What causes it.
+    pub cause: Cause,
+    /// The loaded link.
+    pub link: LinkId,
+    /// Force and moment about the origin of the link's frame.
+    pub wrench: Wrench<f64>,
+}
+
+/// All loads and inertia loads at a position, each apart.
+pub fn named_loads(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<NamedLoad> {
+    let mut list = Vec::new();
+    loads.by_cause(state, bodies, &mut |cause, link, wrench| list.push(NamedLoad { cause, link, wrench }));
+    list
+}
+
+/// The polygons of the groups from the last to the first, as they are analyzed, then that of the input link.
+///
+/// Sides are the loads of the group's links and the reactions of the pairs that join it to other bodies, link after link, laid
+/// end to end; they close. Where a group has two links, the reaction of the inner pair is the diagonal between them. Moments
+/// are no part of a polygon. Unit N; the first corner is the origin.
+pub fn force_polygons(
+    linkage: &Linkage,
+    position: &Position,
+    loads: &[NamedLoad],
+    reactions: &Reactions,
+) -> Vec<Plan> {
+    let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
+    let drawer = Drawer { linkage, loads, reactions, balance: balancing_force(linkage, position, reactions) };
+    let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
+        let title = format!("Force polygon of {}", structure.group_name(mechanism, index));
+        drawer.polygon(title, &group.frame.links)
+    });
+    let input = mechanism.input.link;
+    let title = format!("Force polygon of the input link `{}`", mechanism.links[input].name);
+    groups.chain([drawer.polygon(title, &[input])]).collect()
+}
+
+/// The balancing force and its link; `None` for a moment.
+fn balancing_force(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Option<(LinkId, [f64; 2])> {
+    let mechanism = &linkage.mechanism;
+    let (link, unit) = match UnitBalance::of(mechanism, &position.bodies) {
+        Some(unit) => (unit.link, unit.wrench.force()),
+        None => match mechanism.input.pair {
+            InputPair::Pin(_) => return None,
+            InputPair::Slide(_) => {
+                let body = &position.bodies[mechanism.input.link];
+                (mechanism.input.link, [body.x1, body.y1])
+            }
+        },
+    };
+    (unit != [0.0, 0.0]).then(|| (link, scaled(reactions.balancing, unit)))
+}
+
+struct Drawer<'a> {
+    linkage: &'a Linkage,
+    loads: &'a [NamedLoad],
+    reactions: &'a Reactions,
+    balance: Option<(LinkId, [f64; 2])>,
+}
+
+impl Drawer<'_> {
+    fn polygon(&self, title: String, links: &[LinkId]) -> Plan {
+        let mut plan = Plan::new(title, "N");
+        let mut corner = [0.0; 2];
+        for (nth, &link) in links.iter().enumerate() {
+            corner = self.sides(&mut plan, link, links, corner);
+            // In a group of two links the inner reactions close the part of the first.
+            let inner = if nth == 0 { self.pairs(link, |other| links.contains(&other)) } else { Vec::new() };
+            let mut start = corner;
+            for (name, force, note) in inner.into_iter().filter(|_| links.len() == 2) {
+                start = plan.push(VectorKind::Inner, name, start, force, note);
+            }
+        }
+        plan.point("start", [0.0; 2]);
+        plan.finish(length(corner))
+    }
+
+    /// Loads of a link, then the reactions from bodies outside; gives back the corner that is reached.
+    fn sides(&self, plan: &mut Plan, link: LinkId, links: &[LinkId], mut corner: [f64; 2]) -> [f64; 2] {
+        let mechanism = &self.linkage.mechanism;
+        for load in self.loads.iter().filter(|load| load.link == link && load.wrench.force() != [0.0, 0.0]) {
+            let kind = match load.cause {
+                Cause::Weight(_) => VectorKind::Weight,
+                Cause::Inertia(_) => VectorKind::Inertia,
+                _ => VectorKind::Load,
+            };
+            let note = format!("load on `{}`", mechanism.links[link].name);
+            corner = plan.push(kind, load.cause.name(mechanism), corner, load.wrench.force(), note);
+        }
+        if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
+            let note = format!("balancing force on `{}`", mechanism.links[link].name);
+            corner = plan.push(VectorKind::Balancing, "Fb".to_owned(), corner, force, note);
+        }
+        let outside = |other: LinkId| other == GROUND || !links.contains(&other);
+        for (name, force, note) in self.pairs(link, outside) {
+            corner = plan.push(VectorKind::Reaction, name, corner, force, note);
+        }
+        corner
+    }
+
+    /// Reactions on a link in its pairs with the bodies that are wanted: name, force, meaning.
+    fn pairs(&self, link: LinkId, wanted: impl Fn(LinkId) -> bool) -> Vec<(String, [f64; 2], String)> {
+        let (mechanism, structure) = (&self.linkage.mechanism, &self.linkage.structure);
+        let mut list = Vec::new();
+        for (id, named) in structure.pairs.iter().enumerate() {
+            let pair = &named.pair;
+            if !pair.joins(link) || !wanted(pair.other(link)) {
+                continue;
+            }
+            let on_a = self.reactions.pairs[id].force();
+            let force = if pair.a == link { on_a } else { opposite(on_a) };
+            let (name, what) = (structure.pair_name(mechanism, id), if pair.is_slide() { "guide" } else { "pin" });
+            let [on, from] = [link, pair.other(link)].map(|link| &mechanism.links[link].name);
+            list.push((format!("R({name})"), force, format!("{what} {name} on `{on}`, from `{from}`")));
+        }
+        list
+    }
+}

@@ -1,0 +1,88 @@
+//! All plans of one position.
+
+use assur_force::{AnalyzerPlugin, Loads, Reactions, State, analyzers};
+use assur_group::{Order, Wrench};
+use assur_kinematics::{Linkage, Position};
+use serde::Serialize;
+
+use crate::{
+    Center, Plan, PlansError, Split, acceleration_plan, construction_plans, force_polygons, instant_centers,
+    named_loads, split, velocity_plan,
+};
+
+/// All plans of one position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sheet {
+    /// Coordinate, rad or m.
+    pub coordinate: f64,
+    /// Velocities.
+    pub velocities: Plan,
+    /// Accelerations.
+    pub accelerations: Plan,
+    /// Instant centers.
+    pub centers: Vec<Center>,
+    /// Force polygons, from the last group to the input link; empty without loads.
+    pub polygons: Vec<Plan>,
+    /// Constructions of the registered analyzers that have one and can treat the mechanism.
+    pub constructions: Vec<Plan>,
+    /// Reactions by cause; `None` without loads.
+    pub by_cause: Option<Split>,
+}
+
+/// All plans at the coordinate of a state. `moves`: plans of velocities with the speed of the state, else per unit speed.
+///
+/// The analyzer must give reactions. A construction that fails here (the published form of longitudinal reactions, where its pole
+/// is at infinity) is left out.
+///
+/// # Errors
+///
+/// [`PlansError`] where there is no position, or no reaction.
+pub fn sheet(
+    linkage: &Linkage,
+    loads: &Loads,
+    state: &State,
+    moves: bool,
+    analyzer: &AnalyzerPlugin,
+) -> Result<Sheet, PlansError> {
+    let mut position = linkage.position();
+    linkage.solve(state.coordinate, Order::Second, &mut position)?;
+    let list = named_loads(loads, state, &position.bodies);
+    let (mut polygons, mut constructions, mut by_cause) = (Vec::new(), Vec::new(), None);
+    if !list.is_empty() {
+        let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
+        loads.apply(state, &position.bodies, &mut wrenches);
+        loads.inertia(state, &position.bodies, &mut wrenches);
+        constructions = drawn(linkage, &position, &wrenches)?;
+        let mut out = Reactions::new(linkage);
+        analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out)?;
+        polygons = force_polygons(linkage, &position, &list, &out);
+        by_cause = Some(split(linkage, &position, loads, state, analyzer.instance)?);
+    }
+    let motion = moves.then_some(state);
+    Ok(Sheet {
+        coordinate: state.coordinate,
+        velocities: velocity_plan(linkage, &position, motion),
+        accelerations: acceleration_plan(linkage, &position, motion),
+        centers: instant_centers(linkage, &position),
+        polygons,
+        constructions,
+        by_cause,
+    })
+}
+
+/// The constructions of all analyzers; two forms of one method draw the same and are told once.
+fn drawn(linkage: &Linkage, position: &Position, wrenches: &[Wrench<f64>]) -> Result<Vec<Plan>, PlansError> {
+    let mut titles = Vec::new();
+    let mut plans = Vec::new();
+    for plugin in analyzers()? {
+        if plugin.instance.supports(linkage).is_err() {
+            continue;
+        }
+        let Ok(Some(found)) = plugin.instance.construction(linkage, position, wrenches) else { continue };
+        if !titles.contains(&found.title) {
+            plans.extend(construction_plans(&found));
+            titles.push(found.title);
+        }
+    }
+    Ok(plans)
+}

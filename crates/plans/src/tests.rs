@@ -1,0 +1,1 @@
+//! Known values, closing, independent sums.

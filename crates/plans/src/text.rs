@@ -1,0 +1,140 @@
+//! Tables: pure functions from data to text, ASCII but for names of the scene.
+
+use std::fmt::Write;
+
+use crate::plan::length;
+use crate::{Center, CenterAt, Extreme, JointForce, Plan, Sheet, Split};
+
+/// A plan as a table: name, length and direction of every vector, its start, what it means; then the points.
+pub fn text(plan: &Plan) -> String {
+    let mut out = String::new();
+    line(&mut out, &plan.title);
+    let scale = if plan.scale > 0.0 { format!(", 1 mm = {} {}", plan.scale, plan.unit) } else { String::new() };
+    line(&mut out, &format!("unit {}{scale}; residual {:.1e}", plan.unit, plan.residual));
+    let head = ["vector", "size", "unit", "deg", "from x", "from y", "meaning"].map(str::to_owned);
+    let rows = plan.items.iter().map(|item| {
+        let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
+        let [x, y] = item.start;
+        [
+            item.name.clone(),
+            number(item.size),
+            item.unit.clone(),
+            degrees(vector),
+            number(x),
+            number(y),
+            item.note.clone(),
+        ]
+    });
+    table(&mut out, head, rows.collect());
+    let points = plan.points.iter().map(|point| [point.name.clone(), number(point.at[0]), number(point.at[1])]);
+    table(&mut out, ["point", "x", "y"].map(str::to_owned), points.collect());
+    out
+}
+
+/// All plans of a position, one table after the other.
+pub fn sheet_text(sheet: &Sheet) -> String {
+    let plans = [&sheet.velocities, &sheet.accelerations].into_iter();
+    let plans = plans.chain(&sheet.polygons).chain(&sheet.constructions);
+    let mut tables: Vec<String> = plans.map(text).collect();
+    tables.insert(2, centers_text(&sheet.centers));
+    tables.extend(sheet.by_cause.as_ref().map(split_text));
+    tables.join("\n")
+}
+
+fn centers_text(centers: &[Center]) -> String {
+    let mut out = String::new();
+    line(&mut out, "Instant centers (m)");
+    let rows = centers.iter().map(|center| {
+        let (x, y, note) = match center.at {
+            CenterAt::Point([x, y]) => (number(x), number(y), ""),
+            CenterAt::Direction([x, y]) => (number(x), number(y), "at infinity, in this direction"),
+            CenterAt::Everywhere => ("-".to_owned(), "-".to_owned(), "no motion against each other"),
+        };
+        [center.link.clone(), center.against.clone(), x, y, note.to_owned()]
+    });
+    table(&mut out, ["link", "against", "x", "y", ""].map(str::to_owned), rows.collect());
+    out
+}
+
+/// Reactions by cause as a table: one row for each joint and link, one block for each cause.
+pub fn split_text(split: &Split) -> String {
+    let mut out = String::new();
+    line(&mut out, &format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}", split.residual));
+    let shares = || split.shares.iter().chain([&split.whole]);
+    let mut rows: Vec<[String; 6]> = Vec::new();
+    for share in shares() {
+        rows.extend(share.reactions.iter().map(|reaction| row(&share.cause, reaction)));
+        let dash = || "-".to_owned();
+        rows.push([share.cause.clone(), "balancing".to_owned(), dash(), dash(), dash(), number(share.balancing)]);
+    }
+    let head = ["cause", "joint", "on", "fx", "fy", "size"].map(str::to_owned);
+    table(&mut out, head, rows);
+    out
+}
+
+fn row(cause: &str, reaction: &JointForce) -> [String; 6] {
+    let [fx, fy] = reaction.force;
+    let size = number(length(reaction.force));
+    [cause.to_owned(), reaction.joint.clone(), reaction.on.clone(), number(fx), number(fy), size]
+}
+
+/// Greatest and root mean square of each reaction as a table. `angular`: the coordinate is told in degrees.
+pub fn extremes_text(extremes: &[Extreme], angular: bool) -> String {
+    let mut out = String::new();
+    line(&mut out, "Reactions over the cycle (N)");
+    let rows = extremes.iter().map(|one| {
+        let coordinate = if angular { one.coordinate.to_degrees() } else { one.coordinate };
+        let at = format!("{} ({})", one.index, number(coordinate));
+        [one.joint.clone(), one.on.clone(), number(one.greatest), at, number(one.rms)]
+    });
+    let coordinate = if angular { "at position (deg)" } else { "at position (m)" };
+    let head = ["joint", "on", "greatest", coordinate, "rms"].map(str::to_owned);
+    table(&mut out, head, rows.collect());
+    out
+}
+
+fn line(out: &mut String, words: &str) {
+    out.push_str(words);
+    out.push('\n');
+}
+
+/// Columns as wide as their longest entry; the last one is not padded.
+fn table<const N: usize>(out: &mut String, head: [String; N], rows: Vec<[String; N]>) {
+    if rows.is_empty() {
+        return;
+    }
+    let rows: Vec<[String; N]> = std::iter::once(head).chain(rows).collect();
+    let mut width = [0; N];
+    for row in &rows {
+        for (width, entry) in width.iter_mut().zip(row) {
+            *width = (*width).max(entry.chars().count());
+        }
+    }
+    for row in &rows {
+        let mut text = String::from(" ");
+        for (entry, width) in row.iter().zip(width) {
+            let _ = write!(text, " {entry:<width$}");
+        }
+        line(out, text.trim_end());
+    }
+}
+
+/// Direction of a vector, degrees in (-180, 180]; a dash for none.
+fn degrees([x, y]: [f64; 2]) -> String {
+    if x == 0.0 && y == 0.0 { "-".to_owned() } else { format!("{:.4}", y.atan2(x).to_degrees()) }
+}
+
+/// Seven significant digits.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-4..1e7).contains(&size) {
+        return format!("{value:.6e}");
+    }
+    let whole = (1..=7).take_while(|digits| size >= 10.0_f64.powi(digits - 1)).count();
+    let lead = (1..=4).take_while(|zeros| size < 10.0_f64.powi(-zeros)).count();
+    let places = if whole > 0 { 7 - whole } else { 7 + lead };
+    format!("{value:.places$}")
+}
