@@ -93,7 +93,8 @@ impl Drawer<'_> {
             let normal = scaled(-speed * speed, arm);
             let corner = self.plan.push(VectorKind::Normal, normal_name, start, normal, normal_note);
             let tangential = scaled(turning, perp(arm));
-            let end = self.plan.push(VectorKind::Tangential, tangential_name, corner, tangential, tangential_note);
+            let end =
+                self.plan.push(VectorKind::Tangential, tangential_name, corner, tangential, tangential_note);
             self.open = self.open.max(length(minus(end, self.image(other))));
         }
     }
@@ -110,7 +111,8 @@ impl Drawer<'_> {
         self.plan.point(&at.under, transport);
         let against = format!("{}/{}", at.name, at.under);
         let note = format!("acceleration of the point of the guide under {}", at.name);
-        let start = self.plan.push(VectorKind::Absolute, format!("a({})", at.under), [0.0; 2], transport, note);
+        let start =
+            self.plan.push(VectorKind::Absolute, format!("a({})", at.under), [0.0; 2], transport, note);
         let note = "Coriolis part: twice the turn of the guide by the speed along it".to_owned();
         let corner = self.plan.push(VectorKind::Coriolis, format!("ac({against})"), start, coriolis, note);
         let note = format!("acceleration of {} along the guide", at.name);

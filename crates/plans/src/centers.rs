@@ -80,7 +80,10 @@ pub fn centers_plan(linkage: &Linkage, position: &Position) -> Plan {
             CenterAt::Direction(along) => {
                 let link = linkage.mechanism.link(&center.link).unwrap_or_default();
                 let body = &position.bodies[link];
-                let note = format!("`{}` does not turn against `{}`: center at infinity", center.link, center.against);
+                let note = format!(
+                    "`{}` does not turn against `{}`: center at infinity",
+                    center.link, center.against
+                );
                 let line = scaled(linkage.structure.scale, along);
                 plan.push(VectorKind::Line, name, [body.x, body.y], line, note);
             }

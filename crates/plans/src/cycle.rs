@@ -94,7 +94,8 @@ pub fn extremes(linkage: &Linkage, samples: &[Sample]) -> Vec<Extreme> {
     names
         .map(|(id, reaction)| {
             let size = |sample: &Sample| length(sample.reactions[id].force);
-            let greatest = samples.iter().fold(first, |best, one| if size(one) > size(best) { one } else { best });
+            let greatest =
+                samples.iter().fold(first, |best, one| if size(one) > size(best) { one } else { best });
             let squares: Vec<[f64; 2]> =
                 samples.iter().map(|one| [one.coordinate, size(one) * size(one)]).collect();
             Extreme {
@@ -124,7 +125,12 @@ fn mean(rows: &[[f64; 2]], closed: bool) -> f64 {
 /// # Errors
 ///
 /// [`PlansError::NoReaction`] where no joint of this name acts on such a link.
-pub fn hodograph(linkage: &Linkage, samples: &[Sample], joint: &str, on: &str) -> Result<Hodograph, PlansError> {
+pub fn hodograph(
+    linkage: &Linkage,
+    samples: &[Sample],
+    joint: &str,
+    on: &str,
+) -> Result<Hodograph, PlansError> {
     let reactions = samples.first().map_or(&[][..], |sample| &sample.reactions);
     let id = reactions.iter().position(|one| one.joint == joint && one.on == on).ok_or_else(|| {
         let known = reactions.iter().map(|one| format!("{} on {}", one.joint, one.on)).collect();

@@ -47,7 +47,8 @@ pub struct Enveloping {
 /// [`PlansError`] where there is no such contact, a position can't be taken, or `count` is less than 2.
 pub fn enveloping(linkage: &Linkage, contact: usize, count: usize) -> Result<Enveloping, PlansError> {
     let contacts = &linkage.mechanism.contacts;
-    let found = contacts.get(contact).ok_or(PlansError::NoContact { number: contact, count: contacts.len() })?;
+    let found =
+        contacts.get(contact).ok_or(PlansError::NoContact { number: contact, count: contacts.len() })?;
     if count < 2 {
         return Err(PlansError::TooFew { count });
     }
@@ -56,11 +57,17 @@ pub fn enveloping(linkage: &Linkage, contact: usize, count: usize) -> Result<Env
     let heights = || path.iter().map(|point| point.lowest[1]);
     let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
     let level = f64::midpoint(low, high);
-    let path: Vec<EnvelopingPoint> =
-        path.into_iter().map(|point| EnvelopingPoint { deviation: point.lowest[1] - level, ..point }).collect();
-    let worst = path.iter().fold(path[0], |worst, point| {
-        if point.deviation.abs() > worst.deviation.abs() { *point } else { worst }
-    });
+    let path: Vec<EnvelopingPoint> = path
+        .into_iter()
+        .map(|point| EnvelopingPoint { deviation: point.lowest[1] - level, ..point })
+        .collect();
+    let worst =
+        path.iter().fold(
+            path[0],
+            |worst, point| {
+                if point.deviation.abs() > worst.deviation.abs() { *point } else { worst }
+            },
+        );
     Ok(Enveloping {
         contact: found.name.clone(),
         interval,

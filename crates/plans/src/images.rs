@@ -44,8 +44,10 @@ fn rank(linkage: &Linkage, link: LinkId) -> usize {
 /// The named points of a link, the one first from which its other points are found: it is known before the link.
 pub(crate) fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
     let points = linkage.mechanism.points.iter().enumerate();
-    let mut own: Vec<PointId> =
-        points.filter(|(_, point)| point.places.iter().any(|place| place.link == link)).map(|(id, _)| id).collect();
+    let mut own: Vec<PointId> = points
+        .filter(|(_, point)| point.places.iter().any(|place| place.link == link))
+        .map(|(id, _)| id)
+        .collect();
     let before = |id: &PointId| {
         let places = linkage.mechanism.points[*id].places.iter();
         places.map(|place| rank(linkage, place.link)).min().unwrap_or(usize::MAX)

@@ -8,6 +8,9 @@ use assur_mechanism::{GROUND, InputPair, LinkId};
 
 use crate::plan::{Plan, VectorKind, length};
 
+/// Part of the greatest reaction of the mechanism.
+const UNLOADED: f64 = 1e-6;
+
 /// One load on one link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedLoad {
@@ -38,7 +41,9 @@ pub fn force_polygons(
     reactions: &Reactions,
 ) -> Vec<Plan> {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
-    let drawer = Drawer { linkage, loads, reactions, balance: balancing_force(linkage, position, reactions) };
+    let greatest = reactions.pairs.iter().map(|pair| length(pair.force())).fold(0.0, f64::max);
+    let balance = balancing_force(linkage, position, reactions);
+    let drawer = Drawer { linkage, loads, reactions, balance, floor: UNLOADED * greatest };
     let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
         let title = format!("Force polygon of {}", structure.group_name(mechanism, index));
         drawer.polygon(title, &group.frame.links)
@@ -49,7 +54,11 @@ pub fn force_polygons(
 }
 
 /// The balancing force and its link; `None` for a moment.
-fn balancing_force(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Option<(LinkId, [f64; 2])> {
+fn balancing_force(
+    linkage: &Linkage,
+    position: &Position,
+    reactions: &Reactions,
+) -> Option<(LinkId, [f64; 2])> {
     let mechanism = &linkage.mechanism;
     let (link, unit) = match UnitBalance::of(mechanism, &position.bodies) {
         Some(unit) => (unit.link, unit.wrench.force()),
@@ -69,6 +78,8 @@ struct Drawer<'a> {
     loads: &'a [NamedLoad],
     reactions: &'a Reactions,
     balance: Option<(LinkId, [f64; 2])>,
+    /// A group whose forces are all below this is unloaded: what is left there is rounding of the others, N.
+    floor: f64,
 }
 
 impl Drawer<'_> {
@@ -85,7 +96,9 @@ impl Drawer<'_> {
             }
         }
         plan.point("start", [0.0; 2]);
-        plan.finish(length(corner))
+        let mut plan = plan.finish(length(corner));
+        plan.residual = length(corner) / plan.greatest().max(self.floor).max(f64::MIN_POSITIVE);
+        plan
     }
 
     /// Loads of a link, then the reactions from bodies outside; gives back the corner that is reached.
@@ -122,7 +135,8 @@ impl Drawer<'_> {
             }
             let on_a = self.reactions.pairs[id].force();
             let force = if pair.a == link { on_a } else { opposite(on_a) };
-            let (name, what) = (structure.pair_name(mechanism, id), if pair.is_slide() { "guide" } else { "pin" });
+            let (name, what) =
+                (structure.pair_name(mechanism, id), if pair.is_slide() { "guide" } else { "pin" });
             let [on, from] = [link, pair.other(link)].map(|link| &mechanism.links[link].name);
             list.push((format!("R({name})"), force, format!("{what} {name} on `{on}`, from `{from}`")));
         }

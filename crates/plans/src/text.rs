@@ -9,7 +9,8 @@ use crate::{Center, CenterAt, Extreme, JointForce, Plan, Sheet, Split};
 pub fn text(plan: &Plan) -> String {
     let mut out = String::new();
     line(&mut out, &plan.title);
-    let scale = if plan.scale > 0.0 { format!(", 1 mm = {} {}", plan.scale, plan.unit) } else { String::new() };
+    let scale =
+        if plan.scale > 0.0 { format!(", 1 mm = {} {}", plan.scale, plan.unit) } else { String::new() };
     line(&mut out, &format!("unit {}{scale}; residual {:.1e}", plan.unit, plan.residual));
     let head = ["vector", "size", "unit", "deg", "from x", "from y", "meaning"].map(str::to_owned);
     let rows = plan.items.iter().map(|item| {
@@ -26,7 +27,8 @@ pub fn text(plan: &Plan) -> String {
         ]
     });
     table(&mut out, head, rows.collect());
-    let points = plan.points.iter().map(|point| [point.name.clone(), number(point.at[0]), number(point.at[1])]);
+    let points =
+        plan.points.iter().map(|point| [point.name.clone(), number(point.at[0]), number(point.at[1])]);
     table(&mut out, ["point", "x", "y"].map(str::to_owned), points.collect());
     out
 }
@@ -59,13 +61,23 @@ fn centers_text(centers: &[Center]) -> String {
 /// Reactions by cause as a table: one row for each joint and link, one block for each cause.
 pub fn split_text(split: &Split) -> String {
     let mut out = String::new();
-    line(&mut out, &format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}", split.residual));
+    line(
+        &mut out,
+        &format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}", split.residual),
+    );
     let shares = || split.shares.iter().chain([&split.whole]);
     let mut rows: Vec<[String; 6]> = Vec::new();
     for share in shares() {
         rows.extend(share.reactions.iter().map(|reaction| row(&share.cause, reaction)));
         let dash = || "-".to_owned();
-        rows.push([share.cause.clone(), "balancing".to_owned(), dash(), dash(), dash(), number(share.balancing)]);
+        rows.push([
+            share.cause.clone(),
+            "balancing".to_owned(),
+            dash(),
+            dash(),
+            dash(),
+            number(share.balancing),
+        ]);
     }
     let head = ["cause", "joint", "on", "fx", "fy", "size"].map(str::to_owned);
     table(&mut out, head, rows);
@@ -111,9 +123,9 @@ fn table<const N: usize>(out: &mut String, head: [String; N], rows: Vec<[String;
         }
     }
     for row in &rows {
-        let mut text = String::from(" ");
+        let mut text = String::new();
         for (entry, width) in row.iter().zip(width) {
-            let _ = write!(text, " {entry:<width$}");
+            let _ = write!(text, "  {entry:<width$}");
         }
         line(out, text.trim_end());
     }

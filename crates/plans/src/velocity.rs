@@ -13,7 +13,11 @@ use crate::plan::{Plan, VectorKind, length};
 /// With a state in m/s; without, PF1: per unit speed of the coordinate. The residual says how far the parts, found from the
 /// turn of the links, miss the images, found from the points.
 pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> Plan {
-    let title = if state.is_some() { "Plan of velocities" } else { "Plan of velocities for a unit speed of the input (PF1)" };
+    let title = if state.is_some() {
+        "Plan of velocities"
+    } else {
+        "Plan of velocities for a unit speed of the input (PF1)"
+    };
     let mut drawer = Drawer {
         linkage,
         position,
@@ -70,14 +74,18 @@ impl Drawer<'_> {
         for &other in others {
             let (Some(from), Some(to)) = (place(first), place(other)) else { continue };
             let vector = scaled(self.w * body.w1, perp(body.arm(minus(to, from))));
-            self.open = self.open.max(length(minus([start[0] + vector[0], start[1] + vector[1]], self.image(other))));
+            self.open =
+                self.open.max(length(minus([start[0] + vector[0], start[1] + vector[1]], self.image(other))));
             if is_fixed(self.linkage, first) {
                 continue; // the absolute velocity says the same
             }
             let (to, from) = (self.name(other), self.name(first));
             let (name, note) = (
                 format!("v({to}/{from})"),
-                format!("velocity of {to} against {from}: turn of `{}`", self.linkage.mechanism.links[link].name),
+                format!(
+                    "velocity of {to} against {from}: turn of `{}`",
+                    self.linkage.mechanism.links[link].name
+                ),
             );
             self.plan.push(VectorKind::Relative, name, start, vector, note);
         }
@@ -90,7 +98,8 @@ impl Drawer<'_> {
         let image = scaled(self.w, self.linkage.place_motion(at.place, self.position).pf1);
         self.plan.point(&at.under, transport);
         let note = format!("velocity of the point of the guide under {}", at.name);
-        let start = self.plan.push(VectorKind::Absolute, format!("v({})", at.under), [0.0; 2], transport, note);
+        let start =
+            self.plan.push(VectorKind::Absolute, format!("v({})", at.under), [0.0; 2], transport, note);
         let note = format!("velocity of {} along the guide", at.name);
         let along = scaled(self.w * motion.pf1, at.along);
         let name = format!("v({}/{})", at.name, at.under);

@@ -1,0 +1,68 @@
+use assur_force::{Loads, State};
+
+use super::{analyzer, compile, fixture};
+use crate::{enveloping, sign_changes};
+
+#[test]
+fn the_arc_envelopes_a_straight_line() {
+    let linkage = compile(&fixture("press"));
+    let found = enveloping(&linkage, 0, 81).unwrap();
+    // N lies r1 cos f1 + r2 cos psi above O, the lowest point R under it; highest in the middle, lowest at both ends.
+    let f1 = 40.0_f64.to_radians();
+    let lean = 0.04 * f1.sin() / 0.16;
+    let low = 0.04 * f1.cos() + 0.06 * (1.0 - lean * lean).sqrt() - 0.3;
+    let high = 0.04 + 0.06 - 0.3;
+    assert!((found.level - f64::midpoint(low, high)).abs() < 1e-15);
+    assert!((found.greatest - 0.5 * (high - low)).abs() < 1e-15);
+    assert_eq!((found.path.len(), found.greatest_at), (81, found.interval[0]));
+    // x of N: r1 sin f1 (1 - r2 / b), to both sides.
+    assert!((found.way - 2.0 * 0.04 * f1.sin() * (1.0 - 0.06 / 0.16)).abs() < 1e-14);
+    // In the middle the rod turns with -r1 / b and N goes with -r1 (1 - r2 / b): the arc slides with their sum.
+    let middle = found.path[40];
+    assert!((middle.sliding - (-0.04 * (1.0 - 0.375) - 0.25 * 0.3)).abs() < 1e-12, "{}", middle.sliding);
+}
+
+#[test]
+fn the_interval_of_the_contact_counts() {
+    let text =
+        fixture("press").replace("friction = 0.1", "friction = 0.1\nduring = [\"80 deg\", \"100 deg\"]");
+    let found = enveloping(&compile(&text), 0, 11).unwrap();
+    assert!((found.interval[0] - 80.0_f64.to_radians()).abs() < 1e-15);
+    assert!((found.interval[1] - 100.0_f64.to_radians()).abs() < 1e-15);
+}
+
+#[test]
+fn the_guide_changes_its_side_where_the_force_passes_through_a() {
+    // With f = 0.1 and the sizes of the scene it stays on one side; with little friction it changes:
+    // r2 sqrt(1 + f^2) sin(gamma - theta) + R f = 0, gamma the angle of the force, theta that of the rod.
+    let f: f64 = 0.01;
+    let linkage = compile(&fixture("press").replace("friction = 0.1", "friction = 0.01"));
+    let loads = Loads::compile(&linkage).unwrap();
+    let at = |q| State::prescribed(&linkage.mechanism, q);
+    let gamma = std::f64::consts::FRAC_PI_2 - 4.0_f64.to_radians() - f.atan();
+    let theta = gamma + (0.3 * f / (0.06 * f.hypot(1.0))).asin();
+    // A lies at r1 cos q; B on the axis of y: r1 cos q + b cos theta = 0.
+    let wanted = (-0.16 * theta.cos() / 0.04).acos();
+    for name in ["groups", "longitudinal", "newton-euler"] {
+        let found = sign_changes(&linkage, &loads, analyzer(name), 0, &at).unwrap();
+        assert_eq!(found.len(), 1, "{name} {found:?}");
+        assert!((found[0].coordinate - wanted).abs() < 1e-12, "{name}");
+        assert!(!found[0].jump && found[0].before * found[0].after < 0.0);
+    }
+    let linkage = compile(&fixture("press"));
+    let loads = Loads::compile(&linkage).unwrap();
+    assert_eq!(sign_changes(&linkage, &loads, analyzer("groups"), 0, &at), Ok(Vec::new()));
+}
+
+#[test]
+fn what_is_not_there_is_said() {
+    let linkage = compile(&fixture("slider-crank"));
+    let none = enveloping(&linkage, 0, 5).unwrap_err();
+    assert_eq!(none.to_string(), "no contact number 0: the scene has 0; add `[[contact]]`");
+    let few = enveloping(&compile(&fixture("press")), 0, 1).unwrap_err();
+    assert_eq!(few.to_string(), "1 positions make no path; ask for 2 or more");
+    let loads = Loads::compile(&linkage).unwrap();
+    let at = |q| State::prescribed(&linkage.mechanism, q);
+    let slide = sign_changes(&linkage, &loads, analyzer("groups"), 3, &at).unwrap_err();
+    assert_eq!(slide.to_string(), "no slide number 3: the scene has 1");
+}
