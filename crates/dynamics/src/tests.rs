@@ -5,6 +5,7 @@ use assur_force::Loads;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
+mod energy;
 mod loads;
 mod settled;
 mod steady;

@@ -18,7 +18,8 @@ fn speed_after(text: &str, regime: &Regime, turns: u32) -> f64 {
     let from = linkage.mechanism.input.from;
     let initial = State { time: 0.0, coordinate: from, speed: regime.mean_speed };
     let until = Until::Coordinate(from + sense * 2.0 * PI * f64::from(turns));
-    let request = Request { tolerance: 1e-12, samples: 1, max_steps: 1_000_000, ..Request::new(initial, until) };
+    let request =
+        Request { tolerance: 1e-12, samples: 1, max_steps: 1_000_000, ..Request::new(initial, until) };
     integrator.solve(&mut motion, &request).unwrap().end.speed
 }
 
@@ -38,7 +39,10 @@ fn shaper(more: &str) -> String {
 
 #[test]
 fn a_damper() {
-    let regime = check(&shaper("[[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 300\nstiffness = 500\nlength = 0.4"), 30);
+    let regime = check(
+        &shaper("[[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 300\nstiffness = 500\nlength = 0.4"),
+        30,
+    );
     assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
     assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
 }
@@ -150,7 +154,9 @@ fn a_weak_motor_says_so() {
     let error = steady(&linkage, &loads).unwrap_err();
     assert!(matches!(error, DynamicsError::TooWeak { .. }), "{error}");
     let (linkage, loads) = compiled(
-        &fixture("shaper-drive").replace("ratio = \"solve\"", "ratio = 3").replace("flywheel = \"solve\"", "flywheel = 5"),
+        &fixture("shaper-drive")
+            .replace("ratio = \"solve\"", "ratio = 3")
+            .replace("flywheel = \"solve\"", "flywheel = 5"),
     );
     let error = steady(&linkage, &loads).unwrap_err();
     assert!(matches!(error, DynamicsError::Stalled { .. }), "{error}");
