@@ -1,5 +1,6 @@
 //! Which link is the crank, the coupler, the slider or rocker; and why another mechanism has none.
 
+use assur_group::plane::minus;
 use assur_group::{Pair, PinJoint, SlideJoint};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
@@ -77,7 +78,8 @@ impl Layout {
             b: pin(inner, coupler)?,
             end: end?,
         };
-        if layout.o.own == layout.a.at {
+        let [x, y] = minus(layout.a.at, layout.o.own);
+        if x == 0.0 && y == 0.0 {
             return Err(format!("the crank `{}` has no length", link(crank)));
         }
         Ok(layout)

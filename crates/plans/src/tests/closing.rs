@@ -42,7 +42,7 @@ fn polygons_close() {
 /// Each side begins where the one before ends, and the diagonal ends in the first corner.
 fn ends_meet(plan: &Plan) {
     let sides: Vec<_> = plan.items.iter().filter(|item| item.kind != VectorKind::Inner).collect();
-    assert!(sides.windows(2).all(|two| two[0].end == two[1].start), "{}", plan.title);
+    assert!(sides.windows(2).all(|two| length(minus(two[0].end, two[1].start)) == 0.0), "{}", plan.title);
     let diagonals: Vec<_> = plan.items.iter().filter(|item| item.kind == VectorKind::Inner).collect();
     if let [only] = diagonals.as_slice() {
         assert!(length(only.end) <= 1e-10 * plan.greatest(), "{plan:#?}");
@@ -78,8 +78,10 @@ fn acceleration_parts_add_up_to_pf2_w2_and_pf1_e() {
         let coriolis: Vec<_> = plan.items.iter().filter(|item| item.kind == VectorKind::Coriolis).collect();
         assert!(!coriolis.is_empty());
         for part in coriolis {
-            let relative =
-                plan.items.iter().find(|item| item.start == part.end && item.kind == VectorKind::Relative);
+            let relative = plan
+                .items
+                .iter()
+                .find(|item| length(minus(item.start, part.end)) == 0.0 && item.kind == VectorKind::Relative);
             let point = part.name.trim_start_matches("ac(").split('/').next().unwrap();
             let Some(id) = linkage.mechanism.point(point) else { continue };
             let motion = linkage.point_motion(id, &position);

@@ -60,7 +60,7 @@ fn the_pole_is_the_instant_center_and_k_the_contact() {
     let q = linkage.mechanism.input.coordinate(5);
     let drawn = drawn(&linkage, q);
     let pole = drawn.step(Drawing::Mechanism, "P").unwrap().start;
-    assert_eq!(drawn.corner, pole);
+    assert!(length(minus(drawn.corner, pole)) < 1e-15);
     let (position, _) = loaded(&linkage, q);
     let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
     let velocity = rod.first(minus(pole, [rod.x, rod.y]));
@@ -86,7 +86,7 @@ fn a_pole_at_infinity_is_a_direction() {
     assert!(length(plus(part("Fb"), part("F(KA) across"))) < 1e-9 * length(part("F")));
     // The crank lies along x: R1 along it, Fb across, R3 along x as well.
     assert!(cross(part("R1"), [1.0, 0.0]).abs() < 1e-9 && dot(part("Fb"), [1.0, 0.0]).abs() < 1e-9);
-    assert_eq!(drawn.corner, [0.04, 0.0]);
+    assert!(length(minus(drawn.corner, [0.04, 0.0])) < 1e-15);
 }
 
 #[test]

@@ -54,6 +54,13 @@ fn a_slide_on_the_crank() {
 }
 
 #[test]
+fn a_group_on_the_crank_alone() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1, D = 0.5 }\n[link.rod]\n\
+        points = { A = 0, B = 0.3 }\n[link.strut]\npoints = { D = 0, B = 0.3 }\n[input]\nlink = 'crank'\n";
+    assert_eq!(refusal(scene), "its group is not carried by the crank `crank` and the ground");
+}
+
+#[test]
 fn a_crank_without_length() {
     let scene = "[ground]\npoints = { O = 0, C = 0.4 }\n[link.crank]\npoints = { O = 0, A = 0 }\n[link.rod]\n\
         points = { A = 0, B = 0.4 }\n[link.rocker]\npoints = { C = 0, B = 0.3 }\n[input]\nlink = 'crank'\n";
