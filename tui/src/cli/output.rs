@@ -60,6 +60,10 @@ pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), Fault
     if created {
         fs::create_dir(folder).map_err(|error| fault(folder, &error))?;
     }
+    // Renaming several files is no single act, so whatever can be known to fail is looked for first.
+    for path in files.iter().map(|file| folder.join(file.name)) {
+        replaceable(&path).map_err(|error| fault(&path, &error))?;
+    }
     let mut written = Vec::with_capacity(files.len());
     for file in files {
         let path = resolved(&folder.join(file.name));
@@ -88,6 +92,10 @@ fn beside(path: &Path, text: &str) -> io::Result<NamedTempFile> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
+    if !folder.is_dir() {
+        let missing = format!("there is no folder {}", folder.display());
+        return Err(io::Error::new(io::ErrorKind::NotFound, missing));
+    }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".assur-");
     #[cfg(unix)]
@@ -102,15 +110,22 @@ fn beside(path: &Path, text: &str) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
+/// Refuses a target that can't be replaced by a file.
+fn replaceable(path: &Path) -> io::Result<()> {
+    let Ok(old) = fs::metadata(path) else { return Ok(()) };
+    if !old.is_file() {
+        return Err(io::Error::new(io::ErrorKind::AlreadyExists, "what is there is not a file"));
+    }
+    if old.permissions().readonly() {
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file that is there is read-only"));
+    }
+    Ok(())
+}
+
 /// Renames to the target, keeping the permissions of a file that is replaced.
 fn put(file: NamedTempFile, path: &Path) -> io::Result<()> {
+    replaceable(path)?;
     if let Ok(old) = fs::metadata(path) {
-        if old.permissions().readonly() {
-            return Err(io::Error::new(
-                io::ErrorKind::PermissionDenied,
-                "the file that is there is read-only",
-            ));
-        }
         file.as_file().set_permissions(old.permissions())?;
     }
     file.persist(path).map(drop).map_err(|error| error.error)

@@ -1,0 +1,268 @@
+//! The program from outside: exit status, errors, files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A mechanism that can't turn fully: crank 2, ground 3, coupler 1.5, rocker 1.5.
+const SHORT: &str = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 2 }\n\
+    [link.coupler]\npoints = { A = 0, B = 1.5 }\n[link.rocker]\npoints = { C = 0, B = 1.5 }\n\
+    [input]\nlink = \"crank\"\npositions = 6\n";
+
+fn fixture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures").join(name)
+}
+
+/// Runs the program in a folder, in a UTF-8 locale.
+fn assur(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_assur"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("LC_ALL", "C.UTF-8")
+        .output()
+        .unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// An empty folder with a scene `a.toml`.
+fn folder(scene: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.toml"), scene).unwrap();
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_starter_scene_runs_and_is_not_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(code(&assur(folder.path(), &["new", "b.toml"])), 0);
+    let analyzed = assur(folder.path(), &["b.toml"]);
+    assert_eq!(code(&analyzed), 0);
+    assert!(out(&analyzed).starts_with("My mechanism\n"));
+    assert_eq!(code(&assur(folder.path(), &["check", "b.toml"])), 0);
+    let again = assur(folder.path(), &["new", "b.toml"]);
+    assert_eq!(code(&again), 2);
+    assert_eq!(err(&again), "error: can't write b.toml: it exists already; name a new file\n");
+}
+
+#[test]
+fn a_file_that_is_no_scene_is_told_by_name() {
+    let folder = folder("");
+    fs::write(folder.path().join("latin1.toml"), b"title = \"x\"\n# caf\xe9\n").unwrap();
+    for (name, message) in [
+        (
+            "none.toml",
+            "error: none.toml: there is no such file (`assur new FILE` writes a scene to begin with)\n",
+        ),
+        (".", "error: .: is a folder, not a scene file\n"),
+        ("latin1.toml", "error: latin1.toml: is not UTF-8 text (byte 17, line 2); save it as UTF-8\n"),
+    ] {
+        for command in ["analyze", "check", "explain"] {
+            let output = assur(folder.path(), &[command, name]);
+            assert_eq!(
+                (code(&output), err(&output).as_str(), out(&output).as_str()),
+                (2, message, ""),
+                "{command}"
+            );
+        }
+    }
+}
+
+#[test]
+fn faults_of_usage_end_with_2_and_help_with_0() {
+    let folder = folder(SHORT);
+    for arguments in [
+        &["analyze"][..],
+        &["analyze", "a.toml", "--format", "xml"],
+        &["analyze", "a.toml", "--format", "csv"],
+        &["analyze", "a.toml", "--analyzer", "magic"],
+        &["check", "a.toml", "--integrator", "magic"],
+        &["motors", "--catalogue", "magic"],
+        &["motors", "--min-power", "1 kN"],
+        &[],
+    ] {
+        let output = assur(folder.path(), arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(out(&output).is_empty() && !err(&output).is_empty(), "{arguments:?}");
+    }
+    for arguments in
+        [&["--help"][..], &["--version"], &["plugins"], &["motors"], &["man"], &["completions", "bash"]]
+    {
+        let output = assur(folder.path(), arguments);
+        assert_eq!(code(&output), 0, "{arguments:?}");
+        assert!(!out(&output).is_empty() && err(&output).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn what_can_be_calculated_is_shown_though_positions_are_missing() {
+    // Assembles for cos q >= 1/3: of 0, 60, ... 300 degrees only at 0, 60, 300.
+    let folder = folder(SHORT);
+    let output = assur(folder.path(), &["analyze", "a.toml", "--format", "json"]);
+    assert_eq!(code(&output), 1);
+    assert!(err(&output).starts_with(
+        "error: group 1 (RRR coupler, rocker), position 2, coordinate 120.0000 deg: no assembly"
+    ));
+    let found: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let indices = |key: &str| -> Vec<u64> {
+        found[key].as_array().unwrap().iter().map(|row| row["index"].as_u64().unwrap()).collect()
+    };
+    assert_eq!(indices("positions"), [0, 1, 5]);
+    assert_eq!(indices("failures"), [2, 3, 4]);
+    assert_eq!(code(&assur(folder.path(), &["check", "a.toml"])), 1);
+    assert_eq!(code(&assur(folder.path(), &["explain", "a.toml"])), 0);
+}
+
+#[test]
+fn a_scene_that_is_faulty_leaves_the_old_results() {
+    let folder = folder("[input]\nlink = \"crank\"\n");
+    fs::write(folder.path().join("out.json"), "old").unwrap();
+    let output = assur(folder.path(), &["analyze", "a.toml", "--format", "json", "-o", "out.json"]);
+    assert_eq!(code(&output), 2);
+    assert_eq!(fs::read_to_string(folder.path().join("out.json")).unwrap(), "old");
+    assert_eq!(names(folder.path()), ["a.toml", "out.json"]);
+}
+
+#[test]
+fn a_file_is_replaced_as_a_whole_and_nothing_lies_beside_it() {
+    let folder = folder(SHORT);
+    fs::write(folder.path().join("out.json"), "old").unwrap();
+    assur(folder.path(), &["analyze", "a.toml", "--format", "json", "-o", "out.json"]);
+    let text = fs::read_to_string(folder.path().join("out.json")).unwrap();
+    assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+    assert_eq!(names(folder.path()), ["a.toml", "out.json"]);
+    let nowhere = assur(folder.path(), &["analyze", "a.toml", "-o", "none/out.txt"]);
+    assert_eq!(code(&nowhere), 2);
+    assert_eq!(err(&nowhere), "error: can't write none/out.txt: there is no folder none\n");
+    let onto = assur(folder.path(), &["analyze", "a.toml", "--format", "csv", "-o", "a.toml"]);
+    assert_eq!((code(&onto), fs::read_to_string(folder.path().join("a.toml")).unwrap().as_str()), (2, SHORT));
+}
+
+#[test]
+fn csv_that_fails_half_way_leaves_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let shaper = fixture("shaper.toml");
+    let arguments = ["analyze", shaper.to_str().unwrap(), "--format", "csv", "-o", "tables"];
+    assert_eq!(code(&assur(folder.path(), &arguments)), 0);
+    let tables = folder.path().join("tables");
+    assert_eq!(names(&tables), ["positions.csv", "reactions.csv"]);
+    // A folder where a file should go: the other file keeps what it has.
+    fs::remove_file(tables.join("reactions.csv")).unwrap();
+    fs::create_dir(tables.join("reactions.csv")).unwrap();
+    fs::write(tables.join("positions.csv"), "old").unwrap();
+    assert_eq!(code(&assur(folder.path(), &arguments)), 2);
+    assert!(fs::read_to_string(tables.join("positions.csv")).unwrap() == "old", "the old file was replaced");
+    assert_eq!(names(&tables), ["positions.csv", "reactions.csv"]);
+}
+
+#[test]
+fn csv_has_one_row_a_position_and_units_in_the_header() {
+    let folder = tempfile::tempdir().unwrap();
+    let shaper = fixture("shaper.toml");
+    assur(folder.path(), &["analyze", shaper.to_str().unwrap(), "--format", "csv", "-o", "t"]);
+    let read = |name: &str| fs::read_to_string(folder.path().join("t").join(name)).unwrap();
+    let (positions, reactions) = (read("positions.csv"), read("reactions.csv"));
+    for (text, column) in
+        [(&positions, "A_x_m"), (&reactions, "O_crank_fx_N"), (&reactions, "ram/ground_moment_Nm")]
+    {
+        let header: Vec<_> = text.lines().next().unwrap().split(',').collect();
+        assert!(header.contains(&column), "{column}");
+        assert_eq!(text.lines().count(), 49);
+        assert!(text.lines().all(|line| line.split(',').count() == header.len()));
+    }
+}
+
+#[test]
+fn ascii_is_ascii_everywhere() {
+    let folder = folder(
+        &SHORT
+            .replace("[ground]", "title = \"Кривошип, größe 5°\"\n[ground]")
+            .replace("positions = 6", "positions = 6\nto = 1"),
+    );
+    for arguments in [
+        &["analyze", "a.toml", "--ascii"][..],
+        &["analyze", "a.toml", "--ascii", "--format", "json"],
+        &["check", "a.toml", "--ascii"],
+        &["explain", "a.toml", "--ascii"],
+        &["motors", "--ascii"],
+        &["plugins", "--ascii"],
+    ] {
+        let output = assur(folder.path(), arguments);
+        assert_eq!(code(&output), 0, "{arguments:?}: {}", err(&output));
+        assert!(out(&output).is_ascii(), "{arguments:?}");
+    }
+    assert!(
+        out(&assur(folder.path(), &["analyze", "a.toml", "--ascii"]))
+            .starts_with("Krivoship, groesse 5 deg\n")
+    );
+    assert!(out(&assur(folder.path(), &["analyze", "a.toml"])).starts_with("Кривошип, größe 5°\n"));
+}
+
+#[test]
+fn a_locale_without_utf8_gets_ascii_text_and_the_same_json() {
+    let folder =
+        folder(&SHORT.replace("[ground]", "title = \"größe\"\n[ground]").replace("positions = 6", "to = 1"));
+    let run = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_assur"))
+            .args(arguments)
+            .current_dir(folder.path())
+            .env_remove("LC_ALL")
+            .env("LC_CTYPE", "C")
+            .env("LANG", "C.UTF-8")
+            .output()
+            .unwrap()
+    };
+    assert!(out(&run(&["analyze", "a.toml"])).starts_with("groesse\n"));
+    assert!(out(&run(&["analyze", "a.toml", "--format", "json"])).contains("größe"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    use std::process::Stdio;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_assur"))
+        .args(["analyze", fixture("shaper.toml").to_str().unwrap()])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), err(&output).as_str()), (Some(0), ""));
+}
+
+#[test]
+fn output_limits_what_is_solved_and_told() {
+    let whole = fs::read_to_string(fixture("shaper.toml")).unwrap();
+    let folder = folder(&format!("{whole}\n[output]\npoints = [\"S3\"]\n"));
+    let found: serde_json::Value =
+        serde_json::from_str(&out(&assur(folder.path(), &["analyze", "a.toml", "--format", "json"])))
+            .unwrap();
+    let first = found["positions"][0].as_object().unwrap();
+    let keys = |key: &str| -> Vec<String> { first[key].as_object().unwrap().keys().cloned().collect() };
+    assert_eq!(keys("points"), ["S3"]);
+    // The second group is not needed.
+    assert_eq!(keys("condition"), ["0"]);
+    assert!(keys("links").is_empty() && keys("slides").is_empty());
+    assert!(["reactions", "balancing", "reduced"].iter().all(|key| !first.contains_key(*key)));
+    assert!(out(&assur(folder.path(), &["explain", "a.toml"])).contains("1 of 2 groups are needed"));
+}
