@@ -133,7 +133,14 @@ fn table<const N: usize>(out: &mut String, head: [String; N], rows: Vec<[String;
 
 /// Direction of a vector, degrees in (-180, 180]; a dash for none.
 fn degrees([x, y]: [f64; 2]) -> String {
-    if x == 0.0 && y == 0.0 { "-".to_owned() } else { format!("{:.4}", y.atan2(x).to_degrees()) }
+    if x == 0.0 && y == 0.0 {
+        return "-".to_owned();
+    }
+    match format!("{:.4}", y.atan2(x).to_degrees()).as_str() {
+        "-0.0000" => "0.0000".to_owned(),
+        "-180.0000" => "180.0000".to_owned(),
+        degrees => degrees.to_owned(),
+    }
 }
 
 /// Seven significant digits.

@@ -28,6 +28,15 @@ fn a_plan_as_a_table() {
 }
 
 #[test]
+fn directions_that_differ_by_rounding_are_told_alike() {
+    let mut plan = Plan::new("Two", "N");
+    plan.push(VectorKind::Load, "right".to_owned(), [0.0; 2], [1.0, -1e-17], String::new());
+    plan.push(VectorKind::Load, "left".to_owned(), [0.0; 2], [-1.0, -0.0], String::new());
+    let words = text(&plan.finish(0.0));
+    assert!(words.contains(" 0.0000 ") && words.contains(" 180.0000 ") && !words.contains("-180"), "{words}");
+}
+
+#[test]
 fn a_sheet_has_everything_and_serializes() {
     let linkage = compile(&fixture("press"));
     let loads = Loads::compile(&linkage).unwrap();
