@@ -1,1 +1,125 @@
-//! The plan is obeyed.
+//! The plan is obeyed, and failures are told.
+
+use assur_all as _;
+use assur_results::Analysis;
+
+use crate::{AnalysisError, Options, Study};
+
+fn text(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn study(text: &str) -> Result<Study, AnalysisError> {
+    Study::of(assur_scene::read("test", text).unwrap(), &Options::default())
+}
+
+fn analyzed(text: &str) -> Analysis {
+    study(text).unwrap().analyze()
+}
+
+#[test]
+fn a_limited_scene_tells_the_same_numbers() {
+    let (whole, part) =
+        (analyzed(&text("shaper")), analyzed(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n")));
+    assert_eq!(part.positions.len(), whole.positions.len());
+    for (a, b) in part.positions.iter().zip(&whole.positions) {
+        assert_eq!(a.links.get("rocker"), b.links.get("rocker"));
+        assert_eq!((a.links.len(), a.points.len(), a.condition.len()), (1, 0, 1));
+    }
+}
+
+#[test]
+fn a_group_that_is_not_needed_may_be_impossible() {
+    // The second dyad is far too short to reach its pin on the ground.
+    let impossible = "[ground]\npoints = { O = [0, 0], C = [3, 0], F = [90, 0] }\n\
+        [link.crank]\npoints = { O = 0, A = 1 }\n[link.coupler]\npoints = { A = 0, B = 3 }\n\
+        [link.rocker]\npoints = { C = 0, B = 2, D = 1 }\n[link.rod]\npoints = { D = 0, E = 1 }\n\
+        [link.arm]\npoints = { F = 0, E = 1 }\n[input]\nlink = \"crank\"\n";
+    let whole = analyzed(impossible);
+    assert_eq!((whole.positions.len(), whole.failures.len()), (0, 12));
+    assert!(
+        whole.failures[3].message.contains("position 3, coordinate 90.0000 deg: no assembly"),
+        "{}",
+        whole.failures[3].message
+    );
+    let part = analyzed(&format!("{impossible}[output]\npoints = [\"B\"]\n"));
+    assert_eq!((part.positions.len(), part.failures.len()), (12, 0));
+    for position in &part.positions {
+        // |AB| = 3 and |CB| = 2 whatever the position.
+        let b = position.points.get("B").unwrap().pf0;
+        let a = [position.coordinate.cos(), position.coordinate.sin()];
+        assert!(((b[0] - a[0]).hypot(b[1] - a[1]) - 3.0).abs() < 1e-14);
+        assert!(((b[0] - 3.0).hypot(b[1]) - 2.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn angles_follow_the_links_over_far_positions() {
+    // A parallelogram turns with its crank: three positions over three turns are a turn apart.
+    let scene = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n\
+        [link.coupler]\npoints = { A = 0, B = 3 }\n[link.rocker]\npoints = { C = 0, B = 1 }\n\
+        [input]\nlink = \"crank\"\nfrom = 2\ncycle = \"1080 deg\"\npositions = 3\n\
+        [assembly]\nB = [2.6, 0.9]\n";
+    let found = analyzed(scene);
+    for (i, position) in found.positions.iter().enumerate() {
+        for link in ["crank", "rocker"] {
+            let angle = position.links.get(link).unwrap().pf0;
+            assert!((angle - (2.0 + i as f64 * std::f64::consts::TAU)).abs() < 1e-9, "{link} {i}: {angle}");
+        }
+        assert!(position.links.get("coupler").unwrap().pf0.abs() < 1e-9);
+    }
+}
+
+#[test]
+fn the_first_angle_lies_in_the_first_turn() {
+    let scene = text("shaper").replace("positions = 48", "positions = 48\nfrom = \"180 deg\"");
+    let found = analyzed(&scene);
+    assert!((found.positions[0].links.get("crank").unwrap().pf0 - std::f64::consts::PI).abs() < 1e-15);
+    let turned = analyzed(&text("shaper").replace("positions = 48", "positions = 48\nfrom = \"200 deg\""));
+    assert!((turned.positions[0].links.get("crank").unwrap().pf0 + 160_f64.to_radians()).abs() < 1e-14);
+}
+
+#[test]
+fn the_force_at_its_offset_does_what_force_and_moment_do() {
+    for position in &analyzed(&text("guide-shaper")).positions {
+        for (name, reaction) in position.reactions.as_ref().unwrap().iter() {
+            let Some(moment) = reaction.moment else { continue };
+            let force = reaction.forces[0].1;
+            let modulus = force[0].hypot(force[1]);
+            // A slide pushes across its guide, so the arm of the force is the offset itself.
+            if let Some(offset) = reaction.offset {
+                assert!(((offset * modulus).abs() - moment.abs()).abs() < 1e-9 * modulus, "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn forces_of_a_pair_sum_to_zero() {
+    for scene in ["shaper", "conveyor", "stephenson3"] {
+        for position in &analyzed(&text(scene)).positions {
+            for (name, reaction) in position.reactions.as_ref().unwrap().iter() {
+                for axis in 0..2 {
+                    let parts = reaction.forces.iter().map(|(_, force)| force[axis]);
+                    let largest = parts.clone().fold(1.0, |a: f64, b| a.max(b.abs()));
+                    assert!(parts.sum::<f64>().abs() < 1e-12 * largest, "{scene}: {name}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn checks_hold_and_belong_to_the_whole() {
+    let study_whole = study(&text("shaper")).unwrap();
+    let checks = study_whole.checks();
+    assert!(checks.len() > 5 && checks.iter().all(|check| check.ok));
+    assert!(study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n")).unwrap().checks().is_empty());
+}
+
+#[test]
+fn an_unknown_analyzer_is_refused() {
+    let mechanism = assur_scene::read("test", &text("shaper")).unwrap();
+    let options = Options { analyzer: Some("magic".to_owned()), integrator: None };
+    assert!(matches!(Study::of(mechanism, &options), Err(AnalysisError::Analyzer(_))));
+}

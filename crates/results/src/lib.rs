@@ -19,3 +19,6 @@ pub use fold::to_ascii;
 pub use named::Named;
 pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
 pub use structure::{GroupReport, StructureReport};
+
+#[cfg(test)]
+mod tests;

@@ -76,3 +76,6 @@ pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
 fn scientific(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.2e}") }
 }
+
+#[cfg(test)]
+mod tests;
