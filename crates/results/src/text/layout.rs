@@ -92,7 +92,14 @@ impl Page {
 
     pub(super) fn title(&mut self, title: &str) {
         let title = self.fold(title).into_owned();
-        self.text += &format!("{title}\n{}\n", "=".repeat(title.width()));
+        self.underlined(&title, "=");
+    }
+
+    fn underlined(&mut self, line: &str, with: &str) {
+        self.text += line;
+        self.text += "\n";
+        self.text += &with.repeat(line.width());
+        self.text += "\n";
     }
 
     /// A numbered heading.
@@ -100,13 +107,16 @@ impl Page {
         self.sections += 1;
         let line = format!("{}. {name}", self.sections);
         let gap = if self.text.is_empty() { "" } else { "\n" };
-        self.text += &format!("{gap}{line}\n{}\n", "-".repeat(line.width()));
+        self.text += gap;
+        self.underlined(&line, "-");
     }
 
     /// A line that names the table below it.
     pub(super) fn caption(&mut self, caption: &str) {
         let caption = self.fold(caption).into_owned();
-        self.text += &format!("\n{caption}\n");
+        self.text += "\n";
+        self.text += &caption;
+        self.text += "\n";
     }
 
     /// Words, broken into lines.
