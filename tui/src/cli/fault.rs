@@ -66,6 +66,7 @@ pub(crate) enum Fault {
 
 impl Fault {
     /// A fault in words.
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {
         Self::Other(what.to_string())
     }

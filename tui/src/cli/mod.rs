@@ -79,9 +79,11 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
         scene => {
             let options = crate::screen::Options {
                 ascii: style.ascii,
+                mouse: cli.mouse,
+                fps: cli.fps,
+                cell_ratio: cli.cell_ratio,
                 analyzer: cli.methods.analyzer,
                 integrator: cli.methods.integrator,
-                ..crate::screen::Options::default()
             };
             Ok(Status::Code(crate::screen::run(scene, options)?))
         }

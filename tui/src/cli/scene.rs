@@ -65,7 +65,7 @@ fn text_of(path: &Path) -> Result<String, Fault> {
     })?;
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+        let line = error.as_bytes()[..at].split(|byte| *byte == b'\n').count();
         fault(format!("is not UTF-8 text (byte {at}, line {line}); save it as UTF-8"))
     })
 }

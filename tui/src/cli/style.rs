@@ -21,7 +21,7 @@ impl Style {
     }
 
     /// Text as it may be printed.
-    pub(crate) fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
+    pub(crate) fn text(self, text: &str) -> Cow<'_, str> {
         if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
     }
 

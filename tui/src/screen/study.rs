@@ -3,14 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use assur_group::Order;
-use assur_kinematics::{Linkage, Position};
+use assur_group::{GroupError, Order};
+use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, Range};
 
 use super::draw::scale::Bounds;
 use super::found::Found;
+use super::number::plain;
 use super::quantities;
 use super::series::{Key, Series, Transfer};
+use super::text::{ENGLISH, fill};
 
 /// Where a scene is from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -80,7 +82,7 @@ impl Study {
         for index in 0..linkage.mechanism.input.positions {
             let mut position = linkage.position();
             let solved = linkage.solve_index(index, Order::Second, &mut position);
-            failures.push(solved.as_ref().err().map(ToString::to_string));
+            failures.push(solved.as_ref().err().map(|error| failure(&linkage, index, error)));
             poses.push(solved.is_ok().then_some(position));
         }
         let fine = fine_positions(&linkage);
@@ -105,6 +107,18 @@ impl Study {
     pub(crate) fn first_position(&self) -> usize {
         self.poses.iter().position(Option::is_some).unwrap_or(0)
     }
+}
+
+/// Why a position does not exist, what matters first: what, by how much, where.
+fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
+    let GroupError::NoAssembly { gap_m } = error.source else {
+        return fill(ENGLISH.no_solution, &[error]);
+    };
+    let (unit, factor) = quantities::coordinate_unit(linkage);
+    let coordinate = format!("{} {unit}", plain(factor * error.coordinate));
+    let gap = format!("{:.4}", 1e3 * gap_m);
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
+    fill(ENGLISH.misses, &[&gap, &index, &coordinate, &group])
 }
 
 /// Positions close together, for what is drawn of the whole cycle.
@@ -181,12 +195,7 @@ impl Study {
 }
 
 impl Study {
-    /// Every series: the transfer functions, then what the analysis found.
-    pub(crate) fn columns(&self) -> impl Iterator<Item = &Series> {
-        self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
-    }
-
-    /// How many there are.
+    /// How many series there are: the transfer functions, then what the analysis found.
     pub(crate) fn column_count(&self) -> usize {
         self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
     }

@@ -19,8 +19,8 @@ macro_rules! texts {
 
 texts! {
     position: "position {0} of {1}",
-    no_assembly: "no assembly",
-    no_assembly_here: "no assembly in this position",
+    no_solution: "no assembly: {0}",
+    misses: "no assembly: misses by {0} mm in position {1}, {2}; {3}",
     no_position: "there is no position {0}: the last one is {1}",
     needs: "needs {0} x {1}, has {2} x {3}",
     reloaded: "the scene was read again",
@@ -89,6 +89,7 @@ texts! {
     reaction_of: "force of the pair",
     pair_on: "{0} on {1}",
     balancing: "balancing load",
+    balancing_short: "balance",
     hodograph: "hodograph: {0}",
     check_columns: "check|residual|limit|where|pos.",
     ok: "ok",

@@ -33,7 +33,6 @@ pub(crate) enum Role {
     Cursor,
     Good,
     Bad,
-    Bar,
 }
 
 impl Theme {
@@ -63,7 +62,7 @@ impl Theme {
 fn modifier(role: Role) -> Modifier {
     match role {
         Role::Header | Role::Key | Role::Bad => Modifier::BOLD,
-        Role::Tab | Role::Cursor | Role::Bar => Modifier::REVERSED,
+        Role::Tab | Role::Cursor => Modifier::REVERSED,
         Role::Chosen => Modifier::BOLD.union(Modifier::REVERSED),
         _ => Modifier::empty(),
     }

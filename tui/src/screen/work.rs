@@ -74,7 +74,8 @@ fn failed(job: &Job, text: String) -> Report {
     }
 }
 
-fn run(job: &Job) -> Report {
+/// Does a job.
+pub(crate) fn run(job: &Job) -> Report {
     match job {
         Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
         Job::Preview(index) => {

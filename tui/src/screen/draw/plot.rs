@@ -43,6 +43,17 @@ pub(crate) fn draw_figure(pen: &mut Pen<'_>, study: &Study, pose: &Position, mar
     }
 }
 
+/// Draws the ground alone, for a position that does not exist.
+pub(crate) fn draw_ground(pen: &mut Pen<'_>, study: &Study) {
+    let nowhere = study.linkage.position();
+    let style = pen.look.theme.style(Role::Ground);
+    for part in figure(&study.linkage, &nowhere.bodies, &study.strokes) {
+        if part.link == GROUND && !matches!(part.shape, Shape::Block(..)) {
+            draw_shape(pen, part.shape, style);
+        }
+    }
+}
+
 fn draw_shape(pen: &mut Pen<'_>, shape: Shape, style: Style) {
     let ground = pen.look.theme.style(Role::Ground);
     match shape {

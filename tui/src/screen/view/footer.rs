@@ -42,9 +42,7 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 fn failure(state: &State) -> Option<String> {
     let study = state.study.as_ref().filter(|_| state.view != crate::screen::state::View::Menu)?;
     let here = study.failures.get(state.position)?;
-    let text = here.as_ref().or_else(|| study.failures.iter().flatten().next())?;
-    let known = text.contains(state.texts.no_assembly);
-    Some(if known { text.clone() } else { format!("{}: {text}", state.texts.no_assembly) })
+    here.clone().or_else(|| study.failures.iter().flatten().next().cloned())
 }
 
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {

@@ -8,14 +8,14 @@ use crate::screen::draw::chart::Chart;
 use crate::screen::draw::hodograph;
 use crate::screen::draw::raster::short;
 use crate::screen::found::{Found, Reaction};
-use crate::screen::number::{digits, number};
+use crate::screen::number::number;
 use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
 use crate::screen::text::fill;
 use crate::screen::theme::Role;
 
 /// Columns of the table: where each ends.
-const ENDS: [u16; 5] = [38, 49, 60, 69, 79];
+const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
 
@@ -87,19 +87,23 @@ fn draw_table(state: &State, study: &Study, found: &Found, area: Rect, buffer: &
 
 fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> Vec<String> {
     let value = |index: usize| found.series[index].values.get(state.position).copied().unwrap_or(f64::NAN);
+    let bare = |index: usize| found.series[index].bare(state.position);
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
-        let unit = format!("{} {}", number(value(reaction.series[0])), series.unit);
+        let unit = series.show(state.position);
         return vec![String::new(), String::new(), unit, String::new(), difference(state, study, found, reaction)];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
-    let direction = if modulus > 0.0 { format!("{} deg", digits(fy.atan2(fx).to_degrees(), 4)) } else { "-".into() };
+    // What is rounding beside the modulus is shown as 0, as is its angle.
+    let part = |v: f64| if v.abs() <= 1e-14 * modulus { 0.0 } else { v };
+    let [fx, fy] = [part(fx), part(fy)];
+    let direction = if modulus > 0.0 { format!("{:.2} deg", fy.atan2(fx).to_degrees()) } else { "-".into() };
     let last = if study.other.is_some() {
         difference(state, study, found, reaction)
     } else {
-        reaction.moment.map_or_else(String::new, |index| digits(value(index), 5))
+        reaction.moment.map_or_else(String::new, bare)
     };
-    vec![number(fx), number(fy), number(modulus), direction, last]
+    vec![number(fx), number(fy), bare(reaction.series[2]), direction, last]
 }
 
 /// Modulus of the difference of two analyzers.

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
 use super::panel;
-use crate::screen::draw::plot::{Pen, arrow, draw_figure, names};
+use crate::screen::draw::plot::{Pen, arrow, draw_figure, draw_ground, names};
 use crate::screen::draw::label::Labels;
 use crate::screen::draw::raster::{Raster, Stroke, whole};
 use crate::screen::draw::scale::Scale;
@@ -46,6 +46,8 @@ pub(crate) fn picture(
         draw_figure(&mut pen, study, pose, marked);
         arrows(state, study, pose, area, &mut pen);
         names(&mut pen, study, pose);
+    } else {
+        draw_ground(&mut pen, study);
     }
     raster.paint(area, buffer);
     labels.write(&raster, buffer);

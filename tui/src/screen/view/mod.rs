@@ -55,7 +55,8 @@ fn parts(area: Rect) -> [Rect; 3] {
     Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
 }
 
-fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
+/// Draws what is between header and footer.
+pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
     match (state.view, &state.study) {
         (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
         (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),

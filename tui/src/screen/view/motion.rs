@@ -13,6 +13,8 @@ use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
 use crate::screen::theme::Role;
 
+/// Rows that a chart needs to be read.
+const LEAST_ROWS: u16 = 5;
 /// Columns for the numbers of the regime.
 const NUMBERS: u16 = 30;
 
@@ -35,10 +37,9 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
 
 fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
     let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    let room = usize::from(charts.height / 5).max(1);
-    let shown: Vec<usize> = found.motion.iter().copied().take(room.max(found.motion.len().min(room))).collect();
-    let count = u32::try_from(shown.len().max(1)).unwrap_or(1);
-    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); shown.len()]).split(charts);
+    let shown = usize::from(charts.height / LEAST_ROWS).clamp(1, found.motion.len());
+    let count = u32::try_from(shown).unwrap_or(1);
+    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); shown]).split(charts);
     let first = state.chosen.motion % found.motion.len().max(1);
     for (slot, place) in stacked.iter().enumerate() {
         let index = found.motion[(first + slot) % found.motion.len()];

@@ -27,13 +27,37 @@ fn lines(state: &State, study: &Study, area: Rect) -> Vec<(Role, String)> {
         let unit = if study.linkage.angular() { "rad/s" } else { "m/s" };
         lines.push((Role::Plain, format!("{} {} {unit}", texts.speed, digits(speed, 5))));
     }
-    if study.failures.get(state.position).is_some_and(Option::is_some) {
-        lines.push((Role::Bad, texts.no_assembly_here.to_owned()));
+    if let Some(found) = &study.found
+        && let Some(balancing) = found.reactions.iter().find(|reaction| reaction.pair.is_empty())
+    {
+        let series = &found.series[balancing.series[0]];
+        lines.push((Role::Plain, format!("{} {}", texts.balancing_short, series.show(state.position))));
+    }
+    if let Some(Some(failure)) = study.failures.get(state.position) {
+        lines.push((Role::Plain, String::new()));
+        lines.extend(wrapped(failure, usize::from(area.width.max(8)) - 2).into_iter().map(|line| (Role::Bad, line)));
         return lines;
     }
     lines.push((Role::Plain, String::new()));
     chosen(state, study, &mut lines);
     arrow_scale(state, study, area, &mut lines);
+    lines
+}
+
+/// A text in lines of at most so many characters, broken at spaces where it can be.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let Some(last) = lines.last_mut() else { break };
+        if last.is_empty() {
+            last.push_str(word);
+        } else if last.chars().count() + 1 + word.chars().count() <= width {
+            last.push(' ');
+            last.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
     lines
 }
 

@@ -110,7 +110,7 @@ fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, bu
 
 /// Where in the rows one is.
 fn scroll_bar(area: Rect, skip: usize, shown: usize, count: usize, buffer: &mut Buffer) {
-    if count <= shown || shown == 0 {
+    if count <= shown || shown == 0 || area.width == 0 {
         return;
     }
     let (from, to) = (skip * shown / count, ((skip + shown) * shown).div_ceil(count));

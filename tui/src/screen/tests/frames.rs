@@ -1,0 +1,121 @@
+//! Snapshots for the eye, and what a snapshot can't say.
+
+use ratatui::style::{Color, Modifier};
+
+use super::{View, frame, opened, press, scene, text};
+use crate::screen::draw::raster::Marker;
+use crate::screen::theme::Theme;
+
+/// Views that a scene has something for, each drawn.
+fn snapshots(scene: &'static str) {
+    let mut state = opened(scene);
+    state.position = 5;
+    for view in super::VIEWS {
+        if state.has(view) {
+            state.view = view;
+            let name = format!("{}_{view:?}", scene.trim_end_matches(".toml").replace('-', "_"));
+            insta::assert_snapshot!(name.to_lowercase(), text(&state, 80, 24));
+        }
+    }
+}
+
+#[test]
+fn every_view_of_the_shaper() {
+    snapshots("shaper.toml");
+}
+
+#[test]
+fn every_view_of_the_press() {
+    snapshots("press.toml");
+}
+
+#[test]
+fn styles_of_the_structure_view() {
+    let mut state = opened("shaper.toml");
+    state.view = View::Structure;
+    let buffer = frame(&state, 80, 24);
+    let sign = |cell: &ratatui::buffer::Cell| match (cell.symbol(), cell.modifier, cell.fg) {
+        (_, modifier, _) if modifier.contains(Modifier::REVERSED) => 'R',
+        (" ", ..) => ' ',
+        (_, modifier, _) if modifier.contains(Modifier::BOLD) => 'B',
+        (.., Color::Reset) => '.',
+        _ => 'c',
+    };
+    let rows = buffer.content.chunks(80).map(|row| row.iter().map(sign).collect::<String>().trim_end().to_owned());
+    insta::assert_snapshot!(rows.collect::<Vec<_>>().join("\n"));
+}
+
+#[test]
+fn the_help_lists_every_command() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "?");
+    state.size = (80, 200);
+    let help = text(&state, 80, 200);
+    for command in crate::screen::command::COMMANDS {
+        assert!(help.contains(command.name), "{} is not on the help screen", command.name);
+    }
+}
+
+#[test]
+fn ascii_leaves_no_other_character() {
+    for scene in ["shaper.toml", "conveyor.toml", "andrews.toml"] {
+        let mut state = opened(scene);
+        state.look.ascii = true;
+        for marker in [Marker::Ascii, Marker::Braille, Marker::HalfBlock] {
+            state.look.marker = marker;
+            for view in super::VIEWS {
+                state.view = view;
+                assert!(text(&state, 100, 30).is_ascii(), "{scene} {view:?} {marker:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn mono_has_the_same_text_and_no_color() {
+    let mut state = opened("shaper.toml");
+    for view in super::VIEWS {
+        state.view = view;
+        state.look.theme = Theme::Default;
+        let colored = text(&state, 120, 40);
+        state.look.theme = Theme::Mono;
+        assert_eq!(text(&state, 120, 40), colored, "{view:?}");
+        let mono = frame(&state, 120, 40);
+        assert!(mono.content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset), "{view:?}");
+    }
+}
+
+const CRANK: &str = "
+[ground]
+points = { O = [0, 0] }
+[link.crank]
+points = { O = 0, A = \"100 mm\" }
+[input]
+link = \"crank\"
+positions = 12
+";
+
+#[test]
+fn a_circle_is_as_wide_as_twice_its_rows() {
+    for marker in [Marker::Braille, Marker::HalfBlock, Marker::Ascii] {
+        let mut state = scene(CRANK);
+        state.look.marker = marker;
+        state.arrows = crate::screen::state::Arrows::None;
+        let buffer = frame(&state, 80, 24);
+        let color = state.look.theme.style(crate::screen::theme::Role::Trace).fg;
+        let is_path = |x: u16, y: u16| Some(buffer[(x, y)].fg) == color && buffer[(x, y)].symbol() != " ";
+        // The last row of the drawing has the scale.
+        let columns = (0..54).filter(|&x| (2..21).any(|y| is_path(x, y))).count();
+        let rows = (2..21).filter(|&y| (0..54).any(|x| is_path(x, y))).count();
+        assert!(columns.abs_diff(2 * rows) <= 2, "{marker:?}: {columns} columns, {rows} rows");
+    }
+}
+
+#[test]
+fn marks_stand_where_the_derivative_vanishes() {
+    let mut state = scene(CRANK);
+    state.view = View::Curves;
+    let frame = text(&state, 80, 24);
+    // cos q: zeros of PF0 at 90 and 270 degrees are inflections as well; extremes at 0 and 180.
+    assert!(frame.lines().nth(4).unwrap_or_default().contains('o'), "{frame}");
+}

@@ -1,0 +1,52 @@
+//! No size of the terminal, and of a view, is too small.
+
+use super::{View, frame, opened, text};
+use crate::screen::state::{Pane, State};
+
+fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
+    for pane in [Pane::Table, Pane::Curves, Pane::Hodograph] {
+        state.pane = pane;
+        check(state);
+    }
+}
+
+#[test]
+fn every_size_is_drawn_in_every_view() {
+    let mut state = opened("slider-crank.toml");
+    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+        state.view = view;
+        for width in 0..=100 {
+            for height in 0..=40 {
+                // Sizes that hold the view: enough of them, with its edges.
+                let small = width < 80 || height < 24;
+                if small || width % 5 == 0 || height % 8 == 0 {
+                    let _ = frame(&state, width, height);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_view_survives_any_area() {
+    let mut state = opened("slider-crank.toml");
+    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+        state.view = view;
+        all_panes(&mut state, |state| {
+            for width in [0, 1, 2, 5, 11, 12, 13, 26, 27, 40] {
+                for height in [0, 1, 2, 3, 4, 5, 9, 17] {
+                    let area = ratatui::layout::Rect::new(3, 2, width, height);
+                    let mut buffer = ratatui::buffer::Buffer::empty(ratatui::layout::Rect::new(0, 0, 50, 25));
+                    crate::screen::view::draw_view(state, area, &mut buffer);
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn a_small_terminal_is_told_what_is_needed() {
+    let state = opened("slider-crank.toml");
+    assert!(text(&state, 60, 20).starts_with("needs 80 x 24, has 60 x 20\n"));
+    assert!(!text(&state, 80, 24).contains("needs"));
+}

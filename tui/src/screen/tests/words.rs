@@ -1,0 +1,72 @@
+//! What a scene that is wrong, or can't be assembled, shows.
+
+use super::{opened, press, scene, text};
+use crate::screen::study::{Source, Study};
+use crate::screen::work::Report;
+
+const SHORT: &str = "
+[ground]
+points = { O = [0, 0], C = [0.4, 0] }
+[link.crank]
+points = { O = 0, A = \"100 mm\" }
+[link.rod]
+points = { A = 0, B = \"200 mm\" }
+[link.rocker]
+points = { C = 0, B = \"250 mm\" }
+[input]
+link = \"crank\"
+positions = 12
+[assembly]
+B = [0.3, 0.2]
+";
+
+#[test]
+fn positions_without_assembly_are_told_and_keys_still_work() {
+    let mut state = scene(SHORT);
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("no assembly"), "{frame}");
+    assert!(frame.contains("misses by"), "{frame}");
+    press(&mut state, "Right Right Right Right Right Right");
+    assert!(text(&state, 80, 24).contains("position 6"));
+}
+
+#[test]
+fn a_scene_that_is_wrong_keeps_the_old_result() {
+    let mut state = opened("shaper.toml");
+    let wrong = Study::read(Source::File("bad.toml".into()), "[link.a]\nlenght = 1\n").map(Box::new);
+    assert!(state.take_report(Report::Opened(wrong)));
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("line 2, column 1"), "{frame}");
+    press(&mut state, "Right");
+    assert!(text(&state, 80, 24).contains("position 1"));
+}
+
+#[test]
+fn an_answer_to_an_older_scene_is_dropped() {
+    let mut state = opened("shaper.toml");
+    let report = Report::Analyzed { generation: 99, other: false, found: Err("late".into()) };
+    assert!(!state.take_report(report));
+    assert!(state.message.is_none());
+}
+
+#[test]
+fn every_pair_of_the_results_is_in_the_table_of_forces() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3");
+    let frame = text(&state, 80, 40);
+    let study = state.study.as_ref().unwrap();
+    let positions = &study.found.as_ref().unwrap().analysis.positions;
+    for (pair, _) in positions[0].reactions.as_ref().unwrap().iter() {
+        assert!(frame.contains(&format!("{pair} on ")), "{pair}: {frame}");
+    }
+}
+
+#[test]
+fn two_analyzers_agree_on_the_screen() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3 d");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("difference to"), "{frame}");
+    press(&mut state, "d f");
+    assert!(!text(&state, 80, 24).contains("force analyzer: groups"));
+}
