@@ -10,6 +10,7 @@ mod loads;
 mod settled;
 mod steady;
 mod transient;
+mod wishes;
 
 /// A scene of the folder of fixtures.
 pub(crate) fn fixture(name: &str) -> String {
