@@ -11,10 +11,12 @@
 mod assembly;
 mod chain;
 mod error;
+mod first;
 mod linkage;
 mod patch;
 mod rank;
 mod read;
+mod seeds;
 mod walk;
 
 pub use assembly::{Range, Ways};

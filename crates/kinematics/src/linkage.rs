@@ -6,6 +6,7 @@ use assur_structure::Structure;
 
 use crate::assembly::Ways;
 use crate::patch::Patch;
+use crate::seeds::Seeds;
 use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
 
 /// A mechanism, taken apart and compiled: everything that positions need.
@@ -24,6 +25,8 @@ pub struct Linkage {
     /// Why the first position can't be assembled, if so.
     pub(crate) first_failure: Option<ChainError>,
     pub(crate) patches: Vec<Patch>,
+    /// For kinds that iterate.
+    pub(crate) seeds: Option<Seeds>,
 }
 
 /// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
@@ -75,6 +78,7 @@ impl Linkage {
             range: walked.range,
             first_failure: walked.failure,
             patches: walked.patches,
+            seeds: walked.seeds,
         })
     }
 
@@ -109,6 +113,9 @@ impl Linkage {
             self.chain.set_input(coordinate, &mut position.bodies);
             patch.apply(coordinate, &mut position.bodies, &mut position.health);
             return Ok(());
+        }
+        if let Some(seeds) = &self.seeds {
+            seeds.put(coordinate, &mut position.bodies);
         }
         let ways = self.ways.at(coordinate);
         self.chain

@@ -1,12 +1,13 @@
-//! The first assembly, and one walk over the cycle that finds where ways meet and where the mechanism ends.
+//! One walk over the cycle that finds where ways meet and where the mechanism ends.
 
 use assur_group::{Body, Order};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
 use crate::assembly::Ways;
+use crate::first::first_ways;
 use crate::patch::Patch;
-use crate::read::motion_of;
+use crate::seeds::{Seeds, iterated};
 use crate::{Chain, ChainError, Range};
 
 /// Samples over one turn (or over the range of a sliding input).
@@ -28,102 +29,37 @@ pub(crate) struct Walked {
     pub(crate) range: Option<Range>,
     pub(crate) failure: Option<ChainError>,
     pub(crate) patches: Vec<Patch>,
+    pub(crate) seeds: Option<Seeds>,
 }
 
 /// Chooses the assembly of the first position and follows it.
 pub(crate) fn walk(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Walked {
     let from = mechanism.input.from;
-    let first = match first_ways(mechanism, structure, chain) {
-        Ok(first) => first,
+    let (first, start) = match first_ways(mechanism, structure, chain) {
+        Ok(found) => found,
         Err((ways, failure)) => {
             let ways = Ways { low: from, period: None, changes: Vec::new(), rows: vec![ways] };
-            return Walked { ways, range: None, failure: Some(failure), patches: Vec::new() };
+            return Walked { ways, range: None, failure: Some(failure), patches: Vec::new(), seeds: None };
         }
     };
-    let mut walker = Walker { chain, groups: chain.groups.len() };
-    let (ways, range) = match mechanism.input.pair {
+    let iterated = iterated(structure);
+    let mut walker = Walker { chain, groups: chain.groups.len(), start, iterated };
+    let (ways, range, seeds) = match mechanism.input.pair {
         InputPair::Pin(_) => walker.turn(from, &first),
         InputPair::Slide(_) => walker.slide(mechanism, structure.scale, &first),
     };
     let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
-    let patches = patches(chain, &ways, unit);
-    Walked { ways, range: Some(range), failure: None, patches }
-}
-
-/// The way of each group in the first position: the one closest to the places of `[assembly]`.
-fn first_ways(
-    mechanism: &Mechanism,
-    structure: &Structure,
-    chain: &Chain<f64>,
-) -> Result<Vec<u8>, (Vec<u8>, ChainError)> {
-    let mut bodies = guessed_bodies(mechanism, chain);
-    chain.set_input(mechanism.input.from, &mut bodies);
-    let mut ways = vec![0_u8; chain.groups.len()];
-    for (i, kernel) in chain.groups.iter().enumerate().filter(|(i, _)| chain.is_needed(*i)) {
-        let links = &structure.groups[i].frame.links;
-        let mut best: Option<(f64, u8, Vec<Body<f64>>)> = None;
-        let mut failure = None;
-        for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
-            let mut tried = bodies.clone();
-            match kernel.place(&mut tried, usize::from(way)) {
-                Ok(_) => {
-                    let miss = miss(mechanism, links, &tried);
-                    if best.as_ref().is_none_or(|(least, ..)| miss < *least) {
-                        best = Some((miss, way, tried));
-                    }
-                }
-                Err(source) => failure = Some(ChainError { group: i, source }),
-            }
-        }
-        match (best, failure) {
-            (Some((_, way, placed)), _) => (ways[i], bodies) = (way, placed),
-            (None, Some(failure)) => return Err((ways, failure)),
-            (None, None) => {}
-        }
-    }
-    Ok(ways)
-}
-
-/// Starting guess for kinds that iterate: each link at the mean of its wanted points.
-fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
-    let mut bodies = chain.bodies();
-    for (link, body) in bodies.iter_mut().enumerate().skip(1) {
-        let known: Vec<_> = mechanism
-            .assembly
-            .iter()
-            .filter_map(|(point, place)| Some((mechanism.place_in(*point, link)?, *place)))
-            .collect();
-        match known[..] {
-            [] => {}
-            [(own, place)] => (body.x, body.y) = (place[0] - own[0], place[1] - own[1]),
-            [(own, place), .., (own2, place2)] => {
-                let wanted = (place2[1] - place[1]).atan2(place2[0] - place[0]);
-                let angle = wanted - (own2[1] - own[1]).atan2(own2[0] - own[0]);
-                (body.s, body.c) = angle.sin_cos();
-                let arm = body.arm(own);
-                body.hang_place(arm, place);
-            }
-        }
-    }
-    bodies
-}
-
-/// Sum of squares of the distances of a group's points from their wanted places.
-fn miss(mechanism: &Mechanism, links: &[usize], bodies: &[Body<f64>]) -> f64 {
-    let mut sum = 0.0;
-    for (point, wanted) in &mechanism.assembly {
-        let place = mechanism.points[*point].places.iter().find(|place| links.contains(&place.link));
-        if let Some(place) = place {
-            let found = motion_of(&bodies[place.link], place.at).pf0;
-            sum += (found[0] - wanted[0]).powi(2) + (found[1] - wanted[1]).powi(2);
-        }
-    }
-    sum
+    let patches = patches(chain, &ways, seeds.as_ref(), unit);
+    Walked { ways, range: Some(range), failure: None, patches, seeds }
 }
 
 struct Walker<'a> {
     chain: &'a Chain<f64>,
     groups: usize,
+    /// The links in the first position: where kinds that iterate begin.
+    start: Vec<Body<f64>>,
+    /// Links of such kinds.
+    iterated: Vec<usize>,
 }
 
 /// One direction of a walk: where it ended, and the changes on the way (distance from the start, group).
@@ -132,11 +68,12 @@ struct Leg {
     complete: bool,
     changes: Vec<(f64, usize)>,
     last: Vec<u8>,
+    grid: Vec<Vec<Body<f64>>>,
 }
 
 impl Walker<'_> {
     /// A pinned input: a full turn if it can, else both ways to where it ends.
-    fn turn(&mut self, from: f64, first: &[u8]) -> (Ways, Range) {
+    fn turn(&mut self, from: f64, first: &[u8]) -> (Ways, Range, Option<Seeds>) {
         let period = std::f64::consts::TAU;
         let mut periods = 1;
         loop {
@@ -144,14 +81,16 @@ impl Walker<'_> {
             let leg = self.leg(from, length, SAMPLES * periods, first);
             if !leg.complete {
                 let back = self.leg(from, -length, SAMPLES * periods, first);
-                return joined(from, &leg, &back, first);
+                let (ways, range) = joined(from, &leg, &back, first);
+                return (ways, range, self.seeds(from, period / SAMPLES as f64, &leg, &back));
             }
             // With an odd number of meetings the mechanism comes back to the other assembly: its true cycle is longer.
             if leg.last == first || periods == MOST_PERIODS {
                 let range = Range { low: from, high: from + period, full: true };
                 let rows = rows_of(first, &leg.changes);
+                let seeds = Seeds::keep(&self.iterated, from, period / SAMPLES as f64, true, &leg.grid);
                 let changes = leg.changes.into_iter().map(|(d, group)| (from + d, group)).collect();
-                return (Ways { low: from, period: Some(length), changes, rows }, range);
+                return (Ways { low: from, period: Some(length), changes, rows }, range, seeds);
             }
             periods *= 2;
         }
@@ -159,13 +98,21 @@ impl Walker<'_> {
 
     /// A sliding input: over the range of the scene, and as far again on both sides (the reader wants to know where the
     /// mechanism ends).
-    fn slide(&mut self, mechanism: &Mechanism, scale: f64, first: &[u8]) -> (Ways, Range) {
+    fn slide(&mut self, mechanism: &Mechanism, scale: f64, first: &[u8]) -> (Ways, Range, Option<Seeds>) {
         let from = mechanism.input.from;
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - from).abs());
         let forth = self.leg(from, length, 4 * SAMPLES, first);
         let back = self.leg(from, -length, 4 * SAMPLES, first);
-        joined(from, &forth, &back, first)
+        let (ways, range) = joined(from, &forth, &back, first);
+        (ways, range, self.seeds(from, length / (4 * SAMPLES) as f64, &forth, &back))
+    }
+
+    /// Both legs as one row of samples.
+    fn seeds(&self, from: f64, step: f64, forth: &Leg, back: &Leg) -> Option<Seeds> {
+        let before = back.grid.len().saturating_sub(1);
+        let grid: Vec<_> = back.grid.iter().skip(1).rev().chain(&forth.grid).cloned().collect();
+        Seeds::keep(&self.iterated, from - before as f64 * step, step, false, &grid)
     }
 
     /// Walks `length` from the start in equal steps, group after group.
@@ -173,17 +120,24 @@ impl Walker<'_> {
         let at = |i: usize| from + length * (i as f64) / (samples as f64);
         let mut grid: Vec<Vec<Body<f64>>> = Vec::with_capacity(samples + 1);
         for i in 0..=samples {
-            let mut bodies = self.chain.bodies();
+            let mut bodies = self.start.clone();
             self.chain.set_input(at(i), &mut bodies);
             grid.push(bodies);
         }
-        let mut leg = Leg { reached: length, complete: true, changes: Vec::new(), last: first.to_vec() };
+        let mut leg = Leg {
+            reached: length,
+            complete: true,
+            changes: Vec::new(),
+            last: first.to_vec(),
+            grid: Vec::new(),
+        };
         for group in (0..self.groups).filter(|group| self.chain.is_needed(*group)) {
             let health = self.healths(group, first[group], &mut grid);
             let flips = self.meetings(group, &at, &health, &mut leg, first);
             self.replace(group, first[group], &at, &flips, &mut grid);
             if health.len() < grid.len() {
-                let end = self.end(group, &at, health.len(), &leg, first);
+                let near = &grid[health.len().saturating_sub(1)];
+                let end = self.end(group, &at, (health.len(), near), &leg, first);
                 leg.complete = false;
                 leg.reached = end - from;
                 grid.truncate(health.len());
@@ -196,6 +150,7 @@ impl Walker<'_> {
         for (_, group) in &leg.changes {
             leg.last[*group] = 1 - leg.last[*group];
         }
+        leg.grid = grid;
         leg
     }
 
@@ -281,7 +236,7 @@ impl Walker<'_> {
 
     /// Determinant of a group at any coordinate, the groups before it in their known ways; 0 where it does not assemble.
     fn health_at(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> f64 {
-        let mut bodies = self.chain.bodies();
+        let mut bodies = self.start.clone();
         self.chain.set_input(q, &mut bodies);
         let needed = |(i, _): &(usize, _)| self.chain.is_needed(*i);
         for (i, kernel) in self.chain.groups.iter().enumerate().take(group + 1).filter(needed) {
@@ -315,12 +270,19 @@ impl Walker<'_> {
         }
     }
 
-    /// Where a group stops assembling, by bisection between two samples.
-    fn end(&self, group: usize, at: &impl Fn(usize) -> f64, failed: usize, leg: &Leg, first: &[u8]) -> f64 {
+    /// Where a group stops assembling, by bisection between the sample that failed and the one before, with its links.
+    fn end(
+        &self,
+        group: usize,
+        at: &impl Fn(usize) -> f64,
+        (failed, near): (usize, &[Body<f64>]),
+        leg: &Leg,
+        first: &[u8],
+    ) -> f64 {
         let (mut good, mut bad) = (at(failed.saturating_sub(1)), at(failed));
         for _ in 0..60 {
             let middle = 0.5 * (good + bad);
-            if self.assembles(group, middle, leg, first, at(0)) {
+            if self.assembles(group, (middle, near), leg, first, at(0)) {
                 good = middle;
             } else {
                 bad = middle;
@@ -329,8 +291,15 @@ impl Walker<'_> {
         good
     }
 
-    fn assembles(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> bool {
-        let mut bodies = self.chain.bodies();
+    fn assembles(
+        &self,
+        group: usize,
+        (q, near): (f64, &[Body<f64>]),
+        leg: &Leg,
+        first: &[u8],
+        from: f64,
+    ) -> bool {
+        let mut bodies = near.to_vec();
         self.chain.set_input(q, &mut bodies);
         self.chain.groups.iter().enumerate().take(group + 1).all(|(i, kernel)| {
             if !self.chain.is_needed(i) {
@@ -368,7 +337,7 @@ fn joined(from: f64, forth: &Leg, back: &Leg, first: &[u8]) -> (Ways, Range) {
 }
 
 /// A patch around each change point whose surroundings can be solved.
-fn patches(chain: &Chain<f64>, ways: &Ways, unit: f64) -> Vec<Patch> {
+fn patches(chain: &Chain<f64>, ways: &Ways, seeds: Option<&Seeds>, unit: f64) -> Vec<Patch> {
     let mut centers: Vec<f64> = Vec::new();
     for (q, _) in &ways.changes {
         if centers.last().is_none_or(|last| (last - q).abs() > 1e-6) {
@@ -378,6 +347,9 @@ fn patches(chain: &Chain<f64>, ways: &Ways, unit: f64) -> Vec<Patch> {
     let mut health = vec![0.0; chain.groups.len()];
     let mut solve = |q: f64| {
         let mut bodies = chain.bodies();
+        if let Some(seeds) = seeds {
+            seeds.put(q, &mut bodies);
+        }
         chain.solve(q, ways.at(q), Order::Second, &mut bodies, &mut health).ok().map(|()| bodies)
     };
     centers.into_iter().filter_map(|center| Patch::sample(center, ways.period, unit, &mut solve)).collect()

@@ -1,0 +1,170 @@
+//! A kind of group that nobody has foreseen: it registers itself in this program, and everything else follows. Nothing in
+//! `crates/` knows of it; a new folder in `plugins/` does the same.
+
+use assur_all as _;
+use assur_check::checks;
+use assur_group::{
+    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number,
+    inventory, place_by_newton,
+};
+use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
+use assur_number::Real;
+
+/// Class III: a ternary link that three binary links join to outer bodies. Only its places are said; derivatives and
+/// reactions are the defaults.
+#[derive(Debug)]
+struct Triad(GroupFrame);
+
+impl<T: Real> AssurGroup<T> for Triad {
+    fn frame(&self) -> &GroupFrame {
+        &self.0
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], _way: usize) -> Result<T, GroupError> {
+        place_by_newton(&self.0, bodies)
+    }
+}
+
+struct TriadKind;
+
+impl GroupKind for TriadKind {
+    type Kernel<T: Number> = Triad;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Triad, BuildError> {
+        Ok(Triad(frame.clone()))
+    }
+}
+
+/// Four links; one has all three inner pairs, each of the others one inner and one outer pair.
+fn is_triad(frame: &GroupFrame) -> bool {
+    let inner = |link: usize| frame.inner.iter().filter(|pair| pair.joins(link)).count();
+    let outer = |link: usize| frame.outer.iter().filter(|pair| pair.joins(link)).count();
+    let binary = frame.links.iter().filter(|&&link| inner(link) == 1 && outer(link) == 1).count();
+    frame.links.len() == 4
+        && binary == 3
+        && frame.links.iter().any(|&link| inner(link) == 3 && outer(link) == 0)
+}
+
+inventory::submit! {
+    GroupPlugin {
+        name: "triad",
+        kind: "triad",
+        class: 3,
+        number: 0,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "a ternary link and three binary ones",
+        ways: "the one near the places of [assembly]",
+        singular: "the three binary links through one point, or parallel",
+        source: "a test",
+        matches: is_triad,
+        builders: Builders::of::<TriadKind>(),
+    }
+}
+
+/// Stephenson II: driven from the ternary crank, the other links are one group of class III.
+const STEPHENSON_II: &str = r#"
+title = "Stephenson II"
+gravity = "9.81 m/s^2"
+[ground]
+points = { O = [0, 0], Q = [0.55, -0.3] }
+[link.crank]
+points = { O = 0, A = 0.1, D = [-0.02, 0.12] }
+mass = 2
+center = [0.03, 0.04]
+inertia = 0.01
+[link.rod]
+points = { A = 0, B = 0.36 }
+mass = 1
+center = 0.18
+inertia = 0.01
+[link.strut]
+points = { D = 0, E = 0.43 }
+mass = 1.2
+center = 0.2
+inertia = 0.015
+[link.plate]
+points = { B = 0, E = [-0.05, 0.2], F = [0.16, 0.15], T = [0.1, 0.3] }
+mass = 3
+center = [0.04, 0.12]
+inertia = 0.03
+[link.rocker]
+points = { Q = 0, F = [0.05, 0.5] }
+mass = 2
+center = [0.02, 0.25]
+inertia = 0.04
+[input]
+link = "crank"
+from = "-20 deg"
+to = "25 deg"
+positions = 10
+[assembly]
+A = [0.094, -0.034]
+D = [0.022, 0.12]
+B = [0.45, 0.05]
+E = [0.4, 0.25]
+F = [0.61, 0.2]
+[motion]
+speed = 8
+acceleration = 20
+[[force]]
+link = "plate"
+at = "T"
+angle = "-70 deg"
+value = 150
+[[spring]]
+between = ["ground.O", "T"]
+stiffness = 500
+length = 0.3
+damping = 10
+"#;
+
+fn stephenson() -> Mechanism {
+    assur_scene::read("stephenson2.toml", STEPHENSON_II).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn it_is_listed_beside_the_five_types() {
+    let all = assur_group::groups().unwrap_or_else(|error| panic!("{error}"));
+    let names: Vec<_> = all.iter().map(|plugin| plugin.name).collect();
+    assert_eq!(names, ["prp", "rpp", "rpr", "rrp", "rrr", "triad"]);
+}
+
+#[test]
+fn the_decomposition_uses_it_and_every_check_holds() {
+    let linkage = Linkage::compile(stephenson()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(linkage.structure.formula, "I(ground,crank) -> III/3(rod,strut,plate,rocker)");
+    assert_eq!((linkage.structure.class(), linkage.structure.groups[0].plugin.name), (3, "triad"));
+    let all = checks(&linkage);
+    for check in &all {
+        assert!(
+            check.ok,
+            "{} at {:?}, {}: {:e} of {:e}",
+            check.name, check.at, check.place, check.residual, check.limit
+        );
+        assert_eq!(check.left_out, 0, "{}", check.name);
+    }
+    for wanted in [
+        "TestPf PF1",
+        "TestPf PF2",
+        "equilibrium of links",
+        "agreement of the methods",
+        "Lagrange-d'Alembert",
+    ] {
+        assert!(all.iter().any(|check| check.name == wanted), "{wanted}");
+    }
+}
+
+#[test]
+fn places_depend_on_the_coordinate_alone() {
+    let linkage = Linkage::compile(stephenson()).unwrap_or_else(|error| panic!("{error}"));
+    let solved = |coordinates: &[f64]| {
+        let mut position = linkage.position();
+        for &q in coordinates {
+            let found = linkage.solve(q, assur_group::Order::Second, &mut position);
+            found.unwrap_or_else(|error| panic!("{error}"));
+        }
+        position.bodies
+    };
+    assert_eq!(solved(&[0.3]), solved(&[-0.3, 0.1, 0.3]));
+}
