@@ -32,9 +32,9 @@ impl Angles {
             None => position.bodies.iter().map(|body| first(body.s.atan2(body.c))).collect(),
             Some((from, mut angles)) => {
                 let way = position.coordinate - from;
-                let steps = (way.abs() / (LONGEST_STEP * unit)).ceil().clamp(1.0, 1e4);
-                for step in 1..steps as usize {
-                    let between = from + way * (step as f64) / steps;
+                let steps = steps(way / unit);
+                for step in 1..steps {
+                    let between = from + way * (f64::from(step) / f64::from(steps));
                     if linkage.solve(between, Order::Place, &mut self.scratch).is_ok() {
                         join(&mut angles, &self.scratch);
                     }
@@ -45,6 +45,13 @@ impl Angles {
         join(&mut angles, position);
         &self.last.insert((position.coordinate, angles)).1
     }
+}
+
+/// In how many steps a way is gone; a way beyond all measure in as many as are bearable.
+fn steps(way: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 10000")]
+    let steps = (way.abs() / LONGEST_STEP).ceil().clamp(1.0, 1e4) as u32;
+    steps
 }
 
 /// -pi becomes pi.

@@ -43,6 +43,7 @@ pub struct Stage {
 
 /// What is calculated for a scene, and how.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "each stage is run or not, on its own")]
 pub struct Plan {
     /// All stages in the order in which data goes through them.
     pub stages: Vec<Stage>,
