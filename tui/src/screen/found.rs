@@ -41,7 +41,18 @@ impl Found {
         gather.motion(&mut found);
         gather.rates(&mut found);
         gather.reactions(&mut found);
+        found.mark_rounding();
         found
+    }
+
+    /// Forces that are rounding beside the largest force of the mechanism.
+    fn mark_rounding(&mut self) {
+        let forces: Vec<usize> = self.reactions.iter().filter_map(|r| r.series.get(..3)).flatten().copied().collect();
+        let values = forces.iter().flat_map(|index| &self.series[*index].values);
+        let most = values.filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+        for index in forces {
+            self.series[index].floor = 1e-13 * most;
+        }
     }
 
     /// Whether there are forces to show.
@@ -68,7 +79,7 @@ impl Gather {
         if values.iter().all(|value| value.is_nan()) {
             return None;
         }
-        found.series.push(Series { of, short, unit: unit.to_owned(), values });
+        found.series.push(Series { of, short, unit: unit.to_owned(), values, floor: 0.0 });
         Some(found.series.len() - 1)
     }
 

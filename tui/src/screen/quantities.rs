@@ -4,6 +4,9 @@ use assur_kinematics::{Linkage, Position, continuous_angle};
 
 use super::series::{Key, Series, Transfer};
 
+/// What is this small beside the size of the mechanism is rounding.
+const ROUNDING: f64 = 1e-13;
+
 type Values = [Vec<f64>; 3];
 
 /// What is gathered.
@@ -11,11 +14,13 @@ type Values = [Vec<f64>; 3];
 struct Gathered {
     series: Vec<Series>,
     transfers: Vec<Transfer>,
+    /// A length typical of the mechanism, m.
+    scale: f64,
 }
 
 /// All series of the positions, and which of them belong together.
 pub(crate) fn of(linkage: &Linkage, poses: &[Option<Position>]) -> (Vec<Series>, Vec<Transfer>) {
-    let mut gathered = Gathered::default();
+    let mut gathered = Gathered { scale: linkage.structure.scale, ..Gathered::default() };
     gathered.series.push(coordinate(linkage, poses.len()));
     let unit = if linkage.angular() { "rad" } else { "m" };
     points(linkage, poses, unit, &mut gathered);
@@ -27,7 +32,7 @@ pub(crate) fn of(linkage: &Linkage, poses: &[Option<Position>]) -> (Vec<Series>,
 fn coordinate(linkage: &Linkage, positions: usize) -> Series {
     let (unit, factor) = coordinate_unit(linkage);
     let values = (0..positions).map(|i| factor * linkage.mechanism.input.coordinate(i)).collect();
-    Series { of: "coordinate".into(), short: "q".into(), unit: unit.into(), values }
+    Series { of: "coordinate".into(), short: "q".into(), unit: unit.into(), values, floor: 0.0 }
 }
 
 /// Unit in which the coordinate is shown, and how many of it are one SI unit.
@@ -89,9 +94,12 @@ fn gather(poses: &[Option<Position>], mut read: impl FnMut(&Position) -> [f64; 3
 impl Gathered {
     fn add(&mut self, (name, short): (String, String), key: Key, units: [String; 3], values: Values) {
         let first = self.series.len();
+        // Angles are of the order of 1; lengths of that of the mechanism, and PF0 is shown in mm.
+        let size = if matches!(key, Key::Link(_)) { 1.0 } else { self.scale };
         for (order, (unit, values)) in units.into_iter().zip(values).enumerate() {
             let short = format!("{short}{}", "'".repeat(order));
-            self.series.push(Series { of: name.clone(), short, unit, values });
+            let floor = ROUNDING * size * if order == 0 { 1e3 } else { 1.0 };
+            self.series.push(Series { of: name.clone(), short, unit, values, floor });
         }
         self.transfers.push(Transfer { name, key, orders: [first, first + 1, first + 2] });
     }

@@ -16,6 +16,8 @@ pub(crate) struct Series {
     pub(crate) unit: String,
     /// The values; NaN where there is none.
     pub(crate) values: Vec<f64>,
+    /// Sizes below this are rounding, whatever the rest of the series is.
+    pub(crate) floor: f64,
 }
 
 impl Series {
@@ -28,7 +30,7 @@ impl Series {
     pub(crate) fn bare(&self, position: usize) -> String {
         let most = self.values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |most, v| most.max(v.abs()));
         match self.values.get(position) {
-            Some(value) if value.abs() <= ROUNDING * most => "0".to_owned(),
+            Some(value) if value.abs() <= (ROUNDING * most).max(self.floor) => "0".to_owned(),
             Some(value) if value.is_finite() => number(*value),
             _ => "-".to_owned(),
         }

@@ -108,7 +108,7 @@ impl Raster {
         };
         // Dots at equal distances along the whole chain, whatever the length of its pieces.
         let (across, down) = self.marker.dots();
-        let gap = if self.marker == Marker::Ascii { 1.0 } else { every as f64 };
+        let gap = if self.marker == Marker::Braille { every as f64 } else { 1.0 };
         let mut travelled = gap;
         for two in points.windows(2) {
             let [dx, dy] = [two[1][0] - two[0][0], two[1][1] - two[0][1]];

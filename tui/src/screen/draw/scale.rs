@@ -55,7 +55,9 @@ pub(crate) struct Scale {
 }
 
 /// Cells left free at each side for names, and rows for hatching.
-const MARGIN: [f64; 2] = [4.0, 1.5];
+///
+/// The eighth keeps what touches the edge out of one more cell.
+const MARGIN: [f64; 2] = [4.125, 1.125];
 
 impl Scale {
     /// The largest scale that shows all of `bounds` in `area`.

@@ -8,7 +8,6 @@ use crate::screen::draw::chart::Chart;
 use crate::screen::draw::hodograph;
 use crate::screen::draw::raster::short;
 use crate::screen::found::{Found, Reaction};
-use crate::screen::number::number;
 use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
 use crate::screen::text::fill;
@@ -94,16 +93,20 @@ fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> Ve
         return vec![String::new(), String::new(), unit, String::new(), difference(state, study, found, reaction)];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
-    // What is rounding beside the modulus is shown as 0, as is its angle.
-    let part = |v: f64| if v.abs() <= 1e-14 * modulus { 0.0 } else { v };
-    let [fx, fy] = [part(fx), part(fy)];
-    let direction = if modulus > 0.0 { format!("{:.2} deg", fy.atan2(fx).to_degrees()) } else { "-".into() };
+    let direction = if modulus > 0.0 { format!("{:.2} deg", direction(fx, fy)) } else { "-".into() };
     let last = if study.other.is_some() {
         difference(state, study, found, reaction)
     } else {
         reaction.moment.map_or_else(String::new, bare)
     };
-    vec![number(fx), number(fy), bare(reaction.series[2]), direction, last]
+    vec![bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
+}
+
+/// Direction of a force in (-180, 180], degrees; rounding beside the modulus turns nothing.
+fn direction(fx: f64, fy: f64) -> f64 {
+    let least = 1e-12 * fx.hypot(fy);
+    let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
+    part(fy).atan2(part(fx)).to_degrees()
 }
 
 /// Modulus of the difference of two analyzers.
