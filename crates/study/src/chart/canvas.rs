@@ -17,7 +17,8 @@ struct Strokes {
 }
 
 const ASCII: Strokes = Strokes { line: '.', grid: ' ', upright: '|', level: '-', corner: '+', tick: '+' };
-const UNICODE: Strokes = Strokes { line: '·', grid: ' ', upright: '│', level: '─', corner: '└', tick: '┴' };
+const UNICODE: Strokes =
+    Strokes { line: '·', grid: ' ', upright: '│', level: '─', corner: '└', tick: '┴' };
 
 /// Draws a scatter in about `width` columns and `height` lines, legend apart.
 pub(crate) fn draw(scatter: &Scatter, width: usize, height: usize, ascii: bool) -> String {

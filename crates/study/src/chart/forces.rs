@@ -94,7 +94,11 @@ impl<'a> Loaded<'a> {
         }
         self.sizes = sizes(&self.truth, linkage.structure.scale);
         let errors = other.iter().enumerate().map(|(i, other)| {
-            self.deviation(i, Some(other.pairs.iter().map(|pair| [pair.fx, pair.fy, pair.m])), other.balancing)
+            self.deviation(
+                i,
+                Some(other.pairs.iter().map(|pair| [pair.fx, pair.fy, pair.m])),
+                other.balancing,
+            )
         });
         let error = errors.fold(Dd::EPSILON, greater);
         let how = "loads as the program finds them; reactions by the transposed linear system of each group in double-double \
@@ -104,12 +108,7 @@ impl<'a> Loaded<'a> {
     }
 
     /// Largest relative deviation of one position.
-    fn deviation(
-        &self,
-        index: usize,
-        pairs: Option<impl Iterator<Item = [Dd; 3]>>,
-        balancing: Dd,
-    ) -> f64 {
+    fn deviation(&self, index: usize, pairs: Option<impl Iterator<Item = [Dd; 3]>>, balancing: Dd) -> f64 {
         let truth = &self.truth[index];
         let [force, moment, balance] = self.sizes;
         let mut worst = (balancing - truth.balancing).to_f64().abs() / balance;
@@ -140,7 +139,8 @@ impl<'a> Loaded<'a> {
 
 /// Greatest force, moment (at least a force on a typical arm) and balancing load.
 fn sizes(truth: &[Truth], scale: f64) -> [f64; 3] {
-    let most = |of: &dyn Fn(&Wrench<Dd>) -> f64| truth.iter().flat_map(|t| &t.pairs).map(of).fold(0.0, f64::max);
+    let most =
+        |of: &dyn Fn(&Wrench<Dd>) -> f64| truth.iter().flat_map(|t| &t.pairs).map(of).fold(0.0, f64::max);
     let positive = |size: f64, instead: f64| if size > 0.0 { size } else { instead };
     let force = positive(most(&|w| w.fx.to_f64().hypot(w.fy.to_f64())), 1.0);
     let moment = most(&|w| w.m.to_f64().abs()).max(force * scale);
@@ -181,7 +181,12 @@ struct Registered<'a> {
 impl<'a> Registered<'a> {
     fn new(loaded: &'a Loaded<'a>, plugin: &'static AnalyzerPlugin) -> Self {
         let linkage = loaded.work.linkage;
-        Self { loaded, plugin, loads: vec![Wrench::ZERO; linkage.structure.links], out: Reactions::new(linkage) }
+        Self {
+            loaded,
+            plugin,
+            loads: vec![Wrench::ZERO; linkage.structure.links],
+            out: Reactions::new(linkage),
+        }
     }
 
     fn solve(&mut self, index: usize) -> Result<(), assur_force::ForceError> {
@@ -226,7 +231,8 @@ impl<'a, T: Number> ByGroups<'a, T> {
     fn new(loaded: &'a Loaded<'a>, forms: Forms) -> Result<Self, ChartError> {
         let linkage = loaded.work.linkage;
         let chain = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?;
-        let bodies = loaded.positions.iter().map(|position| position.bodies.iter().map(to).collect()).collect();
+        let bodies =
+            loaded.positions.iter().map(|position| position.bodies.iter().map(to).collect()).collect();
         Ok(Self { loaded, groups: chain.groups, bodies, forms, answer: Answer::new(linkage) })
     }
 

@@ -31,9 +31,7 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
         Entry::new(row("closed-form", number("f32")), work.len(), Plain::new(work, single)),
         Entry::new(row("closed-form", number("f64x4")), work.len(), InLanes::new(work, lanes)),
     ];
-    for (places, name) in
-        [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")]
-    {
+    for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
         let double = Chain::<f64>::compile(mechanism, structure)?;
         entries.push(Entry::new(row(name, number("f64")), work.len(), General::new(work, double, places)));
         let single = Chain::<f32>::compile(mechanism, structure)?;

@@ -49,7 +49,8 @@ pub fn words(data: &ChartData, stage: Stage) -> Vec<String> {
 
 /// The fastest row of a stage with an error of at most `wanted`.
 fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
-    let good = data.of(stage).filter_map(|row| Some((row, row.point()?))).filter(|(_, point)| point.1 <= wanted);
+    let good =
+        data.of(stage).filter_map(|row| Some((row, row.point()?))).filter(|(_, point)| point.1 <= wanted);
     good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)
 }
 
@@ -79,7 +80,11 @@ fn failures(data: &ChartData, stage: Stage) -> Vec<String> {
         if data.of(stage).any(|other| other.method == row.method && other.ok) {
             continue;
         }
-        said.push(format!("`{}` can't: {}.", row.method, row.reason.as_deref().unwrap_or("it gives no result")));
+        said.push(format!(
+            "`{}` can't: {}.",
+            row.method,
+            row.reason.as_deref().unwrap_or("it gives no result")
+        ));
     }
     said
 }

@@ -2,7 +2,9 @@
 //! linear system.
 
 use assur_force::UnitBalance;
-use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane, reactions_generally};
+use assur_group::{
+    AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane, reactions_generally,
+};
 use assur_kinematics::Linkage;
 use assur_number::Real;
 

@@ -32,11 +32,7 @@ impl Ruler {
     }
 
     /// Largest relative deviation of one position; NaN where a number is.
-    pub(crate) fn deviation(
-        &self,
-        reference: &[Body<Dd>],
-        found: impl Iterator<Item = [Dd; 10]>,
-    ) -> f64 {
+    pub(crate) fn deviation(&self, reference: &[Body<Dd>], found: impl Iterator<Item = [Dd; 10]>) -> f64 {
         let mut worst = 0.0;
         for (right, got) in reference.iter().zip(found) {
             for ((a, b), quantity) in numbers(right).into_iter().zip(got).zip(QUANTITY) {

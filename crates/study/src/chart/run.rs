@@ -5,14 +5,20 @@ use std::ops::ControlFlow;
 
 use assur_force::Loads;
 use assur_kinematics::Linkage;
+use assur_mechanism::Motion as Asked;
 
 use super::entry::Field;
 use super::forces::{self, Loaded};
 use super::kinematics;
+use super::motion::{self, Task};
 use super::pareto;
 use super::race::Judge;
+use super::steady::{self, Cycle};
 use super::work::Work;
 use super::{ChartData, Clock, Options, Progress, Stage};
+
+/// Output instants over a cycle of a steady regime.
+const SAMPLES_OF_A_CYCLE: usize = 48;
 
 /// Why a scene has no chart; what fails in one method is a row of it.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -33,6 +39,17 @@ pub enum ChartError {
     /// The loads can't be compiled.
     #[error(transparent)]
     Load(#[from] assur_force::LoadError),
+    /// The equation of motion can't be made.
+    #[error(transparent)]
+    Dynamics(#[from] assur_dynamics::DynamicsError),
+    /// No integrator is linked.
+    #[error(transparent)]
+    Integrators(#[from] assur_integrator::RegistryError),
+    /// No integrator finds the motion.
+    #[error(
+        "no integrator finds the motion of the scene, so that nothing can be judged; `assur analyze` says why"
+    )]
+    NoMotion,
     /// No analyzer is linked.
     #[error(transparent)]
     Analyzers(#[from] assur_force::RegistryError),
@@ -102,6 +119,34 @@ impl Charting<'_> {
         if !loaded.is_idle() {
             self.stage(Stage::Forces, forces::field(&loaded)?);
         }
+        self.motion(linkage, &loads)
+    }
+
+    /// Motion, flywheel and steady regime, as far as the scene has them.
+    fn motion(&mut self, linkage: &Linkage, loads: &Loads) -> Result<(), ChartError> {
+        let options = self.judge.options;
+        if let Some(Asked::Transient { .. }) = linkage.mechanism.motion {
+            let mut motion = assur_dynamics::equation(linkage, loads)?;
+            let request = assur_dynamics::request(&linkage.mechanism, &mut motion)?;
+            return self.integrators(&Task { motion, request });
+        }
+        match Cycle::of(linkage, loads) {
+            None => {}
+            Some(Err(why)) => self.stage(Stage::Steady, steady::unfound(&why)),
+            Some(Ok(cycle)) => {
+                self.integrators(&cycle.task(SAMPLES_OF_A_CYCLE))?;
+                if let Some(field) = steady::flywheel_field(&cycle) {
+                    self.stage(Stage::Flywheel, field);
+                }
+                self.stage(Stage::Steady, steady::field(&cycle, options));
+            }
+        }
+        Ok(())
+    }
+
+    fn integrators(&mut self, task: &Task<'_>) -> Result<(), ChartError> {
+        let field = motion::field(task, self.judge.options)?;
+        self.stage(Stage::Motion, field);
         Ok(())
     }
 }

@@ -68,7 +68,9 @@ impl<'a> Work<'a> {
         let mut missing = 0;
         for truth in &self.truth {
             match newton_from(&self.extended, truth) {
-                Some(bodies) => error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers))),
+                Some(bodies) => {
+                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers)))
+                }
                 None => missing += 1,
             }
         }
@@ -106,7 +108,11 @@ impl<'a> Work<'a> {
                 }
             }
         }
-        Verdict { evaluations: Some(evaluations), error: worst, failure: partial(failures, self.len(), first) }
+        Verdict {
+            evaluations: Some(evaluations),
+            error: worst,
+            failure: partial(failures, self.len(), first),
+        }
     }
 }
 

@@ -25,11 +25,7 @@ impl Stencil {
     /// Three points, order 2; five points, order 4.
     pub(super) const ALL: [Self; 2] = [
         Self { name: "differences-2", first: &[0.5], second: &[1.0] },
-        Self {
-            name: "differences-4",
-            first: &[2.0 / 3.0, -1.0 / 12.0],
-            second: &[4.0 / 3.0, -1.0 / 12.0],
-        },
+        Self { name: "differences-4", first: &[2.0 / 3.0, -1.0 / 12.0], second: &[4.0 / 3.0, -1.0 / 12.0] },
     ];
 }
 

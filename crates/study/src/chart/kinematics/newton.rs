@@ -63,7 +63,9 @@ fn start<T: Number>(work: &Work<'_>, chain: &Chain<T>, q: f64) -> Vec<Body<T>> {
     let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
     let mut position = linkage.position();
     // At the end of the range there is nothing before; beyond lies the same.
-    let solved = [-BACK, BACK, 0.0].iter().any(|back| linkage.solve(q + back * unit, Order::Place, &mut position).is_ok());
+    let solved = [-BACK, BACK, 0.0]
+        .iter()
+        .any(|back| linkage.solve(q + back * unit, Order::Place, &mut position).is_ok());
     let mut bodies = chain.bodies();
     if solved {
         for (to, from) in bodies.iter_mut().zip(&position.bodies) {

@@ -1,0 +1,125 @@
+//! Motion: every registered integrator on the scene's equation of motion.
+
+mod reference;
+
+use std::hint::black_box;
+
+use assur_dynamics::{Driven, Machine};
+use assur_integrator::{IntegratorPlugin, Motion, Request, Trajectory, integrators};
+
+use super::entry::{Contestant, Entry, Field, Verdict};
+use super::{ChartError, Options, Row, Setting, Stage, Unit};
+
+use reference::References;
+
+/// A motion that integrators are to find.
+#[derive(Debug, Clone)]
+pub(crate) struct Task<'a> {
+    pub(crate) motion: Driven<Machine<'a>>,
+    pub(crate) request: Request,
+}
+
+/// What a method listens to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Knob {
+    Tolerance,
+    Step,
+    Nothing,
+}
+
+/// All integrators over their settings.
+pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, ChartError> {
+    let references = References::find(task)?;
+    let mut entries = Vec::new();
+    for plugin in integrators()? {
+        let instance = (plugin.instance)();
+        if let Err(why) = instance.supports(&task.motion.dependence()) {
+            entries.push(Entry::refused(row(plugin.name, Setting::default()), why));
+            continue;
+        }
+        for (setting, request) in settings(plugin, task, references.duration, options) {
+            let row = row(plugin.name, setting);
+            entries.push(match references.judge_of(plugin.name) {
+                Some(truth) => {
+                    let motion = task.motion.clone();
+                    Entry::new(row, 1, Run { plugin, motion, request, truth, sizes: references.sizes })
+                }
+                None => Entry::refused(
+                    row,
+                    "no other method can treat this equation, so that nothing can judge it",
+                ),
+            });
+        }
+    }
+    Ok(Field { reference: references.described(), entries })
+}
+
+fn row(method: &str, setting: Setting) -> Row {
+    Row::new(Stage::Motion, Unit::Run, method, setting)
+}
+
+/// The settings of a method: tolerances, or steps in parts of the whole motion, or none.
+fn settings(
+    plugin: &IntegratorPlugin,
+    task: &Task<'_>,
+    duration: f64,
+    options: Options,
+) -> Vec<(Setting, Request)> {
+    let base = Request { max_steps: options.max_steps, ..task.request };
+    match knob(plugin, task, duration) {
+        Knob::Tolerance => options
+            .decades(-3, -13)
+            .map(|tolerance| (Setting::number("tolerance", tolerance), Request { tolerance, ..base }))
+            .collect(),
+        // A third of a decade and half a decade are as good; nine steps over four decades.
+        Knob::Step => (0..9)
+            .step_by(if options.quick { 2 } else { 1 })
+            .map(|half| duration / 30.0 / 10.0_f64.powf(0.5 * f64::from(half)))
+            .map(|step| (Setting::number("step", step), Request { fixed_step: Some(step), ..base }))
+            .collect(),
+        Knob::Nothing => vec![(Setting::default(), base)],
+    }
+}
+
+/// Tries what changes the result: registered methods need not say.
+fn knob(plugin: &IntegratorPlugin, task: &Task<'_>, duration: f64) -> Knob {
+    let solve = |tolerance: f64, step: f64| {
+        let request = Request { tolerance, fixed_step: Some(step), max_steps: 20_000, ..task.request };
+        (plugin.instance)().solve(&mut task.motion.clone(), &request).ok().map(|found| found.samples)
+    };
+    let (step, other) = (duration / 200.0, duration / 331.0);
+    let base = solve(1e-3, step);
+    if solve(1e-7, step) != base {
+        Knob::Tolerance
+    } else if base.is_none() || solve(1e-3, other) != base {
+        Knob::Step
+    } else {
+        Knob::Nothing
+    }
+}
+
+/// One integrator at one setting.
+struct Run<'a> {
+    plugin: &'static IntegratorPlugin,
+    motion: Driven<Machine<'a>>,
+    request: Request,
+    truth: std::rc::Rc<Trajectory>,
+    sizes: [f64; 2],
+}
+
+impl Contestant for Run<'_> {
+    fn run(&mut self) {
+        let _ = black_box((self.plugin.instance)().solve(&mut self.motion, &self.request));
+    }
+
+    fn judge(&mut self) -> Verdict {
+        match (self.plugin.instance)().solve(&mut self.motion, &self.request) {
+            Ok(found) => Verdict {
+                evaluations: Some(found.statistics.evaluations as u64),
+                error: Some(reference::deviation(&found, &self.truth, self.sizes)),
+                failure: None,
+            },
+            Err(why) => Verdict::failed(why),
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! The flywheel for a wanted unevenness: the methods of the textbooks, and the exact one.
+
+use std::hint::black_box;
+
+use assur_dynamics::{Survey, steady};
+use assur_integrator::{Motion, Request, find};
+use assur_mechanism::{FlywheelPlace, Motion as Asked, Solve};
+
+use super::Cycle;
+use crate::chart::entry::{Contestant, Entry, Field, Verdict};
+use crate::chart::{Reference, Row, Setting, Stage, Unit};
+
+/// Samples over the cycle from which the extremes of the speed are read.
+const SAMPLES: usize = 4000;
+
+/// All methods; `None` where no flywheel is wanted.
+pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
+    let drive = cycle.linkage.mechanism.drive.as_ref()?;
+    let Some(Asked::Steady { unevenness: Some(wanted), .. }) = cycle.linkage.mechanism.motion else {
+        return None;
+    };
+    if drive.flywheel != Some(Solve::Wanted) || cycle.regime.flywheel <= 0.0 {
+        return None;
+    }
+    let (truth, reference) = truth(cycle, wanted, drive.flywheel_on == FlywheelPlace::Motor)?;
+    let entries = cycle.regime.flywheel_by_method.iter().map(|found| {
+        let row = Row::new(Stage::Flywheel, Unit::Run, found.method, Setting::default());
+        let contestant = ByMethod { cycle, exact: found.method == "exact", flywheel: found.flywheel, truth };
+        Entry::new(row, 1, contestant)
+    });
+    Some(Field { reference, entries: entries.collect() })
+}
+
+/// The flywheel corrected by the unevenness that dop853 finds in time: unevenness goes with the inverse of the inertia.
+fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Reference)> {
+    let ratio = cycle.regime.ratio.filter(|_| on_motor).unwrap_or(1.0);
+    let fine = unevenness(cycle, SAMPLES)?;
+    let coarse = unevenness(cycle, SAMPLES / 2)?;
+    let task = cycle.task(1);
+    let inertia = task.motion.clone().reduced(&task.request.initial).ok()?.inertia;
+    let flywheel = cycle.regime.flywheel;
+    let corrected = |found: f64| flywheel + inertia / (ratio * ratio) * (found / wanted - 1.0);
+    let truth = corrected(fine);
+    let error =
+        ((corrected(coarse) - truth) / truth).abs().max(((truth - flywheel) / truth).abs() * 0.1).max(1e-13);
+    let how = format!(
+        "the exact flywheel, corrected to first order by the unevenness of the cycle run in time by dop853 at tolerance 1e-13, \
+         {SAMPLES} samples; own error by half as many. A textbook method takes the time of the survey of the cycle that it needs"
+    );
+    Some((truth, Reference { how, error }))
+}
+
+/// (greatest - least)/mean of the speed over the cycle in time; extremes by parabolas through three samples.
+fn unevenness(cycle: &Cycle<'_>, samples: usize) -> Option<f64> {
+    let task = cycle.task(samples);
+    let request = Request { tolerance: 1e-13, ..task.request };
+    let plugin = find("dop853").ok()?;
+    let found = (plugin.instance)().solve(&mut task.motion.clone(), &request).ok()?;
+    let speeds: Vec<f64> = found.samples.iter().map(|sample| sample.speed.abs()).collect();
+    let high = extreme(&speeds, 1.0)?;
+    let low = -extreme(&speeds, -1.0)?;
+    Some(2.0 * (high - low) / (high + low))
+}
+
+/// The greatest of `sign` times the values, the last of which is the first again.
+fn extreme(values: &[f64], sign: f64) -> Option<f64> {
+    let around = values.len().checked_sub(1).filter(|count| *count > 2)?;
+    let at = |i: usize| sign * values[i % around];
+    let top = (0..around).max_by(|a, b| at(*a).total_cmp(&at(*b)))?;
+    let (before, here, after) = (at(top + around - 1), at(top), at(top + 1));
+    let bend = before - 2.0 * here + after;
+    let slope = 0.5 * (after - before);
+    Some(if bend < 0.0 { here - 0.5 * slope * slope / bend } else { here })
+}
+
+/// One method. What it finds is known already; a run repeats what it costs.
+struct ByMethod<'a> {
+    cycle: &'a Cycle<'a>,
+    exact: bool,
+    flywheel: f64,
+    truth: f64,
+}
+
+impl ByMethod<'_> {
+    fn effort(&self) -> Option<usize> {
+        if self.exact {
+            let found = steady(self.cycle.linkage, self.cycle.loads).ok()?;
+            return Some(found.regime.effort.evaluations);
+        }
+        let mut machine = self.cycle.machine();
+        let survey = Survey::new(&mut machine, self.cycle.request).ok()?;
+        black_box(survey.mean_resistance());
+        drop(survey);
+        Some(machine.count)
+    }
+}
+
+impl Contestant for ByMethod<'_> {
+    fn run(&mut self) {
+        let _ = black_box(self.effort());
+    }
+
+    fn judge(&mut self) -> Verdict {
+        let evaluations = self.effort().map(|count| count as u64);
+        Verdict { evaluations, error: Some(((self.flywheel - self.truth) / self.truth).abs()), failure: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::extreme;
+
+    #[test]
+    fn extremes_between_samples() {
+        let values: Vec<f64> =
+            (0..=40).map(|i| (f64::from(i) * std::f64::consts::TAU / 40.0 + 0.07).sin()).collect();
+        assert!((extreme(&values, 1.0).unwrap() - 1.0).abs() < 1e-5);
+        assert!((-extreme(&values, -1.0).unwrap() + 1.0).abs() < 1e-5);
+    }
+}
