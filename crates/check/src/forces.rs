@@ -3,9 +3,10 @@
 use assur_force::{Loads, joint_reactions};
 use assur_group::Wrench;
 
+use crate::agreement::Agreement;
 use crate::equilibrium::Equilibrium;
 use crate::power::Power;
-use crate::subject::{Answer, Solved, Subject};
+use crate::subject::{Solved, Subject};
 use crate::worst::{Check, Worst};
 use crate::written::{Items, Writer, given};
 
@@ -22,7 +23,7 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
         "loads",
         "each load written out from the scene once more; limit: 64 rounding units of its terms",
     );
-    let mut agreement = agreement_worst();
+    let mut agreement = Agreement::new(subject, loads);
     let mut equilibrium = Equilibrium::new(subject);
     let mut power = Power::new(subject);
     for one in solved {
@@ -38,7 +39,7 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
             agreement.leave_out();
             continue;
         };
-        compare_methods(subject, &answers, full.unwrap_or(0), one, &mut agreement);
+        agreement.add(one, state, &answers, full.unwrap_or(0));
         let joints = joint_reactions(subject.linkage, reactions);
         equilibrium.add(one, &items, reactions, &joints);
         power.add(one, state, loads, &items, reactions, &joints);
@@ -46,14 +47,6 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
     let first = [written.into_check()];
     let rest = equilibrium.into_checks().into_iter().chain([agreement.into_check()]);
     first.into_iter().chain(rest).flatten().chain(power.into_checks()).collect()
-}
-
-fn agreement_worst() -> Worst {
-    Worst::new(
-        "agreement of the methods",
-        "every reaction and the balancing load by each method, relative to the largest reaction; limit: 64 rounding units \
-         by the sum of 1/determinant over the groups",
-    )
 }
 
 fn compare_loads(subject: &Subject<'_>, items: &Items, loads: &Loads, one: &Solved, worst: &mut Worst) {
@@ -78,31 +71,4 @@ fn compare_loads(subject: &Subject<'_>, items: &Items, loads: &Loads, one: &Solv
 /// The largest force of an answer; moments of slides count by the typical length.
 pub(crate) fn largest(reactions: &[Wrench<f64>], scale: f64) -> f64 {
     reactions.iter().map(|r| r.fx.hypot(r.fy) + r.m.abs() / scale).fold(0.0, f64::max)
-}
-
-fn compare_methods(subject: &Subject<'_>, answers: &[Answer], full: usize, one: &Solved, worst: &mut Worst) {
-    let Some(reference) = &answers[full] else { return };
-    let scale = subject.linkage.structure.scale;
-    // A balancing moment compares with the moment of the largest reaction.
-    let unit = largest(&reference.pairs, scale).max(f64::MIN_POSITIVE);
-    let limit = SOLUTION * f64::EPSILON * one.condition;
-    for (i, other) in answers.iter().enumerate().filter(|(i, _)| *i != full) {
-        let Some(other) = other else { continue };
-        let method = subject.methods[i].name;
-        let moment = crate::power::balances_by_moment(&subject.linkage.mechanism);
-        let lever = if moment { scale } else { 1.0 };
-        let balancing_unit = unit.max(reference.balancing.abs() / lever);
-        let off = (reference.balancing - other.balancing).abs() / lever;
-        worst.offer(one.index, off / balancing_unit, limit, || format!("balancing load by {method}"));
-        if !subject.methods[i].gives_reactions {
-            continue;
-        }
-        for (id, (a, b)) in reference.pairs.iter().zip(&other.pairs).enumerate() {
-            let off = (a.fx - b.fx).hypot(a.fy - b.fy) + (a.m - b.m).abs() / scale;
-            worst.offer(one.index, off / unit, limit, || {
-                let name = subject.linkage.structure.pair_name(&subject.linkage.mechanism, id);
-                format!("pair {name} by {method}")
-            });
-        }
-    }
 }

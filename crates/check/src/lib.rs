@@ -7,6 +7,7 @@
 //!
 //! The limits of the element that comes closest to failing are shown; so `residual` and `limit` belong to each other.
 
+mod agreement;
 mod closure;
 mod differences;
 mod elements;

@@ -191,21 +191,26 @@ impl ForceAnalyzer for Liar {
     }
 }
 
+fn longer(reaction: &mut Wrench<f64>) {
+    (reaction.fx, reaction.fy) = (SLIP * reaction.fx, SLIP * reaction.fy);
+}
+
 #[test]
 fn every_slip_in_a_method_is_caught() {
     let slips: [(&str, Lie); 5] = [
         ("sign of the balancing load", |r| r.balancing = -r.balancing),
         ("balancing load by 1e-6", |r| r.balancing *= SLIP),
         ("sign of the input's reaction", |r| r.pairs[0].fx = -r.pairs[0].fx),
-        ("last reaction by 1e-6", |r| r.pairs.iter_mut().last().into_iter().for_each(|r| r.fy *= SLIP)),
+        ("last reaction by 1e-6", |r| r.pairs.iter_mut().last().into_iter().for_each(longer)),
         ("no number", |r| r.pairs[1].fx = f64::NAN),
     ];
-    for (what, slip) in slips {
-        for name in ["shaper", "conveyor"] {
+    for (number, (what, slip)) in slips.into_iter().enumerate() {
+        for name in ["shaper", "conveyor", "slider-crank"] {
             let linkage = compiled(&fixture(name));
             let loads = Loads::compile(&linkage).unwrap();
             let sound = methods(&linkage, "groups");
-            for liar in 0..sound.len() {
+            // A method that finds the balancing load alone can only be wrong in that.
+            for liar in (0..sound.len()).filter(|&i| number < 2 || sound[i].gives_reactions) {
                 let lying = Liar { sound: sound_instance(sound[liar].name), slip };
                 let mut all = sound.clone();
                 all[liar] = Method { analyzer: &lying, ..sound[liar] };

@@ -34,3 +34,18 @@ fn positions_without_room_for_differences_are_left_out_and_counted() {
     assert!(test_pf.is_none_or(|check| check.left_out > 0), "{}", show(&all));
     assert!(all.iter().any(|check| check.name == "closure PF2"));
 }
+
+#[test]
+fn a_method_that_is_ill_conditioned_by_itself_is_measured_by_its_own_rounding() {
+    // The longitudinal reactions as published lose digits where the crank stands across the guide.
+    let path = format!("{}/../../fixtures/slider-crank.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    for distance in [1e-3, 1e-5, 1e-7, 1e-9] {
+        let mut mechanism = assur_scene::read("slider-crank", &text).unwrap();
+        mechanism.input.positions = 2;
+        mechanism.input.from = std::f64::consts::FRAC_PI_2 + distance;
+        mechanism.input.range = assur_mechanism::Range::To(std::f64::consts::FRAC_PI_2 - distance);
+        let all = checks(&assur_kinematics::Linkage::compile(mechanism).unwrap());
+        assert!(hold(&all), "{distance:e}\n{}", show(&all));
+    }
+}
