@@ -7,17 +7,23 @@ use assur_all as _;
 /// Package names of the plugins by their folders.
 fn folders() -> BTreeSet<String> {
     let plugins = format!("{}/../plugins", env!("CARGO_MANIFEST_DIR"));
-    let names =
-        std::fs::read_dir(plugins).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let names = std::fs::read_dir(plugins)
+        .expect("the folder of the plugins")
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("a plain name"));
     names.filter(|name| name != "all").map(|name| format!("assur-{name}")).collect()
 }
 
 /// Package names that have an entry in one of the registries.
 fn registered() -> BTreeSet<String> {
-    let groups = assur_group::groups().unwrap().into_iter().map(|plugin| plugin.crate_name);
-    let analyzers = assur_force::analyzers().unwrap().into_iter().map(|plugin| plugin.crate_name);
-    let integrators = assur_integrator::integrators().unwrap().into_iter().map(|plugin| plugin.crate_name);
-    let catalogues = assur_motor::catalogues().unwrap().into_iter().map(|plugin| plugin.crate_name);
+    let groups = assur_group::groups().expect("a sound registry").into_iter().map(|plugin| plugin.crate_name);
+    let analyzers =
+        assur_force::analyzers().expect("a sound registry").into_iter().map(|plugin| plugin.crate_name);
+    let integrators = assur_integrator::integrators()
+        .expect("a sound registry")
+        .into_iter()
+        .map(|plugin| plugin.crate_name);
+    let catalogues =
+        assur_motor::catalogues().expect("a sound registry").into_iter().map(|plugin| plugin.crate_name);
     groups.chain(analyzers).chain(integrators).chain(catalogues).map(str::to_owned).collect()
 }
 
