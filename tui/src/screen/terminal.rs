@@ -9,7 +9,7 @@ use crossterm::cursor::Show;
 use crossterm::event::{DisableFocusChange, DisableMouseCapture, EnableFocusChange, EnableMouseCapture};
 use crossterm::style::ResetColor;
 use crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
+    BeginSynchronizedUpdate, Clear, ClearType, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
     disable_raw_mode, enable_raw_mode,
 };
 use crossterm::{execute, queue};
@@ -39,8 +39,7 @@ impl Screen {
         MOUSE.store(mouse, Ordering::SeqCst);
         hook_panics();
         enter()?;
-        let out = BufWriter::with_capacity(FRAME_BYTES, io::stdout());
-        let terminal = Terminal::new(CrosstermBackend::new(out)).inspect_err(|_| give_back())?;
+        let terminal = terminal().inspect_err(|_| give_back())?;
         Ok(Self { terminal })
     }
 
@@ -56,7 +55,11 @@ impl Screen {
     /// Forgets what is on the terminal, so that the next frame is written whole.
     pub(crate) fn forget(&mut self) -> io::Result<()> {
         let _writing = writing();
-        self.terminal.clear()
+        // `Terminal::clear` asks the terminal where its cursor is, and the answer would go to the thread that reads.
+        queue!(self.terminal.backend_mut(), Clear(ClearType::All))?;
+        io::Write::flush(self.terminal.backend_mut())?;
+        self.terminal = terminal()?;
+        Ok(())
     }
 
     /// Takes the terminal again after [`give_back`], or after the process was stopped behind our back.
@@ -74,6 +77,10 @@ impl Drop for Screen {
     fn drop(&mut self) {
         give_back();
     }
+}
+
+fn terminal() -> io::Result<Terminal<CrosstermBackend<BufWriter<Stdout>>>> {
+    Terminal::new(CrosstermBackend::new(BufWriter::with_capacity(FRAME_BYTES, io::stdout())))
 }
 
 fn writing() -> MutexGuard<'static, ()> {
