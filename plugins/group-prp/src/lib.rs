@@ -6,6 +6,7 @@
 //! and accelerations of the points under C, with Coriolis' terms 2 w t (C' - V).
 
 mod kernel;
+mod working;
 
 #[cfg(test)]
 mod tests;

@@ -5,6 +5,7 @@
 //! D = t1 x t2. Seen from g, A moves with v and a, and P with (n1 v / D) t2 and (n1 a / D) t2.
 
 mod kernel;
+mod working;
 
 #[cfg(test)]
 mod tests;

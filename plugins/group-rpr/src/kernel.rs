@@ -124,6 +124,16 @@ impl<T: Real> Rpr<T> {
         s.abs() / (square + self.scale).sqrt()
     }
 
+    /// Refuses derivatives and reactions of which no digit would be left: s is a root of D² - e², so that a rounding of
+    /// the distance D counts with D/s²; for a central guide with 1/s only.
+    #[inline]
+    fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
+        GroupError::if_singular(health)?;
+        let square = s * s + self.e * self.e;
+        let whole = square + self.scale;
+        GroupError::if_lost(health, square / whole)
+    }
+
     #[inline]
     fn differentiate(
         &self,
@@ -133,7 +143,7 @@ impl<T: Real> Rpr<T> {
         order: Order,
     ) -> Result<(), GroupError> {
         let Triangle { pins, arms, t, s } = triangle;
-        GroupError::if_singular(health)?;
+        self.determined(*s, health)?;
         let n = perp(*t);
         let inverse = T::ONE / *s;
         let outer = [0, 1].map(|i| {
@@ -204,7 +214,7 @@ impl<T: Real> AssurGroup<T> for Rpr<T> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         let Triangle { arms, t, s, .. } = self.read(bodies);
-        GroupError::if_singular(self.health_of(s))?;
+        self.determined(s, self.health_of(s))?;
         let [one, two] = self.links.map(|i| loads[i]);
         // The moments of both links about their pins know the normal force only: its arm between the pins is s.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));

@@ -10,6 +10,7 @@
 //! w = n D' / s for both links, s' = t D' + e w, w' = (n D'' - 2 s' w + e w²) / s.
 
 mod kernel;
+mod working;
 
 #[cfg(test)]
 mod tests;

@@ -30,6 +30,8 @@ pub struct Rrp<T> {
     height: T,
     /// Rounding of a length, m.
     slack: f64,
+    /// Size of the coordinates / length², 1/m: what their rounding does to the square of the determinant, by `delta`.
+    sensitivity: T,
 }
 
 /// The right triangle of rod and guide at one position.
@@ -67,6 +69,7 @@ impl<T: Real> Rrp<T> {
                 "the rod of a group RRP needs its two pins apart; their distance is 0",
             ));
         }
+        let size = frame.scale.max(length.to_f64());
         Ok(Self {
             frame: frame.clone(),
             links: dyad.links,
@@ -78,7 +81,8 @@ impl<T: Real> Rrp<T> {
             length,
             inverse_length: T::ONE / length,
             height: slide.height() + slide.offset(inner.at),
-            slack: SLACK * T::EPSILON * frame.scale.max(length.to_f64()),
+            slack: SLACK * T::EPSILON * size,
+            sensitivity: T::from_f64(size) / square,
         })
     }
 
@@ -115,6 +119,15 @@ impl<T: Real> Rrp<T> {
         Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
     }
 
+    /// Refuses derivatives and reactions of which no digit would be left.
+    #[inline]
+    fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
+        let health = (sigma * self.inverse_length).abs();
+        GroupError::if_singular(health)?;
+        let condition = self.sensitivity * delta;
+        GroupError::if_lost(health, condition * condition)
+    }
+
     #[cold]
     fn refusal(&self, delta: T) -> GroupError {
         let gap_m = delta.abs().greatest() - self.length.to_f64();
@@ -140,7 +153,7 @@ impl<T: Real> Rrp<T> {
         order: Order,
     ) -> Result<(), GroupError> {
         let Triangle { pins, arms, t, n, r, delta, sigma } = triangle;
-        GroupError::if_singular((*sigma * self.inverse_length).abs())?;
+        self.determined(*sigma, *delta)?;
         let inverse = T::ONE / *sigma;
         let [rod, slider] = self.links;
         let (base, carrier) = (bodies[self.end.body], bodies[self.slide.body]);
@@ -207,7 +220,7 @@ impl<T: Real> AssurGroup<T> for Rrp<T> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         let Triangle { arms, t, n, delta, sigma, .. } = self.read(bodies);
-        GroupError::if_singular((sigma * self.inverse_length).abs())?;
+        self.determined(sigma, delta)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // Along the guide link 2 gives the inner reaction; the moment about A then gives its part across.
         let along = dot(t, two.force());

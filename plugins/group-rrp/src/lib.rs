@@ -10,6 +10,7 @@
 //! 2 w t (C' - V) and the centripetal w1² delta.
 
 mod kernel;
+mod working;
 
 #[cfg(test)]
 mod tests;

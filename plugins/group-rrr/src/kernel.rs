@@ -33,6 +33,8 @@ pub struct Rrr<T> {
     lengths: [f64; 2],
     /// Rounding of d² near `stretched` and near `folded`, m².
     slack: [f64; 2],
+    /// (size of the coordinates / l1 l2)², 1/m²: what their rounding does to the square of the determinant, by d.
+    sensitivity: T,
 }
 
 /// The triangle of the pins at one position.
@@ -80,6 +82,10 @@ impl<T: Real> Rrr<T> {
             excess: difference * sum,
             inverse_product: T::ONE / (l1 * l2),
             lengths,
+            sensitivity: {
+                let condition = T::from_f64(size) / (l1 * l2);
+                condition * condition
+            },
             slack: [rounding * sum.to_f64(), rounding * (difference.abs().to_f64() + rounding)],
         })
     }
@@ -139,6 +145,15 @@ impl<T: Real> Rrr<T> {
         }
     }
 
+    /// Refuses derivatives and reactions of which no digit would be left.
+    #[inline]
+    fn determined(&self, r: &[[T; 2]; 2], d: T) -> Result<(), GroupError> {
+        let health = (d * self.inverse_product).abs();
+        GroupError::if_singular(health)?;
+        let apart = minus(r[0], r[1]);
+        GroupError::if_lost(health, self.sensitivity * dot(apart, apart))
+    }
+
     /// The triangle of links that are placed already.
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
@@ -156,7 +171,7 @@ impl<T: Real> Rrr<T> {
         order: Order,
     ) -> Result<(), GroupError> {
         let Triangle { pins, arms, r, d } = triangle;
-        GroupError::if_singular((*d * self.inverse_product).abs())?;
+        self.determined(r, *d)?;
         let inverse = T::ONE / *d;
         let outer = [0, 1].map(|i| {
             let body = &bodies[self.ends[i].body];
@@ -224,7 +239,7 @@ impl<T: Real> AssurGroup<T> for Rrr<T> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         let Triangle { arms, r, d, .. } = self.read(bodies);
-        GroupError::if_singular((d * self.inverse_product).abs())?;
+        self.determined(&r, d)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // Moments about A and about B know the inner reaction only: r1 x F = -m1, r2 x F = m2.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));

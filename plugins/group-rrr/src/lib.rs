@@ -10,6 +10,7 @@
 //! the first order, and B'' - A'' + w1² r1 - w2² r2 for the second.
 
 mod kernel;
+mod working;
 
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,98 @@
+//! Forces: loads, the groups from the last to the first, the input link, and the check by powers.
+
+use assur_force::Loads;
+use assur_mechanism::{Balance, InputPair};
+use assur_worksheet::{Expr, Load, plugin_for};
+
+use crate::{Work, WorkingError};
+
+impl Work<'_> {
+    /// All forces; the balancing load, where it is determined.
+    pub(crate) fn forces(&mut self, loads: &Loads) -> Result<Option<f64>, WorkingError> {
+        self.loads(loads);
+        let elsewhere = self.balance();
+        if self.sheet.is_unfit() {
+            self.sheet.note("The balancing load does no work in this position: it is not determined.");
+            return Ok(None);
+        }
+        for group in (0..self.linkage.structure.groups.len()).rev() {
+            if !self.group_reactions(group)? {
+                self.sheet.note("The reactions of this group are not determined: a singular position.");
+                return Ok(None);
+            }
+        }
+        let drive = self.input_reactions();
+        if elsewhere.is_none() {
+            self.virtual_power();
+        }
+        Ok(Some(elsewhere.unwrap_or(drive).value()))
+    }
+
+    fn group_reactions(&mut self, group: usize) -> Result<bool, WorkingError> {
+        let found = &self.linkage.structure.groups[group];
+        self.sheet.section(&format!("Reactions of group {}, {}", group + 1, found.plugin.kind));
+        self.sheet.begin_group(group + 1);
+        let before = self.sheet.clone();
+        if let Some(plugin) = plugin_for(found.plugin.name)?.filter(|_| !self.general.contains(&group)) {
+            let written = (plugin.reactions)(&mut self.sheet, &found.frame, self.bodies);
+            if written.is_ok() && !self.sheet.is_unfit() {
+                return Ok(true);
+            }
+        }
+        self.sheet = before;
+        Ok(self.general_reactions(group))
+    }
+
+    /// A balancing load elsewhere, from powers: the loads and it do no work together.
+    fn balance(&mut self) -> Option<Expr> {
+        let mechanism = &self.linkage.mechanism;
+        let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));
+        let balance = mechanism.balance?;
+        if matches!(balance, Balance::Moment(link) if pinned && link == mechanism.input.link) {
+            return None;
+        }
+        self.sheet.section("Balancing load, from powers");
+        let power = self.total_power();
+        self.sheet.note(
+            "p is the power of a balancing load of 1 for dq = 1; its size makes the sum of powers zero",
+        );
+        match balance {
+            Balance::Moment(link) => {
+                let p = self.sheet.work("p", &self.sheet.angle(link)[1].clone(), self.sheet.units.angle[1]);
+                let moment = self.sheet.work("M_bal", &-(power / p), "N·m");
+                self.sheet.load(link, Load { force: None, moment: moment.clone(), applied: true });
+                Some(moment)
+            }
+            Balance::Force { at, angle } => {
+                let point = self.sheet.point(at.link, at.at);
+                let angle = self.sheet.given("a_bal", angle, "rad", "direction of the balancing force");
+                let (c, s) = (angle.cos(), angle.sin());
+                let p = &c * &point.pf[1][0] + &s * &point.pf[1][1];
+                let p = self.sheet.work("p", &p, self.sheet.units.length[1]);
+                let size = self.sheet.work("F_bal", &-(power / p), "N");
+                let force = self.sheet.components("F", "bal", &[&size * &c, &size * &s], "N");
+                self.sheet
+                    .load(at.link, Load { force: Some((force, point)), moment: Expr::zero(), applied: true });
+                Some(size)
+            }
+        }
+    }
+
+    fn total_power(&mut self) -> Expr {
+        let each: Vec<_> = (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
+        let sum = each.into_iter().fold(Expr::zero(), |sum, power| sum + power);
+        let unit = if self.linkage.angular() { "N·m" } else { "N" };
+        self.sheet.work("W", &sum, unit)
+    }
+
+    fn virtual_power(&mut self) {
+        self.sheet.section("Check by virtual power");
+        self.sheet
+            .note("W: power of all loads and inertia loads for dq = 1, link by link; no reaction does work");
+        let power = self.total_power();
+        let (name, unit) =
+            if self.linkage.angular() { ("M_bal_power", "N·m") } else { ("F_bal_power", "N") };
+        self.sheet.work(name, &-power, unit);
+        self.sheet.note(format!("It must be {} above.", name.trim_end_matches("_power")));
+    }
+}

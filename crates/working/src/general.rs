@@ -1,0 +1,225 @@
+//! The working of any group from its pairs alone: J u' = b, J u'' = b, and equilibrium of each link.
+//!
+//! The solution is given; each equation shows its two sides with the solution put in.
+
+use assur_group::plane::direction;
+use assur_group::{Pair, PairGeometry, Wrench};
+use assur_worksheet::dyad::{across, along};
+use assur_worksheet::{Expr, Load, Point, Pose};
+
+use crate::Work;
+
+impl Work<'_> {
+    /// Places and derivatives of the links as given, then both sides of the equations of each pair.
+    pub(crate) fn general_motion(&mut self, group: usize) {
+        let frame = self.linkage.structure.groups[group].frame.clone();
+        let places = 3 * frame.links.len();
+        self.sheet.note(format!(
+            "This group is worked by its linear system of {places} equations: J u' = b and J u'' = b, two equations a pair. \
+             Its solution stands first; below, both sides of every equation agree with it."
+        ));
+        for &link in &frame.links {
+            self.given_pose(link);
+        }
+        for pair in frame.pairs() {
+            let named = format!("pair {}: the two bodies agree", self.sheet.pair_tag(pair.id));
+            self.sheet.note(named);
+            match pair.geometry {
+                PairGeometry::Pin { at_a, at_b } => self.pin_sides(pair, [at_a, at_b]),
+                PairGeometry::Slide { .. } => self.slide_sides(pair),
+            }
+        }
+    }
+
+    fn given_pose(&mut self, link: usize) {
+        let body = self.bodies[link];
+        let named = crate::names::of(self.linkage).places;
+        let at = named.iter().find(|(of, ..)| *of == link).map_or([0.0; 2], |(_, at, _)| *at);
+        let (name, tag) = (self.sheet.place_name(link, at), self.sheet.tag(link));
+        let (units, angle) = (self.sheet.units.length, self.sheet.units.angle);
+        let arm = body.arm(at);
+        let values = [body.point(at), body.first(arm), body.second(arm)];
+        let primes = ["", "'", "''"];
+        let pf = [0, 1, 2].map(|order| {
+            let mark = primes[order];
+            let x = self.sheet.given(
+                &format!("x{mark}_{name}_{tag}"),
+                values[order][0],
+                units[order],
+                "solution",
+            );
+            [
+                x,
+                self.sheet.given(
+                    &format!("y{mark}_{name}_{tag}"),
+                    values[order][1],
+                    units[order],
+                    "solution",
+                ),
+            ]
+        });
+        let rates = [body.s.atan2(body.c), body.w1, body.w2];
+        let phi = [0, 1, 2].map(|order| {
+            self.sheet.given(&format!("phi{}_{tag}", primes[order]), rates[order], angle[order], "solution")
+        });
+        let base = Point { name, pf };
+        self.sheet.set_pose(link, Pose { base, at, phi });
+    }
+
+    /// PF0, PF1, PF2 of a place as a body carries it, written.
+    fn side(&mut self, body: usize, at: [f64; 2], place: [f64; 2]) -> [[Expr; 2]; 3] {
+        let name = format!("{}_{}", self.sheet.place_name(body, at), self.sheet.tag(body));
+        if self.sheet.pose(body).is_none() {
+            return self.sheet.point(body, at).pf;
+        }
+        let place = [0, 1].map(|i| {
+            let axis = ["x", "y"][i];
+            let symbol = format!("{axis}0_{name}");
+            self.sheet.given(&symbol, place[i], "m", "place in the solution")
+        });
+        let pf = self.sheet.carried_by(body, at, &place);
+        let mut order = 0;
+        pf.map(|xy| {
+            let written = self.sheet.vector(&name, order, &xy);
+            order += 1;
+            written
+        })
+    }
+
+    fn pin_sides(&mut self, pair: &Pair, at: [[f64; 2]; 2]) {
+        let place = self.bodies[pair.a].point(at[0]);
+        for (body, at) in [(pair.a, at[0]), (pair.b, at[1])] {
+            self.side(body, at, place);
+        }
+    }
+
+    /// The point of `a` stays on the line of `b`: equal components across it; equal turns.
+    fn slide_sides(&mut self, pair: &Pair) {
+        let PairGeometry::Slide { point, through, angle, tilt } = pair.geometry else { return };
+        let place = self.bodies[pair.a].point(point);
+        let on_a = self.side(pair.a, point, place);
+        let on_b = self.side(pair.b, through, self.bodies[pair.b].point(through));
+        let t = self.sheet.guide(pair.id, pair.b, angle).t;
+        let tag = self.sheet.pair_tag(pair.id);
+        let units = (self.sheet.units.length, self.sheet.units.angle);
+        let carrier = self.sheet.angle(pair.b);
+        for (of, pf) in [("a", &on_a), ("b", &on_b)] {
+            self.sheet.work(&format!("n{of}_{tag}"), &across(&t, &pf[0]), units.0[0]);
+        }
+        // n (A' - B') = w s and n (A'' - B'') = e s + 2 w t (A' - B') - w² n (A - B), the last of which is zero.
+        let d = |order: usize| [0, 1].map(|i| &on_a[order][i] - &on_b[order][i]);
+        let (d0, d1, d2) = (d(0), d(1), d(2));
+        let sides = [
+            (1, across(&t, &d1), &carrier[1] * along(&t, &d0)),
+            (2, across(&t, &d2), {
+                let two = Expr::number(2.0);
+                let vr = along(&t, &d1);
+                &carrier[2] * along(&t, &d0) + two * &carrier[1] * vr
+            }),
+        ];
+        for (order, left, right) in sides {
+            self.sheet.work(&format!("left{order}_{tag}"), &left, units.0[order]);
+            self.sheet.work(&format!("right{order}_{tag}"), &right, units.0[order]);
+        }
+        let tilt = self.sheet.fixed_angle(&format!("tilt_{tag}"), tilt, "of the sliding link from the guide");
+        let gamma = self.sheet.fixed_angle(&format!("gamma_{tag}"), angle, "of the guide in its link");
+        self.sheet.work(&format!("turn0_{tag}"), &(&carrier[0] + gamma + tilt), units.1[0]);
+        for (order, rate) in carrier.iter().enumerate().skip(1) {
+            self.sheet.work(&format!("turn{order}_{tag}"), rate, units.1[order]);
+        }
+    }
+
+    /// Reactions as given, then equilibrium of each link: the reactions' sum against that of the loads.
+    pub(crate) fn general_reactions(&mut self, group: usize) -> bool {
+        let frame = self.linkage.structure.groups[group].frame.clone();
+        let mut loads = self.numeric_loads();
+        let mut found = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
+        if self.linkage.groups()[group].reactions(self.bodies, &mut loads, &mut found).is_err() {
+            return false;
+        }
+        self.sheet.note(
+            "The reactions solve the equations of equilibrium of the links (J transposed). They stand first; below, for each \
+             link, their sum is the opposite of that of the loads.",
+        );
+        let mut acting: Vec<(usize, Load)> = Vec::new();
+        for pair in frame.pairs() {
+            self.given_reaction(pair, &found[pair.id], &frame.links, &mut acting);
+        }
+        for &link in &frame.links {
+            self.equilibrium(link, &acting);
+        }
+        true
+    }
+
+    fn given_reaction(
+        &mut self,
+        pair: &Pair,
+        found: &Wrench<f64>,
+        links: &[usize],
+        acting: &mut Vec<(usize, Load)>,
+    ) {
+        let at = match pair.geometry {
+            PairGeometry::Pin { at_a, .. } => at_a,
+            PairGeometry::Slide { point, .. } => point,
+        };
+        let at = self.sheet.point(pair.a, at);
+        let of = format!("{}_{}", self.sheet.pair_tag(pair.id), self.sheet.tag(pair.a));
+        let x = self.sheet.given(&format!("Rx_{of}"), found.fx, "N", "solution");
+        let y = self.sheet.given(&format!("Ry_{of}"), found.fy, "N", "solution");
+        let moment = if pair.is_slide() {
+            self.sheet.given(&format!("MR_{of}"), found.m, "N·m", "solution")
+        } else {
+            Expr::zero()
+        };
+        let force = [x, y];
+        self.sheet.record(pair.id, pair.a, &force, &moment, &at);
+        let on_b =
+            Load { force: Some(([-&force[0], -&force[1]], at.clone())), moment: -&moment, applied: false };
+        let on_a = Load { force: Some((force, at)), moment, applied: false };
+        for (body, load) in [(pair.a, on_a), (pair.b, on_b)] {
+            if links.contains(&body) {
+                acting.push((body, load));
+            } else if body != 0 {
+                self.sheet.load(body, load);
+            }
+        }
+    }
+
+    fn equilibrium(&mut self, link: usize, acting: &[(usize, Load)]) {
+        let Some(base) = self.sheet.pose(link).map(|pose| pose.base.clone()) else { return };
+        self.sheet.resultant(link);
+        self.sheet.moment_about(link, &base);
+        let tag = self.sheet.tag(link);
+        let mut sum = [Expr::zero(), Expr::zero(), Expr::zero()];
+        for load in acting.iter().filter(|(body, _)| *body == link).map(|(_, load)| load) {
+            let Some((force, at)) = &load.force else { continue };
+            let moment = at.moment_about(&base, force) + &load.moment;
+            sum = [&sum[0] + &force[0], &sum[1] + &force[1], &sum[2] + moment];
+        }
+        let [x, y, m] = sum;
+        self.sheet.work(&format!("RX_{tag}"), &x, "N");
+        self.sheet.work(&format!("RY_{tag}"), &y, "N");
+        self.sheet.work(&format!("RM_{tag}_{}", base.name), &m, "N·m");
+    }
+
+    /// The loads on the sheet as wrenches about the origins of the bodies.
+    fn numeric_loads(&self) -> Vec<Wrench<f64>> {
+        let mut wrenches = vec![Wrench::ZERO; self.linkage.structure.links];
+        for (body, wrench) in wrenches.iter_mut().enumerate() {
+            for load in self.sheet.loads_on(body) {
+                wrench.m += load.moment.value();
+                if let Some((force, at)) = &load.force {
+                    let origin = [self.bodies[body].x, self.bodies[body].y];
+                    let arm = [0, 1].map(|i| at.pf[0][i].value() - origin[i]);
+                    wrench.add_at(arm, force.each_ref().map(Expr::value), 0.0);
+                }
+            }
+        }
+        wrenches
+    }
+}
+
+/// Unit vector of a fixed angle as a working writes it.
+pub(crate) fn unit(angle: f64) -> [f64; 2] {
+    direction(angle)
+}

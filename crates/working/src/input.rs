@@ -1,0 +1,74 @@
+//! The input link: its place is given by the coordinate.
+
+use assur_mechanism::{GROUND, InputPair, Range};
+use assur_worksheet::{Expr, Pose};
+
+use crate::Work;
+
+impl Work<'_> {
+    /// Coordinate and input link.
+    pub(crate) fn input(&mut self, index: usize) {
+        let input = &self.linkage.mechanism.input;
+        let link = input.link;
+        let name = self.sheet.body_name(link).to_owned();
+        self.sheet.section(&format!("Input link {name}"));
+        let q = self.coordinate(index);
+        match input.pair {
+            InputPair::Pin(point) => {
+                self.sheet.work("q_deg", &(&q * Expr::number(180.0) / Expr::pi()), "deg");
+                self.sheet.note(format!("q is the angle of {name}: phi' is 1, phi'' is 0"));
+                let place = |body| self.linkage.mechanism.place_in(point, body).unwrap_or_default();
+                let (ground, at) = (place(GROUND), place(link));
+                let base = self.sheet.point(GROUND, ground);
+                self.sheet.set_pose(link, Pose { base, at, phi: [q, Expr::number(1.0), Expr::zero()] });
+            }
+            InputPair::Slide(slide) => self.sliding(slide, &q),
+        }
+        self.points_of(&[link]);
+    }
+
+    fn coordinate(&mut self, index: usize) -> Expr {
+        let input = &self.linkage.mechanism.input;
+        let unit = if self.linkage.angular() { "rad" } else { "m" };
+        let from = self.sheet.given("q_0", input.from, unit, "coordinate of position 0");
+        let number = |sheet: &mut assur_worksheet::Sheet, name: &str, value: usize, what: &str| {
+            sheet.given(name, value as f64, "", what)
+        };
+        let (way, steps) = match input.range {
+            Range::Cycle(cycle) => (input.sign() * cycle, input.positions),
+            Range::To(to) => (to - input.from, input.positions - 1),
+        };
+        if steps == 0 || index == 0 {
+            return self.sheet.work("q", &from, unit);
+        }
+        let way = self.sheet.given("q_way", way, unit, "way of all steps, with its sign");
+        let at = number(&mut self.sheet, "i", index, "number of the position");
+        let steps = number(&mut self.sheet, "n", steps, "number of steps");
+        self.sheet.work("q", &(from + way * at / steps), unit)
+    }
+
+    /// The displacement is that of the slide's point along the guide; either of the two bodies may carry the guide.
+    fn sliding(&mut self, slide: usize, q: &Expr) {
+        let found = self.linkage.mechanism.slides[slide].clone();
+        let link = self.linkage.mechanism.input.link;
+        let on_ground = found.on == GROUND;
+        let (angle, fixed, own) = if on_ground {
+            (found.angle, found.through, found.point)
+        } else {
+            (-found.tilt, found.point, found.through)
+        };
+        let guide = self.sheet.guide(0, GROUND, angle);
+        let fixed = self.sheet.point(GROUND, fixed);
+        let name = self.sheet.place_name(link, own);
+        self.sheet.note("q is the displacement along the guide: PF1 is its direction, PF2 is 0");
+        let unit = guide.t.each_ref().map(|t| if on_ground { t.clone() } else { -t });
+        let place = [0, 1].map(|i| &fixed.pf[0][i] + q * &unit[i]);
+        let pf0 = self.sheet.vector(&name, 0, &place);
+        let pf1 = self.sheet.vector(&name, 1, &unit);
+        let base = self.sheet.set_point(link, own, [pf0, pf1, [Expr::zero(), Expr::zero()]]);
+        let (name, turn) = if on_ground { ("tilt_input", found.tilt) } else { ("gamma_input", -found.angle) };
+        let turn = self.sheet.fixed_angle(name, turn, "of the link from the guide");
+        let phi = self.sheet.link_angle(link, &(&guide.alpha + turn));
+        self.sheet.set_pose(link, Pose { base, at: own, phi: [phi, Expr::zero(), Expr::zero()] });
+    }
+}

@@ -1,0 +1,206 @@
+//! The loads of each link in this position.
+
+use assur_force::{Cause, Loads};
+use assur_group::Wrench;
+use assur_mechanism::{Direction, LinkId, Place};
+use assur_worksheet::{Expr, Load, Point};
+
+use crate::Work;
+use crate::general::unit;
+
+impl Work<'_> {
+    /// Writes every load and puts it on its link.
+    pub(crate) fn loads(&mut self, loads: &Loads) {
+        let mut each: Vec<(Cause, usize, Wrench<f64>)> = Vec::new();
+        loads.by_cause(&self.state, self.bodies, &mut |cause, link, wrench| {
+            // Force and moment of one inertia come apart, and so do the two ends of a spring.
+            if each.last().is_none_or(|(last, ..)| *last != cause) {
+                each.push((cause, link, Wrench::ZERO));
+            }
+            if let Some((_, first, sum)) = each.last_mut().filter(|(_, first, _)| *first == link) {
+                debug_assert_eq!(*first, link);
+                sum.add_at([0.0; 2], wrench.force(), wrench.m);
+            }
+        });
+        self.sheet.section("Loads on the links");
+        if (self.state.speed, self.state.acceleration) != (0.0, 0.0) {
+            let (w, e) = self.rate_units();
+            self.sheet.given("w", self.state.speed, w, "speed of the input, dq/dt");
+            self.sheet.given("e", self.state.acceleration, e, "its acceleration, dw/dt");
+        }
+        for (cause, link, wrench) in each {
+            self.sheet.note(format!("{}:", cause.name(&self.linkage.mechanism)));
+            match cause {
+                Cause::Weight(link) => self.weight(link),
+                Cause::Inertia(link) => self.inertia(link),
+                Cause::Force(id) => self.point_force(id, &wrench),
+                Cause::Moment(id) => self.moment(id, link, wrench.m),
+                Cause::Spring(id) => self.spring(id),
+                Cause::Contact(id) => self.contact(id, &wrench),
+            }
+        }
+    }
+
+    fn rate_units(&self) -> (&'static str, &'static str) {
+        if self.linkage.angular() { ("rad/s", "rad/s²") } else { ("m/s", "m/s²") }
+    }
+
+    fn apply(&mut self, link: LinkId, force: [Expr; 2], at: Point) {
+        self.sheet.load(link, Load { force: Some((force, at)), moment: Expr::zero(), applied: true });
+    }
+
+    fn mass(&mut self, link: LinkId) -> Expr {
+        let found = &self.linkage.mechanism.links[link];
+        let name = format!("m_{}", self.sheet.tag(link));
+        if found.mass == 0.0 { Expr::zero() } else { self.sheet.given(&name, found.mass, "kg", "mass") }
+    }
+
+    fn weight(&mut self, link: LinkId) {
+        let m = self.mass(link);
+        let gravity = self.linkage.mechanism.gravity.unwrap_or_default();
+        let g = [0, 1].map(|i| {
+            let name = ["gx", "gy"][i];
+            if gravity[i] == 0.0 {
+                Expr::zero()
+            } else {
+                self.sheet.given(name, gravity[i], "m/s²", "gravity")
+            }
+        });
+        let at = self.sheet.point(link, self.linkage.mechanism.links[link].center);
+        let tag = self.sheet.tag(link);
+        let force = self.sheet.components("G", &tag, &[&m * &g[0], &m * &g[1]], "N");
+        self.apply(link, force, at);
+    }
+
+    fn inertia(&mut self, link: LinkId) {
+        let found = &self.linkage.mechanism.links[link];
+        let (center, inertia) = (found.center, found.inertia);
+        let m = self.mass(link);
+        let at = self.sheet.point(link, center);
+        let tag = self.sheet.tag(link);
+        let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
+        let e = if self.state.acceleration == 0.0 {
+            Expr::zero()
+        } else {
+            self.sheet.find("e").unwrap_or_else(Expr::zero)
+        };
+        let by_time = |first: &Expr, second: &Expr| second * w.squared() + first * &e;
+        if !m.is_zero() {
+            let a = [0, 1].map(|i| by_time(&at.pf[1][i], &at.pf[2][i]));
+            let a = self.sheet.components("a", &format!("t_{}", at.name), &a, "m/s²");
+            let force = self.sheet.components("Fi", &tag, &[-(&m * &a[0]), -(&m * &a[1])], "N");
+            self.apply(link, force, at);
+        }
+        let [_, first, second] = self.sheet.angle(link);
+        if inertia != 0.0 {
+            let i = self.sheet.given(&format!("I_{tag}"), inertia, "kg·m²", "about the center of mass");
+            let moment = -(i * by_time(&first, &second));
+            let moment = self.sheet.work_unless_zero(&format!("Mi_{tag}"), &moment, "N·m");
+            self.sheet.load(link, Load { force: None, moment, applied: true });
+        }
+    }
+
+    fn point_force(&mut self, id: usize, wrench: &Wrench<f64>) {
+        let force = self.linkage.mechanism.forces[id].clone();
+        let link = force.at.link;
+        let at = self.sheet.point(link, force.at.at);
+        let name = tag_of(&force.name);
+        let toward = match force.direction {
+            Direction::Ground(angle) => {
+                let angle = self.sheet.given(&format!("a_{name}"), angle, "rad", "direction");
+                [angle.cos(), angle.sin()]
+            }
+            Direction::Link(angle) => {
+                let own = self.sheet.fixed_angle(&format!("a_{name}"), angle, "direction in the link");
+                let angle = &self.sheet.angle(link)[0] + own;
+                [angle.cos(), angle.sin()]
+            }
+            Direction::AgainstMotion => {
+                let [x, y] = at.pf[1].clone();
+                let length = (x.squared() + y.squared()).sqrt();
+                let back = [-(x / &length), -(y / &length)];
+                if self.state.speed < 0.0 { back.map(|part| -part) } else { back }
+            }
+        };
+        let numbers = toward.each_ref().map(Expr::value);
+        let size = wrench.fx * numbers[0] + wrench.fy * numbers[1];
+        if !size.is_finite() || (wrench.fx == 0.0 && wrench.fy == 0.0) {
+            self.sheet.note("none in this position");
+            return;
+        }
+        let size = self.sheet.given(&format!("F_{name}"), size, "N", "size in this position");
+        let force = self.sheet.components("F", &name, &[&size * &toward[0], &size * &toward[1]], "N");
+        self.apply(link, force, at);
+    }
+
+    fn moment(&mut self, id: usize, link: LinkId, value: f64) {
+        let name = tag_of(&self.linkage.mechanism.moments[id].name);
+        let what = format!("on {}, in this position", self.sheet.body_name(link));
+        let moment = self.sheet.given(&format!("M_{name}"), value, "N·m", &what);
+        self.sheet.load(link, Load { force: None, moment, applied: true });
+    }
+
+    fn spring(&mut self, id: usize) {
+        let spring = self.linkage.mechanism.springs[id].clone();
+        let name = tag_of(&spring.name);
+        let [p, q] = spring.ends.map(|Place { link, at }| self.sheet.point(link, at));
+        let d = q.from(&p, 0);
+        let length = self.sheet.work(&format!("L_{name}"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
+        if length.value() == 0.0 {
+            self.sheet.note("without length it has no direction: no force");
+            return;
+        }
+        let stiffness = self.sheet.given(&format!("c_{name}"), spring.stiffness, "N/m", "stiffness");
+        let free = self.sheet.given(&format!("L0_{name}"), spring.length, "m", "free length");
+        let mut tension = stiffness * (&length - free);
+        if spring.damping != 0.0 {
+            let damping = self.sheet.given(&format!("k_{name}"), spring.damping, "N·s/m", "damping");
+            let v = q.from(&p, 1);
+            let rate = (&d[0] * &v[0] + &d[1] * &v[1]) / &length;
+            let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
+            tension = tension + damping * rate * w;
+        }
+        let tension = self.sheet.work(&format!("T_{name}"), &tension, "N");
+        let pull = [&tension * &d[0] / &length, &tension * &d[1] / &length];
+        let pull = self.sheet.components("F", &name, &pull, "N");
+        let back = pull.each_ref().map(|part| -part);
+        for (end, force, at) in [(spring.ends[0], pull, p), (spring.ends[1], back, q)] {
+            if end.link != 0 {
+                self.apply(end.link, force, at);
+            }
+        }
+    }
+
+    /// K = N + R (-sin a, -cos a); F along (sin a, cos a), friction along (cos a, -sin a).
+    fn contact(&mut self, id: usize, wrench: &Wrench<f64>) {
+        let contact = self.linkage.mechanism.contacts[id].clone();
+        let (link, name) = (contact.center.link, tag_of(&contact.name));
+        let center = self.sheet.point(link, contact.center.at);
+        let a = self.sheet.fixed_angle(&format!("a_{name}"), contact.angle, "where the force acts");
+        let radius = self.sheet.given(&format!("R_{name}"), contact.radius, "m", "radius");
+        let f = if contact.friction == 0.0 {
+            Expr::zero()
+        } else {
+            self.sheet.given(&format!("f_{name}"), contact.friction, "", "friction")
+        };
+        let [c, s] = unit(contact.angle);
+        let along = [s + contact.friction * c, c - contact.friction * s];
+        let size =
+            (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+        let size = self.sheet.given(&format!("F_{name}"), size, "N", "size in this position");
+        let [xn, yn] = &center.pf[0];
+        let place = [xn - &radius * a.sin(), yn - &radius * a.cos()];
+        let k = format!("K_{name}");
+        let place = self.sheet.vector(&k, 0, &place);
+        let [first, second] = [1, 2].map(|order| self.sheet.under(link, &center, &place, order));
+        let first = self.sheet.vector(&k, 1, &first);
+        let force = [&size * (a.sin() + &f * a.cos()), &size * (a.cos() - &f * a.sin())];
+        let force = self.sheet.components("F", &name, &force, "N");
+        self.apply(link, force, Point { name: k, pf: [place, first, second] });
+    }
+}
+
+/// A name of the scene as it stands in symbols.
+fn tag_of(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
+}

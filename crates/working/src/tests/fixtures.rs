@@ -1,0 +1,51 @@
+use super::evaluate::recomputes;
+use super::{compiled, forces_agree, worked};
+
+pub(crate) fn scene(name: &str) -> assur_mechanism::Mechanism {
+    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    assur_scene::read(name, &std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// Every scene of the folder.
+fn names() -> Vec<String> {
+    let folder = format!("{}/../../fixtures", env!("CARGO_MANIFEST_DIR"));
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    let mut names: Vec<_> =
+        scenes.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn every_line_of_every_scene_recomputes() {
+    let (mut lines, mut general) = (0, Vec::new());
+    for name in names() {
+        let (linkage, loads) = compiled(scene(&name));
+        let count = linkage.mechanism.input.positions;
+        for index in [0, 1, 3, count / 4, count / 2, count - 1].into_iter().filter(|index| *index < count) {
+            let mut position = linkage.position();
+            if linkage.solve_index(index, assur_group::Order::Second, &mut position).is_err() {
+                continue;
+            }
+            let working = worked(&linkage, loads.as_ref(), index);
+            lines += recomputes(&format!("{name}, position {index}"), &working.text());
+            general.extend(working.general.iter().map(|group| (name.clone(), index, *group)));
+        }
+    }
+    assert!(lines > 3000, "{lines} lines");
+    // Five kinds have equations of their own; only change points need the linear system.
+    assert!(general.len() < 200, "{general:?}");
+}
+
+#[test]
+fn forces_of_the_scenes_are_those_of_newton_and_euler() {
+    for name in ["slider-crank", "shaper", "guide-shaper", "conveyor", "press", "stephenson3", "r-rtr-rrt"] {
+        let (linkage, loads) = compiled(scene(name));
+        let Some(loads) = loads else { continue };
+        for index in 0..linkage.mechanism.input.positions.min(12) {
+            let working = worked(&linkage, Some(&loads), index);
+            forces_agree(name, &linkage, &loads, index, &working);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+use assur_specimen::{Kind, Recipe};
+
+use super::evaluate::recomputes;
+use super::{compiled, forces_agree, worked};
+
+/// Random mechanisms of one kind: its equations hold, recompute, and give the reactions of the independent analyzer.
+fn kind(only: Option<Kind>) {
+    for seed in 0..12 {
+        let groups = if only.is_some() { 2 } else { 4 };
+        let Some(specimen) = (Recipe { groups, only, loads: seed % 4 != 0 }).specimen(seed) else { continue };
+        let (linkage, loads) = compiled(specimen.mechanism);
+        for index in [0, 2] {
+            let what = format!("{only:?}, seed {seed}, position {index}");
+            let working = worked(&linkage, loads.as_ref(), index);
+            assert_eq!(working.general, Vec::<usize>::new(), "{what}");
+            assert!(recomputes(&what, &working.text()) > 20, "{what}");
+            if let Some(loads) = &loads {
+                forces_agree(&what, &linkage, loads, index, &working);
+            }
+        }
+    }
+}
+
+#[test]
+fn rrr() {
+    kind(Some(Kind::Rrr));
+}
+
+#[test]
+fn rrp() {
+    kind(Some(Kind::Rrp));
+}
+
+#[test]
+fn rpr() {
+    kind(Some(Kind::Rpr));
+}
+
+#[test]
+fn prp() {
+    kind(Some(Kind::Prp));
+}
+
+#[test]
+fn rpp() {
+    kind(Some(Kind::Rpp));
+}
+
+#[test]
+fn any_kinds() {
+    kind(None);
+}

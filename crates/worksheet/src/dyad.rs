@@ -1,0 +1,101 @@
+//! What the workings of all dyads share.
+
+use assur_group::{BuildError, Pair, SlideEnd, SlideJoint};
+
+use crate::{Expr, Point, Pose, Rod, Sheet};
+
+/// A slide of a dyad, seen from its link: where the guide is, and how far from it a point of the link moves.
+#[derive(Debug, Clone)]
+pub struct SlideView {
+    /// Index of the pair.
+    pub pair: usize,
+    /// The link of the group.
+    pub link: usize,
+    /// Places and angles.
+    pub end: SlideEnd,
+    joint: SlideJoint<f64>,
+}
+
+impl SlideView {
+    /// The pair as a slide seen from its body `a`.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] for a pin.
+    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
+        let joint = SlideJoint::new(seen, turned)?;
+        let end = seen.slide_end().ok_or_else(|| BuildError::new(format!("pair {} is no slide", seen.id)))?;
+        Ok(Self { pair: seen.id, link: seen.a, end, joint })
+    }
+
+    /// Distance to the left of the line at which a point of the link moves, m.
+    pub fn offset(&self, point: [f64; 2]) -> f64 {
+        self.joint.offset(point)
+    }
+}
+
+impl Sheet {
+    /// Tells the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.
+    pub fn rod_angle(&mut self, body: usize, rod: &Rod, along: &[Expr; 2]) -> Expr {
+        let [x, y] = along;
+        self.link_angle(body, &(y.atan2(x) - &rod.beta))
+    }
+
+    /// The second derivative that the turn alone gives to the end of a vector: -phi'^2 r. Written under the name `n`.
+    pub fn normal_part(&mut self, of: &str, rate: &Expr, along: &[Expr; 2]) -> [Expr; 2] {
+        let square = rate.squared();
+        let unit = self.units.length[2];
+        let parts = [0, 1].map(|i| -(&square * &along[i]));
+        self.components("n", of, &parts, unit)
+    }
+
+    /// A length of a group that the scene fixes; nothing where it is 0.
+    pub fn fixed_length(&mut self, name: &str, value: f64, what: &str) -> Expr {
+        let name = self.local(name);
+        if value == 0.0 { Expr::zero() } else { self.given(&name, value, "m", what) }
+    }
+
+    /// Tells the pose of a link by a point of it and its angle with derivatives.
+    pub fn place(&mut self, body: usize, base: &Point, at: [f64; 2], phi: [Expr; 3]) {
+        self.set_pose(body, Pose { base: base.clone(), at, phi });
+    }
+
+    /// Writes the angle of a link that can't turn against a body, and its equal derivatives; tells the pose.
+    pub fn place_turned(&mut self, body: usize, base: &Point, at: [f64; 2], from: &Expr, carrier: usize) {
+        let phi = self.link_angle(body, from);
+        let [_, first, second] = self.angle(carrier);
+        let first = self.link_rate(body, 1, &first);
+        let second = self.link_rate(body, 2, &second);
+        self.place(body, base, at, [phi, first, second]);
+    }
+}
+
+/// Component along a direction.
+pub fn along(t: &[Expr; 2], v: &[Expr; 2]) -> Expr {
+    &t[0] * &v[0] + &t[1] * &v[1]
+}
+
+/// Component along its normal, the direction turned by +90 degrees.
+pub fn across(t: &[Expr; 2], v: &[Expr; 2]) -> Expr {
+    &t[0] * &v[1] - &t[1] * &v[0]
+}
+
+/// The vector with these components along a direction and its normal.
+pub fn compose(t: &[Expr; 2], along: &Expr, across: &Expr) -> [Expr; 2] {
+    [along * &t[0] - across * &t[1], along * &t[1] + across * &t[0]]
+}
+
+/// a + b.
+pub fn plus(a: &[Expr; 2], b: &[Expr; 2]) -> [Expr; 2] {
+    [&a[0] + &b[0], &a[1] + &b[1]]
+}
+
+/// a - b.
+pub fn minus(a: &[Expr; 2], b: &[Expr; 2]) -> [Expr; 2] {
+    [&a[0] - &b[0], &a[1] - &b[1]]
+}
+
+/// -a.
+pub fn opposite(a: &[Expr; 2]) -> [Expr; 2] {
+    [-&a[0], -&a[1]]
+}

@@ -1,0 +1,289 @@
+//! Right sides of equations.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::rc::Rc;
+
+use crate::figure::rounded;
+
+/// An expression of named quantities; cheap to clone.
+///
+/// Parts that vanish by structure (the velocity of a fixed point) are [`Expr::zero`] and drop out where it is built, as they
+/// do in a working by hand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expr(pub(crate) Rc<Node>);
+
+/// A node of the tree.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Node {
+    /// A number that belongs to the formula: 2, 180.
+    Number(f64),
+    Pi,
+    /// A named quantity.
+    Symbol {
+        name: String,
+        value: f64,
+    },
+    Sum(Expr, Expr),
+    Difference(Expr, Expr),
+    Product(Expr, Expr),
+    Quotient(Expr, Expr),
+    Negative(Expr),
+    Square(Expr),
+    /// sqrt, sin, cos, atan2.
+    Call(&'static str, Vec<Expr>),
+}
+
+/// A value, and the size of what was added up to it: rounding is relative to that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Measured {
+    pub(crate) value: f64,
+    pub(crate) size: f64,
+}
+
+impl Expr {
+    fn new(node: Node) -> Self {
+        Self(Rc::new(node))
+    }
+
+    /// A number that belongs to the formula itself.
+    pub fn number(value: f64) -> Self {
+        Self::new(Node::Number(value))
+    }
+
+    /// What vanishes by structure.
+    pub fn zero() -> Self {
+        Self::number(0.0)
+    }
+
+    /// The ratio of circumference to diameter.
+    pub fn pi() -> Self {
+        Self::new(Node::Pi)
+    }
+
+    /// A named quantity.
+    pub(crate) fn symbol(name: &str, value: f64) -> Self {
+        Self::new(Node::Symbol { name: name.to_owned(), value })
+    }
+
+    /// Whether it vanishes by structure.
+    pub fn is_zero(&self) -> bool {
+        matches!(&*self.0, Node::Number(value) if *value == 0.0)
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(&*self.0, Node::Number(value) if (*value - 1.0).abs() == 0.0)
+    }
+
+    /// Its square.
+    #[must_use]
+    pub fn squared(&self) -> Self {
+        if self.is_zero() || self.is_one() {
+            return self.clone();
+        }
+        Self::new(Node::Square(self.clone()))
+    }
+
+    /// Its square root.
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        self.called("sqrt")
+    }
+
+    /// Its sine (rad).
+    #[must_use]
+    pub fn sin(&self) -> Self {
+        if self.is_zero() { Self::zero() } else { self.called("sin") }
+    }
+
+    /// Its cosine (rad).
+    #[must_use]
+    pub fn cos(&self) -> Self {
+        if self.is_zero() { Self::number(1.0) } else { self.called("cos") }
+    }
+
+    /// Angle of the vector (x, y) = (`x`, self), rad.
+    #[must_use]
+    pub fn atan2(&self, x: &Self) -> Self {
+        Self::new(Node::Call("atan2", vec![self.clone(), x.clone()]))
+    }
+
+    fn called(&self, function: &'static str) -> Self {
+        Self::new(Node::Call(function, vec![self.clone()]))
+    }
+
+    /// Its value, all digits.
+    pub fn value(&self) -> f64 {
+        self.evaluate(None).value
+    }
+
+    /// Its value and size; with `digits`: from the symbols as they are printed.
+    pub(crate) fn evaluate(&self, digits: Option<usize>) -> Measured {
+        let of = |part: &Self| part.evaluate(digits);
+        match &*self.0 {
+            Node::Number(value) => Measured { value: *value, size: value.abs() },
+            Node::Pi => Measured { value: std::f64::consts::PI, size: std::f64::consts::PI },
+            Node::Symbol { value, .. } => {
+                let value = digits.map_or(*value, |digits| rounded(*value, digits));
+                Measured { value, size: value.abs() }
+            }
+            Node::Sum(a, b) => of(a).plus(of(b)),
+            Node::Difference(a, b) => of(a).plus(of(b).times(-1.0)),
+            Node::Negative(a) => of(a).times(-1.0),
+            Node::Product(a, b) => {
+                let (a, b) = (of(a), of(b));
+                let size = (a.size * b.value.abs()).max(a.value.abs() * b.size);
+                Measured { value: a.value * b.value, size }
+            }
+            Node::Quotient(a, b) => {
+                let (a, b) = (of(a), of(b));
+                let value = a.value / b.value;
+                let size = (a.size / b.value).abs().max((value * b.size / b.value).abs());
+                Measured { value, size }
+            }
+            Node::Square(a) => {
+                let a = of(a);
+                Measured { value: a.value * a.value, size: a.size * a.value.abs() }
+            }
+            Node::Call(function, arguments) => called(function, arguments, digits),
+        }
+    }
+}
+
+impl Measured {
+    fn plus(self, other: Self) -> Self {
+        Self { value: self.value + other.value, size: self.size.max(other.size) }
+    }
+
+    fn times(self, k: f64) -> Self {
+        Self { value: k * self.value, size: self.size * k.abs() }
+    }
+}
+
+fn called(function: &str, arguments: &[Expr], digits: Option<usize>) -> Measured {
+    let at = |i: usize| {
+        let found = arguments.get(i).map(|argument| argument.evaluate(digits));
+        found.unwrap_or(Measured { value: f64::NAN, size: f64::NAN })
+    };
+    let first = at(0);
+    match function {
+        "sqrt" => Measured { value: first.value.sqrt(), size: first.size.sqrt() },
+        "sin" => Measured { value: first.value.sin(), size: first.size.max(1.0) },
+        "cos" => Measured { value: first.value.cos(), size: first.size.max(1.0) },
+        _ => {
+            let x = at(1);
+            let length = first.value.hypot(x.value);
+            let size = first.size.max(x.size) / length;
+            Measured { value: first.value.atan2(x.value), size }
+        }
+    }
+}
+
+fn add(a: &Expr, b: &Expr) -> Expr {
+    if a.is_zero() {
+        return b.clone();
+    }
+    if b.is_zero() {
+        return a.clone();
+    }
+    match &*b.0 {
+        Node::Negative(b) => Expr::new(Node::Difference(a.clone(), b.clone())),
+        _ => Expr::new(Node::Sum(a.clone(), b.clone())),
+    }
+}
+
+fn subtract(a: &Expr, b: &Expr) -> Expr {
+    if b.is_zero() {
+        return a.clone();
+    }
+    if a.is_zero() {
+        return negative(b);
+    }
+    match &*b.0 {
+        Node::Negative(b) => Expr::new(Node::Sum(a.clone(), b.clone())),
+        _ => Expr::new(Node::Difference(a.clone(), b.clone())),
+    }
+}
+
+fn multiply(a: &Expr, b: &Expr) -> Expr {
+    if a.is_zero() || b.is_zero() {
+        return Expr::zero();
+    }
+    if a.is_one() {
+        return b.clone();
+    }
+    if b.is_one() {
+        return a.clone();
+    }
+    match (&*a.0, &*b.0) {
+        (Node::Negative(a), Node::Negative(b)) => multiply(a, b),
+        (Node::Negative(a), _) => negative(&multiply(a, b)),
+        (_, Node::Negative(b)) => negative(&multiply(a, b)),
+        _ => Expr::new(Node::Product(a.clone(), b.clone())),
+    }
+}
+
+fn divide(a: &Expr, b: &Expr) -> Expr {
+    if a.is_zero() || b.is_one() {
+        return a.clone();
+    }
+    match &*a.0 {
+        Node::Negative(a) => negative(&divide(a, b)),
+        _ => Expr::new(Node::Quotient(a.clone(), b.clone())),
+    }
+}
+
+fn negative(a: &Expr) -> Expr {
+    match &*a.0 {
+        Node::Number(value) if *value == 0.0 => a.clone(),
+        Node::Negative(a) => a.clone(),
+        Node::Difference(b, c) => Expr::new(Node::Difference(c.clone(), b.clone())),
+        _ => Expr::new(Node::Negative(a.clone())),
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $call:ident) => {
+        impl $trait<&Expr> for &Expr {
+            type Output = Expr;
+            fn $method(self, other: &Expr) -> Expr {
+                $call(self, other)
+            }
+        }
+        impl $trait<Expr> for &Expr {
+            type Output = Expr;
+            fn $method(self, other: Expr) -> Expr {
+                $call(self, &other)
+            }
+        }
+        impl $trait<&Expr> for Expr {
+            type Output = Expr;
+            fn $method(self, other: &Expr) -> Expr {
+                $call(&self, other)
+            }
+        }
+        impl $trait<Expr> for Expr {
+            type Output = Expr;
+            fn $method(self, other: Expr) -> Expr {
+                $call(&self, &other)
+            }
+        }
+    };
+}
+operator!(Add, add, add);
+operator!(Sub, sub, subtract);
+operator!(Mul, mul, multiply);
+operator!(Div, div, divide);
+
+impl Neg for &Expr {
+    type Output = Expr;
+    fn neg(self) -> Expr {
+        negative(self)
+    }
+}
+
+impl Neg for Expr {
+    type Output = Expr;
+    fn neg(self) -> Expr {
+        negative(&self)
+    }
+}

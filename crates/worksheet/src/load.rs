@@ -1,0 +1,148 @@
+//! Loads and reactions of a working.
+
+use crate::{Expr, Point, Sheet};
+
+/// A force at a point, or a moment, on a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// The force, N, and where it acts.
+    pub force: Option<([Expr; 2], Point)>,
+    /// A moment, N m, counter-clockwise.
+    pub moment: Expr,
+    /// Whether the scene applies it (or inertia does); otherwise it is a reaction handed on.
+    pub applied: bool,
+}
+
+/// The reaction that a pair exerts on a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// Index of the pair in the chain.
+    pub pair: usize,
+    /// The link on which it acts.
+    pub on: usize,
+    /// The force, N.
+    pub force: [Expr; 2],
+    /// The moment about `at`, N m.
+    pub moment: Expr,
+    /// Where the force acts.
+    pub at: Point,
+}
+
+impl Sheet {
+    /// Puts a load on a link.
+    pub fn load(&mut self, body: usize, load: Load) {
+        self.loads[body].push(load);
+    }
+
+    /// The reactions found so far.
+    pub fn reactions(&self) -> &[Reaction] {
+        &self.reactions
+    }
+
+    /// The loads on a link so far.
+    pub fn loads_on(&self, body: usize) -> &[Load] {
+        &self.loads[body]
+    }
+
+    /// Writes the sum of the forces on a link: loads of its own, and what later groups hand on.
+    pub fn resultant(&mut self, body: usize) -> [Expr; 2] {
+        let mut sum = [Expr::zero(), Expr::zero()];
+        for (force, _) in self.loads[body].iter().filter_map(|load| load.force.as_ref()) {
+            sum = [&sum[0] + &force[0], &sum[1] + &force[1]];
+        }
+        let tag = self.tag(body);
+        let [x, y] = sum;
+        [
+            self.work_unless_zero(&format!("X_{tag}"), &x, "N"),
+            self.work_unless_zero(&format!("Y_{tag}"), &y, "N"),
+        ]
+    }
+
+    /// Writes the moment of the loads on a link about a point.
+    pub fn moment_about(&mut self, body: usize, point: &Point) -> Expr {
+        let mut sum = Expr::zero();
+        for load in &self.loads[body] {
+            if let Some((force, at)) = &load.force {
+                sum = sum + arm_moment(at, point, force);
+            }
+            sum = sum + &load.moment;
+        }
+        let name = format!("M_{}_{}", self.tag(body), point.name);
+        self.work_unless_zero(&name, &sum, "N·m")
+    }
+
+    /// Writes the force that a pin exerts on a link of the group.
+    pub fn pin_reaction(&mut self, pair: usize, on: usize, at: &Point, force: &[Expr; 2]) -> [Expr; 2] {
+        let of = format!("{}_{}", self.pair_tag(pair), self.tag(on));
+        let force = self.force("R", &of, force);
+        self.record(pair, on, &force, &Expr::zero(), at);
+        force
+    }
+
+    /// Writes force and moment that a slide exerts on a link of the group: the force acts at `at`, along the normal of the
+    /// guide; the moment is about `at`.
+    pub fn slide_reaction(
+        &mut self,
+        pair: usize,
+        on: usize,
+        at: &Point,
+        force: &[Expr; 2],
+        moment: &Expr,
+    ) -> ([Expr; 2], Expr) {
+        let of = format!("{}_{}", self.pair_tag(pair), self.tag(on));
+        let force = self.force("R", &of, force);
+        let moment = self.work(&format!("MR_{of}"), moment, "N·m");
+        self.record(pair, on, &force, &moment, at);
+        (force, moment)
+    }
+
+    /// Keeps a reaction that is written already.
+    pub fn record(&mut self, pair: usize, on: usize, force: &[Expr; 2], moment: &Expr, at: &Point) {
+        let (force, moment, at) = (force.clone(), moment.clone(), at.clone());
+        self.reactions.push(Reaction { pair, on, force, moment, at });
+    }
+
+    fn force(&mut self, letter: &str, of: &str, force: &[Expr; 2]) -> [Expr; 2] {
+        let x = self.work(&format!("{letter}x_{of}"), &force[0], "N");
+        [x, self.work(&format!("{letter}y_{of}"), &force[1], "N")]
+    }
+
+    /// Puts the opposite of a reaction on the body outside the group.
+    pub fn hand_on(&mut self, body: usize, at: &Point, force: &[Expr; 2], moment: &Expr) {
+        if body != 0 {
+            let force = Some(([-&force[0], -&force[1]], at.clone()));
+            self.load(body, Load { force, moment: -moment, applied: false });
+        }
+    }
+
+    /// Writes the power of the applied loads on a link for dq = 1.
+    pub fn power_of(&mut self, body: usize) -> Expr {
+        let mut sum = Expr::zero();
+        let rate = &self.angle(body)[1];
+        for load in self.loads[body].iter().filter(|load| load.applied) {
+            if let Some(([fx, fy], at)) = &load.force {
+                sum = sum + fx * &at.pf[1][0] + fy * &at.pf[1][1];
+            }
+            sum = sum + &load.moment * rate;
+        }
+        let unit = if self.units.angle[1] == "rad/rad" { "N·m" } else { "N" };
+        let name = format!("W_{}", self.tag(body));
+        self.work_unless_zero(&name, &sum, unit)
+    }
+}
+
+/// Moment of a force at one point about another.
+pub(crate) fn arm_moment(at: &Point, about: &Point, force: &[Expr; 2]) -> Expr {
+    if at.name == about.name {
+        return Expr::zero();
+    }
+    let [x, y] = at.from(about, 0);
+    x * &force[1] - y * &force[0]
+}
+
+impl Point {
+    /// Moment about another point of a force that acts here.
+    pub fn moment_about(&self, about: &Self, force: &[Expr; 2]) -> Expr {
+        arm_moment(self, about, force)
+    }
+}

@@ -1,0 +1,283 @@
+//! Points, poses and directions of a working.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::sheet::symbol_of;
+use crate::{Expr, Sheet};
+
+/// A point and its transfer functions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Its name in symbols.
+    pub name: String,
+    /// PF0, PF1, PF2: x and y of each.
+    pub pf: [[Expr; 2]; 3],
+}
+
+impl Point {
+    /// Vector to this point from another, in the given order (0: m).
+    pub fn from(&self, other: &Self, order: usize) -> [Expr; 2] {
+        [0, 1].map(|i| &self.pf[order][i] - &other.pf[order][i])
+    }
+}
+
+/// A placed link: a point of it, and its angle with derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pose {
+    /// A known point of the link.
+    pub base: Point,
+    /// The same in the frame of the link, m.
+    pub at: [f64; 2],
+    /// Angle of the link's x axis (rad) and its derivatives.
+    pub phi: [Expr; 3],
+}
+
+/// The distance of two points of a link, and its direction in the frame of the link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rod {
+    /// Length, m.
+    pub length: Expr,
+    /// Angle from the link's x axis, rad.
+    pub beta: Expr,
+}
+
+/// Direction of a guide.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guide {
+    /// Its angle, rad.
+    pub alpha: Expr,
+    /// Its unit vector.
+    pub t: [Expr; 2],
+}
+
+const AXES: [&str; 2] = ["x", "y"];
+const PRIMES: [&str; 3] = ["", "'", "''"];
+
+/// Whether two places are written alike in the scene: no tolerance, they are copies.
+fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
+    a[0] - b[0] == 0.0 && a[1] - b[1] == 0.0
+}
+
+impl Sheet {
+    /// Angle of a body and its derivatives.
+    pub fn angle(&self, body: usize) -> [Expr; 3] {
+        let pose = self.poses.get(body).and_then(Option::as_ref);
+        pose.map_or_else(|| [Expr::zero(), Expr::zero(), Expr::zero()], |pose| pose.phi.clone())
+    }
+
+    /// Pose of a body, once it is told.
+    pub fn pose(&self, body: usize) -> Option<&Pose> {
+        self.poses[body].as_ref()
+    }
+
+    /// Tells the pose of a link, so that its points can be asked for.
+    pub fn set_pose(&mut self, body: usize, pose: Pose) {
+        self.poses[body] = Some(pose);
+    }
+
+    /// Name of a place of a body in symbols; one is made where the scene has none.
+    pub fn place_name(&mut self, body: usize, at: [f64; 2]) -> String {
+        let same = |place: &&(usize, [f64; 2], String)| place.0 == body && is_same(place.1, at);
+        if let Some((_, _, name)) = self.names.places.iter().find(same) {
+            return symbol_of(name);
+        }
+        let name = format!("P{}", self.names.places.len());
+        self.names.places.push((body, at, name.clone()));
+        name
+    }
+
+    /// Tells PF0, PF1 and PF2 of a point that a group has found.
+    pub fn set_point(&mut self, body: usize, at: [f64; 2], pf: [[Expr; 2]; 3]) -> Point {
+        let name = self.place_name(body, at);
+        let point = Point { name, pf };
+        self.points.push(point.clone());
+        point
+    }
+
+    /// Writes both components of a vector: `x''_B` for the name B and order 2.
+    pub fn vector(&mut self, name: &str, order: usize, xy: &[Expr; 2]) -> [Expr; 2] {
+        let unit = self.units.length[order];
+        [0, 1].map(|i| {
+            let symbol = format!("{}{}_{name}", AXES[i], PRIMES[order]);
+            if order > 0 {
+                self.work_unless_zero(&symbol, &xy[i], unit)
+            } else {
+                self.work(&symbol, &xy[i], unit)
+            }
+        })
+    }
+
+    /// Writes both components of a quantity of this name: `Rx_B`, `Ry_B` for `R` and `B`.
+    pub fn components(&mut self, name: &str, of: &str, xy: &[Expr; 2], unit: &str) -> [Expr; 2] {
+        [0, 1].map(|i| self.work_unless_zero(&format!("{name}{}_{of}", AXES[i]), &xy[i], unit))
+    }
+
+    /// A point of a solved body; its equations are written where it was not asked for before.
+    pub fn point(&mut self, body: usize, at: [f64; 2]) -> Point {
+        let name = self.place_name(body, at);
+        if let Some(found) = self.points.iter().find(|point| point.name == name) {
+            return found.clone();
+        }
+        let pf = match self.poses[body].clone() {
+            None => self.fixed(&name, at),
+            Some(pose) => self.carried(body, &name, at, &pose),
+        };
+        let point = Point { name, pf };
+        self.points.push(point.clone());
+        point
+    }
+
+    fn fixed(&mut self, name: &str, at: [f64; 2]) -> [[Expr; 2]; 3] {
+        let place = [0, 1].map(|i| self.given(&format!("{}_{name}", AXES[i]), at[i], "m", "fixed"));
+        [place, [Expr::zero(), Expr::zero()], [Expr::zero(), Expr::zero()]]
+    }
+
+    /// P = base + arm turned by phi; P' and P'' by the arm as it lies.
+    fn carried(&mut self, body: usize, name: &str, at: [f64; 2], pose: &Pose) -> [[Expr; 2]; 3] {
+        let base = &pose.base;
+        if is_same(at, pose.at) {
+            return base.pf.clone();
+        }
+        let [u, v] = self.arm(body, (&base.name, pose.at), (name, at));
+        let [phi, first, second] = &pose.phi;
+        let (c, s) = (phi.cos(), phi.sin());
+        let [xb, yb] = &base.pf[0];
+        let pf0 = self.vector(name, 0, &[xb + (&u * &c - &v * &s), yb + (&u * &s + &v * &c)]);
+        let arm = [&pf0[0] - xb, &pf0[1] - yb];
+        let pf1 = &base.pf[1];
+        let pf1 = self.vector(name, 1, &[&pf1[0] - &arm[1] * first, &pf1[1] + &arm[0] * first]);
+        let pf2 = &base.pf[2];
+        let square = first.squared();
+        let pf2 =
+            [&pf2[0] - &arm[1] * second - &arm[0] * &square, &pf2[1] + &arm[0] * second - &arm[1] * &square];
+        let pf2 = self.vector(name, 2, &pf2);
+        [pf0, pf1, pf2]
+    }
+
+    /// PF0, PF1 and PF2 of a place as a body carries it, as expressions; `place` is where it lies.
+    pub fn carried_by(&mut self, body: usize, at: [f64; 2], place: &[Expr; 2]) -> [[Expr; 2]; 3] {
+        let Some(pose) = self.poses[body].clone() else {
+            return self.point(body, at).pf;
+        };
+        let name = self.place_name(body, at);
+        let [u, v] = self.arm(body, (&pose.base.name, pose.at), (&name, at));
+        let (c, s) = (pose.phi[0].cos(), pose.phi[0].sin());
+        let [xb, yb] = &pose.base.pf[0];
+        let pf0 = [xb + (&u * &c - &v * &s), yb + (&u * &s + &v * &c)];
+        let [first, second] = [1, 2].map(|order| self.under(body, &pose.base, place, order));
+        [pf0, first, second]
+    }
+
+    /// The vector between two places of a link in its frame; what is 0 in the scene vanishes.
+    fn arm(&mut self, body: usize, from: (&str, [f64; 2]), to: (&str, [f64; 2])) -> [Expr; 2] {
+        let link = self.body_name(body).to_owned();
+        [0, 1].map(|i| {
+            let length = to.1[i] - from.1[i];
+            if length == 0.0 {
+                return Expr::zero();
+            }
+            let (letter, axis) = (["u", "v"][i], AXES[i]);
+            let what = format!("from {} to {}, along the {axis} axis of {link}", from.0, to.0);
+            self.given(&format!("{letter}_{}_{}", from.0, to.0), length, "m", &what)
+        })
+    }
+
+    /// Length and direction between two places of a link.
+    pub fn rod(&mut self, body: usize, from: [f64; 2], to: [f64; 2]) -> Rod {
+        let names = [self.place_name(body, from), self.place_name(body, to)];
+        let [p, q] = &names;
+        let [u, v] = [to[0] - from[0], to[1] - from[1]];
+        if v == 0.0 && u > 0.0 {
+            let length = self.given(&format!("l_{p}_{q}"), u, "m", &format!("length {p}-{q}"));
+            return Rod { length, beta: Expr::zero() };
+        }
+        let [u, v] = self.arm(body, (p, from), (q, to));
+        let length = (u.squared() + v.squared()).sqrt();
+        let length = self.work(&format!("l_{p}_{q}"), &length, "m");
+        let beta = self.work(&format!("beta_{p}_{q}"), &v.atan2(&u), "rad");
+        Rod { length, beta }
+    }
+
+    /// Writes the angle of a link's x axis, brought into (-pi, pi] by a whole turn, and the same in degrees.
+    pub fn link_angle(&mut self, body: usize, expr: &Expr) -> Expr {
+        let tag = self.tag(body);
+        let value = expr.value();
+        let turns = ((value - PI) / TAU).ceil();
+        let expr = if turns == 0.0 || !turns.is_finite() {
+            expr.clone()
+        } else {
+            expr - Expr::number(2.0 * turns) * Expr::pi()
+        };
+        let phi = self.work(&format!("phi_{tag}"), &expr, "rad");
+        self.work(&format!("phi_deg_{tag}"), &(&phi * Expr::number(180.0) / Expr::pi()), "deg");
+        phi
+    }
+
+    /// Writes a derivative of the angle of a link.
+    pub fn link_rate(&mut self, body: usize, order: usize, expr: &Expr) -> Expr {
+        let name = format!("phi{}_{}", PRIMES[order], self.tag(body));
+        self.work_unless_zero(&name, expr, self.units.angle[order])
+    }
+
+    /// A constant angle of the scene; nothing where it is 0.
+    pub fn fixed_angle(&mut self, name: &str, value: f64, what: &str) -> Expr {
+        if value == 0.0 { Expr::zero() } else { self.given(name, value, "rad", what) }
+    }
+
+    /// Direction of the guide of a pair, carried by a body at this angle of its frame.
+    pub fn guide(&mut self, pair: usize, carrier: usize, angle: f64) -> Guide {
+        let tag = self.pair_tag(pair);
+        let known = ["alpha", "tx", "ty"].map(|name| self.find(&format!("{name}_{tag}")));
+        if let [Some(alpha), Some(tx), Some(ty)] = known {
+            return Guide { alpha, t: [tx, ty] };
+        }
+        let what = format!("angle of the guide on {}", self.body_name(carrier));
+        let alpha = if self.poses[carrier].is_none() {
+            self.given(&format!("alpha_{tag}"), angle, "rad", &what)
+        } else {
+            let gamma = self.fixed_angle(&format!("gamma_{tag}"), angle, &what);
+            let phi = &self.angle(carrier)[0];
+            self.work(&format!("alpha_{tag}"), &(phi + gamma), "rad")
+        };
+        let t = [alpha.cos(), alpha.sin()];
+        let [tx, ty] = [0, 1].map(|i| self.work(&format!("t{}_{tag}", AXES[i]), &t[i], ""));
+        Guide { alpha, t: [tx, ty] }
+    }
+
+    /// Velocity (order 1) or acceleration (order 2) of the point of a body that lies under a point just now; `through` is a
+    /// known point of the body.
+    pub fn under(&mut self, body: usize, through: &Point, point: &[Expr; 2], order: usize) -> [Expr; 2] {
+        let [_, first, second] = self.angle(body);
+        let arm = [&point[0] - &through.pf[0][0], &point[1] - &through.pf[0][1]];
+        let [x, y] = &through.pf[order];
+        if order == 1 {
+            return [x - &arm[1] * &first, y + &arm[0] * &first];
+        }
+        let square = first.squared();
+        [x - &arm[1] * &second - &arm[0] * &square, y + &arm[0] * &second - &arm[1] * &square]
+    }
+
+    /// Writes what is known of a point, for the head of a group.
+    pub fn outline(&mut self, what: &str, point: &Point) {
+        let show = |expr: &Expr| crate::figure::shortest(expr.value(), 6);
+        let pair = |order: usize| format!("({}, {})", show(&point.pf[order][0]), show(&point.pf[order][1]));
+        let [zero, one, two] = self.units.length;
+        let name = &point.name;
+        let known =
+            format!("{what} {name}: PF0 {} {zero}, PF1 {} {one}, PF2 {} {two}", pair(0), pair(1), pair(2));
+        self.note(known);
+    }
+
+    /// Writes what is known of the angle of a body, for the head of a group.
+    pub fn outline_angle(&mut self, what: &str, body: usize) {
+        let name = self.body_name(body);
+        let known = if self.poses[body].is_none() {
+            format!("{what}: {name}, at rest")
+        } else {
+            let [a, b, c] = self.angle(body).map(|expr| crate::figure::shortest(expr.value(), 6));
+            let [zero, one, two] = self.units.angle;
+            format!("{what}: {name}, angle {a} {zero}, PF1 {b} {one}, PF2 {c} {two}")
+        };
+        self.note(known);
+    }
+}

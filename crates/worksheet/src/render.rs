@@ -1,0 +1,93 @@
+//! A working as plain text.
+
+use crate::{Entry, Line, Section};
+
+/// Greatest width of a printed row, characters.
+pub const WIDTH: usize = 100;
+
+/// Indentation of the rows of an equation after the first, and of what wraps in them.
+const NEXT: &str = "      ";
+const WRAPPED: &str = "          ";
+
+/// The sections as plain text, ASCII but for names and units.
+pub fn text(sections: &[Section]) -> String {
+    let mut out = String::new();
+    for section in sections {
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        wrap(&section.title, "", "  ", &mut out);
+        out.push_str(&"-".repeat(section.title.chars().count().min(WIDTH)));
+        out.push('\n');
+        for entry in &section.entries {
+            write(entry, &mut out);
+        }
+    }
+    out
+}
+
+fn write(entry: &Entry, out: &mut String) {
+    match entry {
+        Entry::Note(words) => wrap(words, "  ", "    ", out),
+        Entry::Given { name, result, unit, what, .. } => {
+            let what = if what.is_empty() { String::new() } else { format!("  ({what})") };
+            wrap(&format!("{name} = {}{what}", join(result, unit)), "  ", WRAPPED, out);
+        }
+        Entry::Line(line) => equation(line, out),
+    }
+}
+
+fn join(result: &str, unit: &str) -> String {
+    if unit.is_empty() { result.to_owned() } else { format!("{result} {unit}") }
+}
+
+/// On one row where it fits, else a row for each part.
+fn equation(line: &Line, out: &mut String) {
+    let mut parts = vec![line.text.as_str()];
+    if line.substituted != line.text {
+        parts.push(&line.substituted);
+    }
+    let result = join(&line.result, &line.unit);
+    if line.substituted != line.result {
+        parts.push(&result);
+    } else if let Some(last) = parts.last_mut() {
+        *last = &result;
+    }
+    let whole = format!("{} = {}", line.name, parts.join(" = "));
+    if whole.chars().count() + 2 <= WIDTH {
+        return wrap(&whole, "  ", WRAPPED, out);
+    }
+    wrap(&format!("{} = {}", line.name, parts[0]), "  ", WRAPPED, out);
+    for part in &parts[1..] {
+        wrap(&format!("= {part}"), NEXT, WRAPPED, out);
+    }
+}
+
+/// Breaks at spaces, before a sign rather than after it; where there is none in reach, after a `*` or a comma.
+fn wrap(words: &str, indent: &str, next: &str, out: &mut String) {
+    let mut rest: Vec<char> = words.chars().collect();
+    let mut indent = indent;
+    while !rest.is_empty() {
+        let room = WIDTH - indent.len();
+        let cut = if rest.len() <= room { rest.len() } else { cut(&rest, room) };
+        let tail = rest.split_off(cut);
+        out.push_str(indent);
+        out.push_str(rest.iter().collect::<String>().trim_end());
+        out.push('\n');
+        rest = tail;
+        while rest.first() == Some(&' ') {
+            rest.remove(0);
+        }
+        indent = next;
+    }
+}
+
+fn cut(rest: &[char], room: usize) -> usize {
+    /// A row shorter than this looks torn.
+    const LEAST: usize = 20;
+    let sign = |c: char| matches!(c, '+' | '-' | '=' | '*' | '/');
+    let space = |i: &usize| rest[*i] == ' ' && !(sign(rest[*i - 1]) && rest.get(*i - 2) == Some(&' '));
+    let product = |i: &usize| rest[*i - 1] == '*';
+    let places = || (LEAST..=room).rev();
+    places().find(space).or_else(|| places().find(product)).unwrap_or(room)
+}

@@ -1,0 +1,148 @@
+//! The working of type 4 by hand.
+
+use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
+use assur_worksheet::{Expr, Guide, Point, Sheet, SlideView, WorkingPlugin};
+
+use crate::SLIDES;
+
+inventory::submit! {
+    WorkingPlugin { group: "prp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
+}
+
+/// The pairs of a group.
+struct Pairs {
+    links: [usize; 2],
+    slides: [SlideView; 2],
+    inner: PinJoint<f64>,
+}
+
+impl Pairs {
+    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        Ok(Self {
+            links: dyad.links,
+            slides: [
+                SlideView::new(&dyad.first, dyad.turned[0])?,
+                SlideView::new(&dyad.second, dyad.turned[2])?,
+            ],
+            inner: PinJoint::new(&dyad.inner, dyad.turned[1])?,
+        })
+    }
+
+    fn own(&self) -> [[f64; 2]; 2] {
+        [self.inner.own, self.inner.at]
+    }
+
+    fn guides(&self, sheet: &mut Sheet) -> [Guide; 2] {
+        self.slides.each_ref().map(|slide| sheet.guide(slide.pair, slide.end.body, slide.end.angle))
+    }
+}
+
+/// The vector whose components across two directions are given.
+fn meet(t: &[[Expr; 2]; 2], b: &[Expr; 2], d: &Expr) -> [Expr; 2] {
+    [0, 1].map(|i| (&b[0] * &t[1][i] - &b[1] * &t[0][i]) / d)
+}
+
+fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let through = pairs.slides.each_ref().map(|slide| sheet.point(slide.end.body, slide.end.through));
+    for slide in &pairs.slides {
+        sheet.outline_angle("body with a guide", slide.end.body);
+    }
+    let guides = pairs.guides(sheet);
+    let t = guides.each_ref().map(|guide| guide.t.clone());
+    let name = sheet.place_name(pairs.links[0], pairs.inner.own);
+    let own = pairs.own();
+    let k = [0, 1].map(|i| {
+        let what = format!("{name} lies so far to the left of guide {}", i + 1);
+        sheet.fixed_length(&format!("k{}", i + 1), pairs.slides[i].offset(own[i]), &what)
+    });
+    sheet.note(format!(
+        "PF0: {name} is the crossing of two lines along the guides; D is the sine of their angle"
+    ));
+    let (d_name, b_name) = (sheet.local("D"), sheet.local("b2"));
+    let d = sheet.work(&d_name, &across(&t[0], &t[1]), "");
+    let [k1, k2] = k;
+    let b = [k1, sheet.work(&b_name, &(k2 + across(&t[1], &through[1].from(&through[0], 0))), "m")];
+    let c = sheet.vector(&name, 0, &plus(&through[0].pf[0], &meet(&t, &b, &d)));
+    derive(sheet, &pairs, &through, &t, &c, &d);
+    let pin = sheet.point(pairs.links[0], own[0]);
+    for (i, guide) in guides.iter().enumerate() {
+        let slide = &pairs.slides[i];
+        let tilt = format!("tilt_{}", sheet.pair_tag(slide.pair));
+        let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[i]));
+        let tilt = sheet.fixed_angle(&tilt, slide.end.tilt, &what);
+        sheet.place_turned(pairs.links[i], &pin, own[i], &(&guide.alpha + tilt), slide.end.body);
+    }
+    Ok(())
+}
+
+/// Across each guide the pin moves as the point of its carrier under it; Coriolis' part with a turning guide.
+fn derive(
+    sheet: &mut Sheet,
+    pairs: &Pairs,
+    through: &[Point; 2],
+    t: &[[Expr; 2]; 2],
+    c: &[Expr; 2],
+    d: &Expr,
+) {
+    let name = sheet.place_name(pairs.links[0], pairs.inner.own);
+    let units = sheet.units.length;
+    let of = [1, 2].map(|i| sheet.local(&format!("under{i}")));
+    sheet.note(format!("PF1: across each guide {name} moves as the point of the carrier under it, with V"));
+    let mut v = [(); 2].map(|()| [Expr::zero(), Expr::zero()]);
+    let mut b = [Expr::zero(), Expr::zero()];
+    for i in 0..2 {
+        let under = sheet.under(pairs.slides[i].end.body, &through[i], c, 1);
+        v[i] = sheet.components("V", &of[i], &under, units[1]);
+        let label = sheet.local(&format!("b'{}", i + 1));
+        b[i] = sheet.work_unless_zero(&label, &across(&t[i], &v[i]), units[1]);
+    }
+    let c1 = sheet.vector(&name, 1, &meet(t, &b, d));
+    sheet.note("PF2: the same with W, and Coriolis' part kor where a guide turns");
+    for i in 0..2 {
+        let body = pairs.slides[i].end.body;
+        let under = sheet.under(body, &through[i], c, 2);
+        let w = sheet.components("W", &of[i], &under, units[2]);
+        let rate = sheet.angle(body)[1].clone();
+        let relative = along(&t[i], &minus(&c1, &v[i]));
+        let label = sheet.local(&format!("kor{}", i + 1));
+        let coriolis = sheet.work_unless_zero(&label, &(Expr::number(2.0) * rate * relative), units[2]);
+        let label = sheet.local(&format!("b''{}", i + 1));
+        b[i] = sheet.work_unless_zero(&label, &(across(&t[i], &w) + coriolis), units[2]);
+    }
+    let c2 = sheet.vector(&name, 2, &meet(t, &b, d));
+    sheet.set_point(pairs.links[0], pairs.inner.own, [c.clone(), c1, c2]);
+}
+
+fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let own = pairs.own();
+    let c = sheet.point(pairs.links[0], own[0]);
+    let t = pairs.guides(sheet).map(|guide| guide.t);
+    let d = sheet.recall("D");
+    let given = pairs.links.map(|link| sheet.resultant(link));
+    sheet.note(format!("along its guide each link hands its load to {}", c.name));
+    let part = [0, 1].map(|i| {
+        let name = sheet.local(&format!("F{}", i + 1));
+        sheet.work_unless_zero(&name, &along(&t[i], &given[i]), "N")
+    });
+    let n = t.each_ref().map(|t| [-&t[1], t[0].clone()]);
+    let inner = [0, 1].map(|i| (&part[1] * &n[0][i] + &part[0] * &n[1][i]) / &d);
+    let inner = sheet.pin_reaction(pairs.inner.id, pairs.links[0], &c, &inner);
+    sheet.note(
+        "the rest is carried by the guides: normal forces N, and moments about the points on the guides",
+    );
+    for (i, at_pin) in [inner.clone(), opposite(&inner)].iter().enumerate() {
+        let (link, slide) = (pairs.links[i], &pairs.slides[i]);
+        let on_line = sheet.point(link, slide.end.own);
+        let name = sheet.local(&format!("N{}", i + 1));
+        let normal = sheet.work(&name, &-across(&t[i], &plus(&given[i], at_pin)), "N");
+        let force = compose(&t[i], &Expr::zero(), &normal);
+        let moment = -(sheet.moment_about(link, &on_line) + c.moment_about(&on_line, at_pin));
+        let (force, moment) = sheet.slide_reaction(slide.pair, link, &on_line, &force, &moment);
+        sheet.hand_on(slide.end.body, &on_line, &force, &moment);
+    }
+    Ok(())
+}

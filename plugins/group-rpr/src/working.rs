@@ -1,0 +1,143 @@
+//! The working of type 3 by hand.
+
+use assur_group::plane::{cross, dot, minus as minus_numbers, times};
+use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
+use assur_worksheet::{Expr, Point, Sheet, SlideView, WorkingPlugin};
+
+use crate::SLIDES;
+
+inventory::submit! {
+    WorkingPlugin { group: "rpr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
+}
+
+/// The pairs of a group.
+struct Pairs {
+    /// The sliding link, and the link with the guide.
+    links: [usize; 2],
+    ends: [PinJoint<f64>; 2],
+    inner: SlideView,
+    /// Offset of the outer pins across the guide, m.
+    e: f64,
+}
+
+impl Pairs {
+    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let ends = [
+            PinJoint::<f64>::new(&dyad.first, dyad.turned[0])?,
+            PinJoint::new(&dyad.second, dyad.turned[2])?,
+        ];
+        let joint = SlideJoint::<f64>::new(&dyad.inner, dyad.turned[1])?;
+        let reach = times(joint.tilt, minus_numbers(joint.own, ends[0].own));
+        let line = cross(joint.along, minus_numbers(joint.through, ends[1].own));
+        let inner = SlideView::new(&dyad.inner, dyad.turned[1])?;
+        Ok(Self { links: dyad.links, ends, inner, e: line - reach[1] })
+    }
+
+    fn outer(&self, sheet: &mut Sheet) -> [Point; 2] {
+        [0, 1].map(|i| sheet.point(self.ends[i].body, self.ends[i].at))
+    }
+}
+
+fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let outer = pairs.outer(sheet);
+    for point in &outer {
+        sheet.outline("outer pin", point);
+    }
+    let end = pairs.inner.end;
+    let t = bodies[pairs.links[1]].turned([end.angle.cos(), end.angle.sin()]);
+    let [a, b] = [0, 1].map(|i| bodies[pairs.links[i]].point(pairs.ends[i].own));
+    let ahead = dot(t, minus_numbers(a, b)) >= 0.0;
+    let (e, s, t) = place(sheet, &pairs, &outer, ahead);
+    let tag = sheet.pair_tag(pairs.inner.pair);
+    let theta = sheet.work(&format!("alpha_{tag}"), &t[1].atan2(&t[0]), "rad");
+    let [slider, guide] = pairs.links;
+    let tilt = sheet.fixed_angle(&format!("tilt_{tag}"), end.tilt, "of the sliding link from the guide");
+    let gamma = sheet.fixed_angle(&format!("gamma_{tag}"), end.angle, "of the guide in its link");
+    let phi = [sheet.link_angle(slider, &(&theta + tilt)), sheet.link_angle(guide, &(&theta - gamma))];
+    derive(sheet, &pairs, &outer, [&e, &s], &t, phi);
+    Ok(())
+}
+
+/// The right triangle of the outer pins and the guide: offset, way along the guide, direction of the guide.
+fn place(sheet: &mut Sheet, pairs: &Pairs, outer: &[Point; 2], ahead: bool) -> (Expr, Expr, [Expr; 2]) {
+    let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
+    let e =
+        sheet.fixed_length("e", pairs.e, &format!("{a} lies so far to the left of {b}, across the guide"));
+    let side = if ahead { "ahead of" } else { "behind" };
+    let sign = if ahead { "+" } else { "-" };
+    sheet.note(format!("PF0: d from {b} to {a} has the parts e across and s along the guide;"));
+    sheet.note(format!("{a} lies {side} {b} in the direction t of the guide: sign {sign}"));
+    let (d_name, s_name, t_name) = (sheet.local("d"), sheet.local("s"), sheet.pair_tag(pairs.inner.pair));
+    let d = outer[0].from(&outer[1], 0);
+    let number = sheet.group_number();
+    let d = sheet.components("d", &number, &d, "m");
+    let length = sheet.work(&d_name, &(d[0].squared() + d[1].squared()).sqrt(), "m");
+    let square = length.squared();
+    let root = (&square - e.squared()).sqrt();
+    let s = sheet.work(&s_name, &(if ahead { root } else { -root }), "m");
+    let t = [(&s * &d[0] + &e * &d[1]) / &square, (&s * &d[1] - &e * &d[0]) / &square];
+    let t = sheet.components("t", &t_name, &t, "");
+    (e, s, t)
+}
+
+fn derive(
+    sheet: &mut Sheet,
+    pairs: &Pairs,
+    outer: &[Point; 2],
+    [e, s]: [&Expr; 2],
+    t: &[Expr; 2],
+    phi: [Expr; 2],
+) {
+    let [slider, guide] = pairs.links;
+    let units = (sheet.units.length, sheet.units.angle);
+    sheet.note("PF1: both links turn alike; the part of d' across the guide is s phi', along it s' - e phi'");
+    let of = sheet.group_number();
+    let d1 = outer[0].from(&outer[1], 1);
+    let d1 = sheet.components("d'", &of, &d1, units.0[1]);
+    let first = sheet.link_rate(guide, 1, &(across(t, &d1) / s));
+    let slider_first = sheet.link_rate(slider, 1, &first);
+    sheet.note("PF2: with Coriolis' part 2 s' phi'");
+    let d2 = outer[0].from(&outer[1], 2);
+    let d2 = sheet.components("d''", &of, &d2, units.0[2]);
+    let name = sheet.local("s'");
+    let s1 = sheet.work_unless_zero(&name, &(along(t, &d1) + e * &first), units.0[1]);
+    let part = across(t, &d2) - Expr::number(2.0) * &s1 * &first + e * first.squared();
+    let second = sheet.link_rate(guide, 2, &(part / s));
+    let slider_second = sheet.link_rate(slider, 2, &second);
+    let [one, two] = phi;
+    sheet.place(slider, &outer[0], pairs.ends[0].own, [one, slider_first, slider_second]);
+    sheet.place(guide, &outer[1], pairs.ends[1].own, [two, first, second]);
+}
+
+fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let outer = pairs.outer(sheet);
+    let [slider, guide] = pairs.links;
+    let on_line = sheet.point(slider, pairs.inner.end.own);
+    let end = pairs.inner.end;
+    let t = sheet.guide(pairs.inner.pair, guide, end.angle).t;
+    let s = sheet.recall("s");
+    let forces = pairs.links.map(|link| sheet.resultant(link));
+    sheet.note("moments of both links about their outer pins know the normal force N only; its arm is s");
+    let m = [0, 1].map(|i| sheet.moment_about(pairs.links[i], &outer[i]));
+    let name = sheet.local("N");
+    let normal = sheet.work_unless_zero(&name, &((&m[0] + &m[1]) / s), "N");
+    let force = compose(&t, &Expr::zero(), &normal);
+    let moment = if on_line.name == outer[0].name {
+        -&m[0]
+    } else {
+        -(&m[0] + &normal * along(&t, &on_line.from(&outer[0], 0)))
+    };
+    let (force, _) = sheet.slide_reaction(pairs.inner.pair, slider, &on_line, &force, &moment);
+    sheet.note("forces on each link:");
+    let at_ends = [opposite(&plus(&forces[0], &force)), minus(&force, &forces[1])];
+    for (i, force) in at_ends.iter().enumerate() {
+        let end = &pairs.ends[i];
+        let force = sheet.pin_reaction(end.id, pairs.links[i], &outer[i], force);
+        sheet.hand_on(end.body, &outer[i], &force, &Expr::zero());
+    }
+    Ok(())
+}

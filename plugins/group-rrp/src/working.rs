@@ -1,0 +1,162 @@
+//! The working of type 2 by hand.
+
+use assur_group::plane::dot;
+use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
+use assur_worksheet::{Expr, Guide, Point, Sheet, SlideView, WorkingPlugin};
+
+use crate::SLIDES;
+
+inventory::submit! {
+    WorkingPlugin { group: "rrp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
+}
+
+/// The pairs of a group.
+struct Pairs {
+    /// The rod, and the sliding link.
+    links: [usize; 2],
+    end: PinJoint<f64>,
+    inner: PinJoint<f64>,
+    slide: SlideView,
+}
+
+impl Pairs {
+    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        Ok(Self {
+            links: dyad.links,
+            end: PinJoint::new(&dyad.first, dyad.turned[0])?,
+            inner: PinJoint::new(&dyad.inner, dyad.turned[1])?,
+            slide: SlideView::new(&dyad.second, dyad.turned[2])?,
+        })
+    }
+
+    fn guide(&self, sheet: &mut Sheet) -> Guide {
+        sheet.guide(self.slide.pair, self.slide.end.body, self.slide.end.angle)
+    }
+}
+
+fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let [rod, slider] = pairs.links;
+    let end = &pairs.slide.end;
+    let (a, through) = (sheet.point(pairs.end.body, pairs.end.at), sheet.point(end.body, end.through));
+    sheet.outline("outer pin", &a);
+    sheet.outline_angle("body with the guide", end.body);
+    let guide = pairs.guide(sheet);
+    let name = sheet.place_name(rod, pairs.inner.own);
+    let length = sheet.rod(rod, pairs.end.own, pairs.inner.own);
+    let what = format!("{name} lies so far to the left of the guide line");
+    let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), &what);
+    let number = bodies[rod].point(pairs.inner.own);
+    let foot = bodies[rod].point(pairs.end.own);
+    let t = bodies[end.body].turned([end.angle.cos(), end.angle.sin()]);
+    let ahead = dot(t, [number[0] - foot[0], number[1] - foot[1]]) >= 0.0;
+    let side = if ahead {
+        "ahead of the foot, in the direction of the guide: sign +"
+    } else {
+        "behind the foot: sign -"
+    };
+    sheet.note(format!("PF0: distance delta of {name} from {} across the guide, sigma along it;", a.name));
+    sheet.note(format!("{name} lies {side}"));
+    let (delta_name, sigma_name) = (sheet.local("delta"), sheet.local("sigma"));
+    let delta = sheet.work(&delta_name, &(across(&guide.t, &through.from(&a, 0)) + k), "m");
+    let l = &length.length;
+    let root = ((l - &delta) * (l + &delta)).sqrt();
+    let sigma = sheet.work(&sigma_name, &(if ahead { root } else { -root }), "m");
+    let c = sheet.vector(&name, 0, &plus(&a.pf[0], &compose(&guide.t, &sigma, &delta)));
+    let r = minus(&c, &a.pf[0]);
+    let phi = sheet.rod_angle(rod, &length, &r);
+    let slider_angle = slider_angle(sheet, &pairs, &guide);
+    let (first, second) = derive(sheet, &pairs, [&a, &through], &guide, [&c, &r], [&delta, &sigma]);
+    sheet.place(rod, &a, pairs.end.own, [phi, first, second]);
+    let pin = sheet.point(rod, pairs.inner.own);
+    sheet.place_turned(slider, &pin, pairs.inner.at, &slider_angle, end.body);
+    Ok(())
+}
+
+fn slider_angle(sheet: &mut Sheet, pairs: &Pairs, guide: &Guide) -> Expr {
+    let name = format!("tilt_{}", sheet.pair_tag(pairs.slide.pair));
+    let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[1]));
+    let tilt = sheet.fixed_angle(&name, pairs.slide.end.tilt, &what);
+    &guide.alpha + tilt
+}
+
+/// PF1 and PF2 of the rod's angle and of the inner pin, which is told to the sheet.
+fn derive(
+    sheet: &mut Sheet,
+    pairs: &Pairs,
+    [a, through]: [&Point; 2],
+    guide: &Guide,
+    [c, r]: [&[Expr; 2]; 2],
+    [delta, sigma]: [&Expr; 2],
+) -> (Expr, Expr) {
+    let (rod, body, t) = (pairs.links[0], pairs.slide.end.body, &guide.t);
+    let name = sheet.place_name(rod, pairs.inner.own);
+    let carrier = sheet.body_name(body).to_owned();
+    let units = sheet.units.length;
+    sheet.note(format!("PF1: across the guide {name} moves as the point of {carrier} under it, with V"));
+    let of = sheet.local("under");
+    let v = sheet.under(body, through, c, 1);
+    let v = sheet.components("V", &of, &v, units[1]);
+    let first = across(t, &minus(&v, &a.pf[1])) / sigma;
+    let first = sheet.link_rate(rod, 1, &first);
+    let turned = |rate: &Expr| [-(rate * &r[1]), rate * &r[0]];
+    let c1 = sheet.vector(&name, 1, &plus(&a.pf[1], &turned(&first)));
+    let rate = sheet.angle(body)[1].clone();
+    let mut coriolis = Expr::zero();
+    if rate.is_zero() {
+        sheet.note(format!("PF2: normal part n of {name} about {}", a.name));
+    } else {
+        sheet.note(format!(
+            "PF2: normal part n of {name} about {}; vr along the guide, Coriolis part kor across it",
+            a.name
+        ));
+        let (vr, kor) = (sheet.local("vr"), sheet.local("kor"));
+        let relative = sheet.work(&vr, &along(t, &minus(&c1, &v)), units[1]);
+        coriolis = sheet.work(&kor, &(Expr::number(2.0) * &rate * &relative), units[2]);
+    }
+    let w = sheet.under(body, through, c, 2);
+    let w = sheet.components("W", &of, &w, units[2]);
+    let normal = sheet.normal_part(&format!("{name}_{}", a.name), &first, r);
+    let part = across(t, &minus(&w, &a.pf[2])) + coriolis + first.squared() * delta;
+    let second = sheet.link_rate(rod, 2, &(part / sigma));
+    let c2 = sheet.vector(&name, 2, &plus(&plus(&a.pf[2], &turned(&second)), &normal));
+    sheet.set_point(rod, pairs.inner.own, [c.clone(), c1, c2]);
+    (first, second)
+}
+
+fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
+    let pairs = Pairs::of(frame)?;
+    let [rod, slider] = pairs.links;
+    let end = pairs.slide.end;
+    let a = sheet.point(pairs.end.body, pairs.end.at);
+    let c = sheet.point(rod, pairs.inner.own);
+    let on_line = sheet.point(slider, end.own);
+    let guide = pairs.guide(sheet);
+    let (one, two) = (sheet.resultant(rod), sheet.resultant(slider));
+    sheet.note(format!(
+        "along the guide {} hands its load to {}; moments about {} give the part across",
+        sheet.body_name(slider),
+        c.name,
+        a.name
+    ));
+    let (ft, fn_) = (sheet.local("Ft"), sheet.local("Fn"));
+    let along_guide = sheet.work_unless_zero(&ft, &along(&guide.t, &two), "N");
+    let m = sheet.moment_about(rod, &a);
+    let (delta, sigma) = (sheet.recall("delta"), sheet.recall("sigma"));
+    let normal = sheet.work_unless_zero(&fn_, &((&delta * &along_guide - m) / sigma), "N");
+    let inner = compose(&guide.t, &along_guide, &normal);
+    let inner = sheet.pin_reaction(pairs.inner.id, rod, &c, &inner);
+    sheet.note("forces on each link, then moments on the sliding link about its point on the guide:");
+    let at_a = sheet.pin_reaction(pairs.end.id, rod, &a, &opposite(&plus(&one, &inner)));
+    sheet.hand_on(pairs.end.body, &a, &at_a, &Expr::zero());
+    let name = sheet.local("N");
+    let pressure = sheet.work(&name, &(normal - across(&guide.t, &two)), "N");
+    let force = compose(&guide.t, &Expr::zero(), &pressure);
+    let load = sheet.moment_about(slider, &on_line);
+    let moment = -(load + c.moment_about(&on_line, &opposite(&inner)));
+    let (force, moment) = sheet.slide_reaction(pairs.slide.pair, slider, &on_line, &force, &moment);
+    sheet.hand_on(end.body, &on_line, &force, &moment);
+    Ok(())
+}

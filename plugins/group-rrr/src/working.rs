@@ -1,0 +1,153 @@
+//! The working of type 1 by hand.
+
+use assur_group::plane::cross;
+use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_worksheet::dyad::{across, along, minus, opposite, plus};
+use assur_worksheet::{Expr, Point, Rod, Sheet, WorkingPlugin};
+
+use crate::SLIDES;
+
+inventory::submit! {
+    WorkingPlugin { group: "rrr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
+}
+
+/// The pins of a group.
+struct Pins {
+    links: [usize; 2],
+    ends: [PinJoint<f64>; 2],
+    inner: PinJoint<f64>,
+}
+
+impl Pins {
+    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let dyad = Dyad::built(frame, SLIDES)?;
+        let end = |pair, turned| PinJoint::new(pair, turned);
+        Ok(Self {
+            links: dyad.links,
+            ends: [end(&dyad.first, dyad.turned[0])?, end(&dyad.second, dyad.turned[2])?],
+            inner: end(&dyad.inner, dyad.turned[1])?,
+        })
+    }
+
+    /// The inner pin in the frame of each link.
+    fn own(&self) -> [[f64; 2]; 2] {
+        [self.inner.own, self.inner.at]
+    }
+}
+
+fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
+    let pins = Pins::of(frame)?;
+    let outer = [0, 1].map(|i| sheet.point(pins.ends[i].body, pins.ends[i].at));
+    for point in &outer {
+        sheet.outline("outer pin", point);
+    }
+    let own = pins.own();
+    let rods = [0, 1].map(|i| sheet.rod(pins.links[i], pins.ends[i].own, own[i]));
+    let reach = |i: usize| {
+        let link: &Body<f64> = &bodies[pins.links[i]];
+        minus_numbers(link.point(own[i]), link.point(pins.ends[i].own))
+    };
+    let left = cross(reach(0), reach(1)) > 0.0;
+    let c = place(sheet, &pins, &outer, &rods, left);
+    let r = [0, 1].map(|i| minus(&c, &outer[i].pf[0]));
+    let phi = [0, 1].map(|i| sheet.rod_angle(pins.links[i], &rods[i], &r[i]));
+    derive(sheet, &pins, &outer, &c, &r, phi);
+    Ok(())
+}
+
+fn minus_numbers(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Two circles: the inner pin by its foot on the line of the outer pins, and its height over it.
+fn place(sheet: &mut Sheet, pins: &Pins, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
+    let name = sheet.place_name(pins.links[0], pins.inner.own);
+    let [a, b] = [&outer[0].name, &outer[1].name];
+    sheet.note(format!(
+        "PF0: circles about {a} and {b}. Of {a}-{b}, the foot of {name} cuts off the part alpha;"
+    ));
+    let (side, sign) = if left { ("left", "+") } else { ("right", "-") };
+    sheet.note(format!(
+        "the height of {name} is the part beta, {side} of the way from {a} to {b}: sign {sign}"
+    ));
+    let d = outer[1].from(&outer[0], 0);
+    let (local_d, alpha, beta) = (sheet.local("d"), sheet.local("alpha"), sheet.local("beta"));
+    let square = (d[0].squared() + d[1].squared()).sqrt();
+    let length = sheet.work(&local_d, &square, "m");
+    let [l1, l2] = [&rods[0].length, &rods[1].length];
+    let two = Expr::number(2.0);
+    let twice = &two * length.squared();
+    let part = (length.squared() + l1.squared() - l2.squared()) / &twice;
+    let alpha = sheet.work(&alpha, &part, "");
+    let far = (l1 + l2).squared() - length.squared();
+    let near = length.squared() - (l1 - l2).squared();
+    let height = (far * near).sqrt() / &twice;
+    let beta = sheet.work(&beta, &(if left { height } else { -height }), "");
+    let [xa, ya] = &outer[0].pf[0];
+    let x = xa + &alpha * &d[0] - &beta * &d[1];
+    let y = ya + &alpha * &d[1] + &beta * &d[0];
+    sheet.vector(&name, 0, &[x, y])
+}
+
+/// PF1 and PF2 from the loop A - C - B, with the determinant D = r1 x r2.
+fn derive(
+    sheet: &mut Sheet,
+    pins: &Pins,
+    outer: &[Point; 2],
+    c: &[Expr; 2],
+    r: &[[Expr; 2]; 2],
+    phi: [Expr; 2],
+) {
+    let name = sheet.place_name(pins.links[0], pins.inner.own);
+    let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
+    let [t1, t2] = pins.links.map(|link| sheet.tag(link));
+    sheet.note(format!(
+        "PF1: {a}' + phi'_{t1} x ({a}-{name}) is the same as {b}' + phi'_{t2} x ({b}-{name});"
+    ));
+    sheet.note("two equations for both phi', with the determinant D:");
+    let local = sheet.local("D");
+    let determinant = sheet.work(&local, &across(&r[0], &r[1]), "m²");
+    let v = outer[1].from(&outer[0], 1);
+    let solve = |v: &[Expr; 2], i: usize| along(v, &r[1 - i]) / &determinant;
+    let first = [0, 1].map(|i| sheet.link_rate(pins.links[i], 1, &solve(&v, i)));
+    let turned = |rate: &Expr, r: &[Expr; 2]| [-(rate * &r[1]), rate * &r[0]];
+    let c1 = sheet.vector(&name, 1, &plus(&outer[0].pf[1], &turned(&first[0], &r[0])));
+    sheet.note(format!("PF2: the same with the normal parts n of {name} about {a} and about {b} added"));
+    let normal = [0, 1].map(|i| sheet.normal_part(&format!("{name}_{}", outer[i].name), &first[i], &r[i]));
+    let w = plus(&outer[1].from(&outer[0], 2), &minus(&normal[1], &normal[0]));
+    let unit = sheet.units.length[2];
+    let of = sheet.local("PF2");
+    let w = sheet.components("V", &of, &w, unit);
+    let second = [0, 1].map(|i| sheet.link_rate(pins.links[i], 2, &solve(&w, i)));
+    let c2 = plus(&plus(&outer[0].pf[2], &turned(&second[0], &r[0])), &normal[0]);
+    let c2 = sheet.vector(&name, 2, &c2);
+    sheet.set_point(pins.links[0], pins.inner.own, [c.clone(), c1, c2]);
+    for (i, phi) in phi.into_iter().enumerate() {
+        let rates = [phi, first[i].clone(), second[i].clone()];
+        sheet.place(pins.links[i], &outer[i], pins.ends[i].own, rates);
+    }
+}
+
+fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
+    let pins = Pins::of(frame)?;
+    let outer = [0, 1].map(|i| sheet.point(pins.ends[i].body, pins.ends[i].at));
+    let c = sheet.point(pins.links[0], pins.inner.own);
+    let r = [0, 1].map(|i| c.from(&outer[i], 0));
+    let forces = pins.links.map(|link| sheet.resultant(link));
+    sheet.note(format!(
+        "moments about {} and about {} know the reaction in {} only; the determinant is D again",
+        outer[0].name, outer[1].name, c.name
+    ));
+    let m = [0, 1].map(|i| sheet.moment_about(pins.links[i], &outer[i]));
+    let d = sheet.recall("D");
+    let inner = [0, 1].map(|i| -((&m[1] * &r[0][i] + &m[0] * &r[1][i]) / &d));
+    let inner = sheet.pin_reaction(pins.inner.id, pins.links[0], &c, &inner);
+    sheet.note("forces on each link:");
+    let at_ends = [opposite(&plus(&forces[0], &inner)), minus(&inner, &forces[1])];
+    for (i, force) in at_ends.iter().enumerate() {
+        let end = &pins.ends[i];
+        let force = sheet.pin_reaction(end.id, pins.links[i], &outer[i], force);
+        sheet.hand_on(end.body, &outer[i], &force, &Expr::zero());
+    }
+    Ok(())
+}
