@@ -50,6 +50,25 @@ impl GroupError {
         }
     }
 
+    /// Refuses a determinant of which rounding leaves less than about two digits, in any lane.
+    ///
+    /// For kinds whose determinant is the square root of what the lengths say (links stretched, folded, rod across the
+    /// guide): a rounding of the lengths counts with `condition` / health², and a derivative or reaction would be a
+    /// number, but a wrong one. `square` is condition², so that no root is needed.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::Singular`].
+    #[inline]
+    pub fn if_lost<T: Real>(health: T, square: T) -> Result<(), Self> {
+        /// So many roundings must stay below the determinant's square.
+        const ROUNDINGS: f64 = 200.0;
+        let h2 = health * health;
+        let limit = T::from_f64(ROUNDINGS * T::EPSILON);
+        let margin = h2 * h2 - limit * limit * square;
+        if margin.least() >= 0.0 { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
+    }
+
     /// Refuses a result that is no number, in any lane.
     ///
     /// # Errors

@@ -1,0 +1,71 @@
+//! Deviations between a computation and its reference in 32 digits.
+
+use assur_group::{Body, Wrench};
+use assur_number::{Dd, Real};
+
+/// The three orders of transfer functions, as rows name them.
+pub(crate) const ORDERS: [&str; 3] = ["pf0", "pf1", "pf2"];
+
+/// A body in double-double, the same numbers.
+pub(crate) fn lifted(body: &Body<f64>) -> Body<Dd> {
+    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body).map(Dd::from_f64);
+    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
+}
+
+/// A load in double-double, the same numbers.
+pub(crate) fn lifted_load(of: &Wrench<f64>) -> Wrench<Dd> {
+    Wrench { fx: Dd::from_f64(of.fx), fy: Dd::from_f64(of.fy), m: Dd::from_f64(of.m) }
+}
+
+fn numbers<T: Copy>(b: &Body<T>) -> [T; 10] {
+    [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2]
+}
+
+/// The numbers of a body that belong to an order, lengths in units of `scale`, angles and directions as they are.
+fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
+    let unit = T::from_f64(1.0 / scale);
+    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body);
+    match order {
+        0 => [x * unit, y * unit, c, s],
+        1 => [x1 * unit, y1 * unit, w1, T::ZERO],
+        _ => [x2 * unit, y2 * unit, w2, T::ZERO],
+    }
+}
+
+/// Largest deviation of some links, over the largest size of the order (of places: at least the scale).
+pub(crate) fn transfer(
+    found: &[Body<f64>],
+    reference: &[Body<Dd>],
+    links: &[usize],
+    order: usize,
+    scale: f64,
+) -> f64 {
+    let (mut deviation, mut size) = (0.0, if order == 0 { 1.0 } else { f64::MIN_POSITIVE });
+    for &link in links {
+        let exact = of_order(&reference[link], order, scale);
+        let mine = of_order(&lifted(&found[link]), order, scale);
+        for (exact, mine) in exact.into_iter().zip(mine) {
+            size = f64::max(size, exact.to_f64().abs());
+            deviation = worst(deviation, (mine - exact).to_f64().abs());
+        }
+    }
+    deviation / size
+}
+
+/// Largest deviation of reactions over the largest of them, moments in units of force times `scale`.
+pub(crate) fn reactions(found: &[Wrench<f64>], reference: &[Wrench<Dd>], scale: f64) -> f64 {
+    let (mut deviation, mut size) = (0.0, f64::MIN_POSITIVE);
+    for (found, exact) in found.iter().zip(reference) {
+        let pairs = [(found.fx, exact.fx, 1.0), (found.fy, exact.fy, 1.0), (found.m, exact.m, scale)];
+        for (found, exact, unit) in pairs {
+            size = f64::max(size, exact.to_f64().abs() / unit);
+            deviation = worst(deviation, (Dd::from_f64(found) - exact).to_f64().abs() / unit);
+        }
+    }
+    deviation / size
+}
+
+/// The greater one; NaN if one is NaN, so that nothing hides.
+pub(crate) fn worst(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}

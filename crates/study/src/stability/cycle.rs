@@ -1,0 +1,139 @@
+//! The mechanism over its own cycle: least health of each group, and the angles that forces pass through.
+
+use assur_group::{Body, Order, Pair, PairGeometry, plane};
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::Range;
+use serde::Serialize;
+
+/// Coordinates that are tried over the cycle before the search is refined.
+const SAMPLES: usize = 720;
+
+/// How near a group comes to a singular position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GroupHealth {
+    /// `group 1 (RRR rod, rocker)`.
+    #[serde(rename = "where")]
+    pub place: String,
+    /// Least dimensionless determinant over the cycle.
+    pub health: f64,
+    /// Where, rad or m.
+    pub coordinate: f64,
+    /// Number of the scene's position that is nearest.
+    pub position: usize,
+    /// What the angle is.
+    pub angle_of: &'static str,
+    /// Worst value of that angle over the cycle, rad.
+    pub angle: f64,
+}
+
+/// Coordinates over what the scene asks for, both ends included.
+pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
+    let input = &linkage.mechanism.input;
+    let length = match input.range {
+        Range::Cycle(cycle) => input.sign() * cycle,
+        Range::To(to) => to - input.from,
+    };
+    (0..=SAMPLES).map(|i| input.from + length * (i as f64) / (SAMPLES as f64)).collect()
+}
+
+/// The least health of each group.
+///
+/// # Errors
+///
+/// What is told of the first position that does not assemble.
+pub(crate) fn healths(linkage: &Linkage) -> Result<Vec<GroupHealth>, String> {
+    let grid = coordinates(linkage);
+    let mut position = linkage.position();
+    let mut least: Vec<(f64, usize)> = vec![(f64::INFINITY, 0); linkage.groups().len()];
+    for (i, &q) in grid.iter().enumerate() {
+        linkage.solve(q, Order::Place, &mut position).map_err(|error| error.to_string())?;
+        for (least, health) in least.iter_mut().zip(&position.health) {
+            if health.abs() < least.0 {
+                *least = (health.abs(), i);
+            }
+        }
+    }
+    (0..least.len()).map(|group| refined(linkage, group, least[group].1, &grid, &mut position)).collect()
+}
+
+/// Golden-section search between the neighbors of the best sample.
+fn refined(
+    linkage: &Linkage,
+    group: usize,
+    at: usize,
+    grid: &[f64],
+    position: &mut Position,
+) -> Result<GroupHealth, String> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let health = |q: f64, position: &mut Position| match linkage.solve(q, Order::Place, position) {
+        Ok(()) => position.health[group].abs(),
+        Err(_) => f64::INFINITY,
+    };
+    let (mut low, mut high) = (grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]);
+    for _ in 0..80 {
+        let (a, b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if health(a, position) < health(b, position) { high = b } else { low = a }
+    }
+    let candidates = [grid[at], 0.5 * (low + high), low, high];
+    let mut best = grid[at];
+    for q in candidates {
+        if health(q, position) < health(best, position) {
+            best = q;
+        }
+    }
+    linkage.solve(best, Order::Place, position).map_err(|error| error.to_string())?;
+    let input = &linkage.mechanism.input;
+    let nearest = (0..input.positions)
+        .min_by(|&a, &b| (input.coordinate(a) - best).abs().total_cmp(&(input.coordinate(b) - best).abs()));
+    let (angle_of, angle) = angle(linkage, group, position);
+    Ok(GroupHealth {
+        place: linkage.structure.group_name(&linkage.mechanism, group),
+        health: position.health[group].abs(),
+        coordinate: best,
+        position: nearest.unwrap_or(0),
+        angle_of,
+        angle,
+    })
+}
+
+/// The angle that tells how forces pass through a group where it is least healthy; of types 1, 2, 4, 5 it is the worst
+/// there. By atan2, which keeps its digits near 0 and 90 degrees.
+fn angle(linkage: &Linkage, group: usize, position: &Position) -> (&'static str, f64) {
+    let found = &linkage.structure.groups[group];
+    let h = position.health[group].abs().min(1.0);
+    let rest = ((1.0 - h) * (1.0 + h)).sqrt();
+    match found.plugin.name {
+        "rrr" => ("transmission angle between the links", h.atan2(rest)),
+        "rrp" => ("pressure angle of the rod to the guide", rest.atan2(h)),
+        "rpr" => {
+            let pins: Vec<_> =
+                found.frame.outer.iter().filter_map(|pair| pin(pair, &position.bodies)).collect();
+            let along = found.frame.inner.first().and_then(|pair| guide(pair, &position.bodies));
+            let (Some(along), [a, b]) = (along, &pins[..]) else {
+                return ("sine of the determinant", h.asin());
+            };
+            let line = plane::minus(*b, *a);
+            let across = plane::cross(along, line).abs();
+            (
+                "pressure angle of the line of the pins to the guide",
+                across.atan2(plane::dot(along, line).abs()),
+            )
+        }
+        "prp" | "rpp" => ("angle between the guides", h.atan2(rest)),
+        _ => ("sine of the determinant", h.atan2(rest)),
+    }
+}
+
+fn pin(pair: &Pair, bodies: &[Body<f64>]) -> Option<[f64; 2]> {
+    match pair.geometry {
+        PairGeometry::Pin { at_a, .. } => Some(bodies[pair.a].point(at_a)),
+        PairGeometry::Slide { .. } => None,
+    }
+}
+
+fn guide(pair: &Pair, bodies: &[Body<f64>]) -> Option<[f64; 2]> {
+    match pair.geometry {
+        PairGeometry::Slide { angle, .. } => Some(bodies[pair.b].turned(plane::direction(angle))),
+        PairGeometry::Pin { .. } => None,
+    }
+}

@@ -1,0 +1,26 @@
+//! Where methods fail: walks towards singular positions, and how near a mechanism comes to its own.
+//!
+//! A walk puts a group, or the whole mechanism, at distances 1e-1 to 1e-15 from a singular position and compares what a
+//! method gives there with a computation in 32 digits from the same numbers. A backward-stable method gives the exact
+//! answer to data that are changed by a rounding; so its error is at most `C eps / health^k`, where the health is the
+//! dimensionless determinant. A method must keep that, or say that it has no answer.
+
+mod across;
+mod compare;
+mod cycle;
+mod isolated;
+mod margin;
+mod pole;
+mod report;
+mod row;
+mod walk_cycle;
+mod walk_group;
+
+pub use cycle::GroupHealth;
+pub use margin::Margin;
+pub use report::{Stability, stability};
+pub use row::{DISTANCES, Row};
+pub use walk_group::FACTOR;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! Walks a single group towards each of its singular positions.
+
+use assur_group::{
+    AssurGroup, Body, GroupError, GroupFrame, Order, Wrench, derive_generally, kernel_of, reactions_generally,
+};
+use assur_number::{Dd, Real};
+use assur_structure::Group;
+
+use super::compare::{ORDERS, lifted, lifted_load, reactions, transfer};
+use super::isolated::{Isolated, Side};
+use super::row::{DISTANCES, Row, Subject};
+
+/// Largest error of a group, in units of eps / health^k: C of the bound.
+pub const FACTOR: f64 = 16.0;
+
+const LINKS: [usize; 2] = [2, 3];
+
+/// One distance: the group in both numbers, and how errors grow.
+struct Place<'a> {
+    words: String,
+    distance: f64,
+    frame: &'a GroupFrame,
+    bodies: [Body<f64>; 4],
+    powers: [i32; 2],
+    disparity: f64,
+    size: f64,
+}
+
+/// What the reference says.
+struct Reference {
+    health: f64,
+    bodies: Vec<Body<Dd>>,
+    pairs: [Wrench<Dd>; 3],
+}
+
+/// Walks a group towards each of its singular positions in each of its ways; nothing for a kind without a known walk.
+pub(crate) fn walk(name: &str, group: &Group) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let Some(isolated) = Isolated::of(group) else { return rows };
+    for side in isolated.sides() {
+        for distance in DISTANCES {
+            step(name, group, &isolated, side, distance, &mut rows);
+        }
+    }
+    rows
+}
+
+fn step(name: &str, group: &Group, isolated: &Isolated, side: Side, distance: f64, rows: &mut Vec<Row>) {
+    let Some((frame, bodies)) = isolated.posed(side, distance) else { return };
+    let (Ok(double), Ok(extended)) =
+        (kernel_of::<f64>(group.plugin, &frame), kernel_of::<Dd>(group.plugin, &frame))
+    else {
+        return;
+    };
+    for way in 0..double.ways() {
+        let words = if double.ways() > 1 { format!(", way {way}") } else { String::new() };
+        let place = Place {
+            words: format!("{name}, {}{words}", side.words()),
+            distance,
+            frame: &frame,
+            bodies,
+            powers: isolated.powers(side),
+            disparity: isolated.disparity(),
+            size: isolated.size,
+        };
+        // Where rounding of the data has carried the group beyond the singular position there is nothing to compare.
+        let Ok(reference) = place.reference(&*extended, way) else { continue };
+        place.closed(group.plugin.name, &*double, way, &reference, rows);
+        place.general(&*double, way, &reference, rows);
+    }
+}
+
+/// Loads on the two links.
+fn loads(size: f64) -> [Wrench<f64>; 4] {
+    let mut loads = [Wrench::ZERO; 4];
+    loads[2] = Wrench { fx: 1.0, fy: -0.7, m: 0.3 * size };
+    loads[3] = Wrench { fx: -0.4, fy: 0.9, m: -0.2 * size };
+    loads
+}
+
+impl Place<'_> {
+    fn reference(&self, kernel: &dyn AssurGroup<Dd>, way: usize) -> Result<Reference, GroupError> {
+        let mut bodies: Vec<_> = self.bodies.iter().map(lifted).collect();
+        let health = kernel.solve(&mut bodies, way, Order::Second)?.to_f64().abs();
+        let mut loads = loads(self.size).each_ref().map(lifted_load);
+        let mut pairs = [Wrench::ZERO; 3];
+        kernel.reactions(&bodies, &mut loads, &mut pairs)?;
+        Ok(Reference { health, bodies, pairs })
+    }
+
+    fn subject<'a>(&'a self, method: &'a str, quantity: &'static str, reference: &Reference) -> Subject<'a> {
+        let power = self.powers[usize::from(quantity != "pf0")];
+        let bound = FACTOR * self.disparity * f64::EPSILON / reference.health.powi(power);
+        Subject {
+            place: &self.words,
+            method,
+            quantity,
+            distance: self.distance,
+            health: reference.health,
+            bound,
+        }
+    }
+
+    /// A refusal in words, with the distance and the place.
+    fn refused(&self, error: GroupError) -> String {
+        format!("{error}, {:.0e} from: {}", self.distance, self.words)
+    }
+
+    /// The closed forms of the kind.
+    fn closed(
+        &self,
+        method: &str,
+        kernel: &dyn AssurGroup<f64>,
+        way: usize,
+        reference: &Reference,
+        rows: &mut Vec<Row>,
+    ) {
+        let mut bodies = self.bodies;
+        let placed = kernel.place(&mut bodies, way).map(|_| ());
+        let mut order_done = placed;
+        for (order, quantity) in ORDERS.into_iter().enumerate() {
+            if order == 1 && placed.is_ok() {
+                order_done = kernel.solve(&mut bodies, way, Order::Second).map(|_| ());
+            }
+            let outcome = order_done
+                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size))
+                .map_err(|error| self.refused(error));
+            rows.push(self.subject(method, quantity, reference).row(outcome));
+        }
+        let mut pairs = [Wrench::ZERO; 3];
+        let outcome = placed
+            .and_then(|()| kernel.reactions(&bodies, &mut loads(self.size), &mut pairs))
+            .map(|()| reactions(&pairs, &reference.pairs, self.size))
+            .map_err(|error| self.refused(error));
+        rows.push(self.subject(method, "reactions", reference).row(outcome));
+    }
+
+    /// Derivatives and reactions from the one linear system of the group, at the places of the closed form.
+    fn general(&self, kernel: &dyn AssurGroup<f64>, way: usize, reference: &Reference, rows: &mut Vec<Row>) {
+        const METHOD: &str = "general (linear system)";
+        let mut bodies = self.bodies;
+        let Ok(_) = kernel.place(&mut bodies, way) else { return };
+        let mut pairs = [Wrench::ZERO; 3];
+        let forces = reactions_generally(self.frame, &bodies, &mut loads(self.size), &mut pairs)
+            .map(|()| reactions(&pairs, &reference.pairs, self.size))
+            .map_err(|error| self.refused(error));
+        let derived = derive_generally(self.frame, &mut bodies, Order::Second);
+        for (order, quantity) in ORDERS.into_iter().enumerate().skip(1) {
+            let outcome = derived
+                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size))
+                .map_err(|error| self.refused(error));
+            rows.push(unaware(self.subject(METHOD, quantity, reference).row(outcome)));
+        }
+        rows.push(unaware(self.subject(METHOD, "reactions", reference).row(forces)));
+    }
+}
+
+/// The linear system can't know that its determinant is a root of what the lengths say: so close it is within the bound
+/// with no digit right, where the closed forms, which are what the program uses, refuse.
+fn unaware(mut row: Row) -> Row {
+    if row.error.is_some_and(|error| error <= row.bound) && !row.ok {
+        row.ok = true;
+        row.reason = Some(
+            "no digit is left, as the bound says; the linear system alone can't tell, the closed forms refuse here"
+                .to_owned(),
+        );
+    }
+    row
+}
