@@ -40,6 +40,8 @@ pub(crate) enum Command {
     Check(SceneArgs),
     /// Tell what is modelled, what is left out and why, and which method each stage uses
     Explain(SceneArgs),
+    /// Walk towards each singular position of a scene's groups and methods; how near the scene comes to them
+    Stability(StabilityArgs),
     /// List every registered group, force analyzer, integrator and catalogue
     Plugins,
     /// List motors of the catalogues
@@ -90,6 +92,19 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) format: Format,
     /// Write to this file (csv: into this folder) instead of standard output
     #[arg(short, long, value_name = "FILE_OR_FOLDER")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// Arguments of `stability`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct StabilityArgs {
+    /// Scene file
+    pub(crate) scene: PathBuf,
+    /// Form of the results
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
 

@@ -9,6 +9,7 @@ mod lists;
 mod output;
 mod scene;
 mod shell;
+mod stability;
 mod starter;
 mod style;
 
@@ -55,6 +56,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Analyze(args)) => analyze::run(&args, style),
         Some(Command::Check(args)) => check::run(&args, style),
         Some(Command::Explain(args)) => explain::run(&args, style),
+        Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
         Some(Command::New { file }) => starter::run(&file),

@@ -1,0 +1,23 @@
+//! `assur stability`.
+
+use assur_study::stability::stability;
+
+use super::args::{Format, StabilityArgs};
+use super::fault::{Fault, Status};
+use super::style::Style;
+use super::{output, scene};
+
+pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
+    let mechanism = scene::read(&args.scene, style)?;
+    let found = stability(mechanism).map_err(|error| scene::in_file(&args.scene, &error.to_string()))?;
+    let text = match args.format {
+        Format::Json => found.to_json().map_err(Fault::other)?,
+        Format::Csv => found.to_csv(),
+        Format::Text => style.text(&found.to_text()).into_owned(),
+    };
+    output::print_or_write(&text, args.output.as_deref())?;
+    if let Some(failure) = &found.failure {
+        style.tell(&format!("error: {failure}"));
+    }
+    Ok(if found.is_ok() { Status::Done } else { Status::Failed })
+}
