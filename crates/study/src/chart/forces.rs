@@ -81,7 +81,7 @@ impl<'a> Loaded<'a> {
         let mut other = Vec::with_capacity(self.positions.len());
         for (index, bodies) in self.work.truth.iter().enumerate() {
             let coordinate = self.work.coordinates[index];
-            let mut solve = |forms| {
+            let solve = |forms| {
                 let mut answer = Answer::<Dd>::new(linkage);
                 let (loads, unit) = (&self.loads[index], self.units[index]);
                 answer

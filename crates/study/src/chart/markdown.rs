@@ -48,7 +48,7 @@ pub fn words(data: &ChartData, stage: Stage) -> Vec<String> {
 }
 
 /// The fastest row of a stage with an error of at most `wanted`.
-fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
+pub(super) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
     let good =
         data.of(stage).filter_map(|row| Some((row, row.point()?))).filter(|(_, point)| point.1 <= wanted);
     good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)

@@ -84,7 +84,7 @@ fn settings(
 /// Tries what changes the result: registered methods need not say.
 fn knob(plugin: &IntegratorPlugin, task: &Task<'_>, duration: f64) -> Knob {
     let solve = |tolerance: f64, step: f64| {
-        let request = Request { tolerance, fixed_step: Some(step), max_steps: 20_000, ..task.request };
+        let request = Request { tolerance, fixed_step: Some(step), max_steps: 2_000, ..task.request };
         (plugin.instance)().solve(&mut task.motion.clone(), &request).ok().map(|found| found.samples)
     };
     let (step, other) = (duration / 200.0, duration / 331.0);

@@ -28,7 +28,7 @@ impl Options {
 
     /// The quick chart: within five seconds.
     pub const QUICK: Self =
-        Self { quick: true, stage_seconds: 0.5, rounds: 7, limit: 3.5, max_steps: 40_000 };
+        Self { quick: true, stage_seconds: 0.6, rounds: 7, limit: 3.0, max_steps: 40_000 };
 
     /// Decimal exponents from `first` down to `last`; the quick chart takes every second.
     pub(crate) fn decades(self, first: i32, last: i32) -> impl Iterator<Item = f64> {

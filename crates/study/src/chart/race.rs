@@ -11,6 +11,9 @@ const STRETCH: f64 = 2e-4;
 /// Most runs in one stretch.
 const MOST_RUNS: f64 = 1e5;
 
+/// A run longer than this, s, need not be repeated.
+const LONG: f64 = 0.05;
+
 /// The reason of rows that were not reached.
 pub(crate) const STOPPED: &str = "stopped before it was measured";
 const OUT_OF_TIME: &str = "left out: the time of a quick chart was used up";
@@ -119,7 +122,8 @@ impl Judge<'_> {
                 reason = "clamped to a small positive number"
             )]
             let rounds = (share / (one * runs)).clamp(0.0, self.options.rounds as f64) as usize;
-            let least = usize::from(times.is_empty());
+            // A median wants some; of what takes long, the judged run must do.
+            let least = if one * runs < LONG { 2 } else { usize::from(times.is_empty()) };
             lanes.push(Lane { entry, runs, rounds: rounds.max(least), times });
         }
         lanes

@@ -11,6 +11,9 @@ pub(crate) fn numbers<T: Copy>(body: &Body<T>) -> [T; 10] {
 /// Place, direction, PF1 and PF2 of the origin, PF1 and PF2 of the angle.
 const QUANTITY: [usize; 10] = [0, 0, 1, 1, 2, 2, 3, 4, 4, 5];
 
+/// A quantity below this part of its natural size is zero.
+const NOTHING: f64 = 1e-12;
+
 /// Sizes of the quantities of all links over the work.
 #[derive(Debug, Clone)]
 pub(crate) struct Ruler {
@@ -18,7 +21,8 @@ pub(crate) struct Ruler {
 }
 
 impl Ruler {
-    /// From the reference; lengths are measured by a length typical of the mechanism.
+    /// From the reference: the largest value of each quantity, or its natural size (PF1 of a link, its square) where it is
+    /// zero throughout, as PF2 of a parallelogram's rockers; lengths are measured by a length typical of the mechanism.
     pub(crate) fn new<'a>(positions: impl Iterator<Item = &'a [Body<Dd>]>, scale: f64) -> Self {
         let mut sizes: [f64; 6] = [scale, 1.0, 0.0, 0.0, 0.0, 0.0];
         for body in positions.flatten() {
@@ -27,8 +31,18 @@ impl Ruler {
                 sizes[quantity] = sizes[quantity].max(value.to_f64().abs());
             }
         }
-        // What is zero everywhere is measured absolutely.
-        Self { sizes: sizes.map(|size| if size > 0.0 { size } else { 1.0 }) }
+        let [_, _, first, turn, _, _] = sizes;
+        let natural = [scale, 1.0, scale * turn, 1.0, (first * turn).max(scale * turn * turn), turn * turn];
+        for (size, natural) in sizes.iter_mut().zip(natural) {
+            // What is zero everywhere has the size of its rounding only.
+            if *size <= NOTHING * natural {
+                *size = natural;
+            }
+            if *size == 0.0 {
+                *size = 1.0;
+            }
+        }
+        Self { sizes }
     }
 
     /// Largest relative deviation of one position; NaN where a number is.

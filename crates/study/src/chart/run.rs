@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_force::Loads;
+use assur_integrator::Motion;
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
@@ -19,6 +20,9 @@ use super::{ChartData, Clock, Options, Progress, Stage};
 
 /// Output instants over a cycle of a steady regime.
 const SAMPLES_OF_A_CYCLE: usize = 48;
+
+/// Longest run of an integrator in a quick chart, s.
+const QUICK_RUN: f64 = 0.1;
 
 /// Why a scene has no chart; what fails in one method is a row of it.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -144,8 +148,26 @@ impl Charting<'_> {
         Ok(())
     }
 
+    /// How many steps of four evaluations fit into a run of a quick chart.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small positive number")]
+    fn steps_in_time(&mut self, task: &Task<'_>) -> usize {
+        const EVALUATIONS: u32 = 200;
+        let mut motion = task.motion.clone();
+        let before = self.judge.clock.seconds();
+        for _ in 0..EVALUATIONS {
+            // A failure here is told by the methods.
+            let _ = std::hint::black_box(motion.reduced(&task.request.initial));
+        }
+        let one = (self.judge.clock.seconds() - before) / f64::from(EVALUATIONS);
+        (QUICK_RUN / (4.0 * one)).clamp(500.0, 1e6) as usize
+    }
+
     fn integrators(&mut self, task: &Task<'_>) -> Result<(), ChartError> {
-        let field = motion::field(task, self.judge.options)?;
+        let mut options = self.judge.options;
+        if options.quick {
+            options.max_steps = options.max_steps.min(self.steps_in_time(task));
+        }
+        let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
         Ok(())
     }

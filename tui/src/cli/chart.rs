@@ -1,0 +1,160 @@
+//! `assur chart`: lends the clock, shows the progress, listens for Ctrl-C.
+
+use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use assur_kinematics::Linkage;
+use assur_study::chart::{self, ChartData, ChartError, Clock, Options, Progress};
+use clap::{Args, ValueEnum};
+use signal_hook::consts::SIGINT;
+
+use super::fault::{Fault, Status};
+use super::style::Style;
+use super::{output, scene};
+
+/// Exit status after Ctrl-C, as shells have it.
+const INTERRUPTED: u8 = 130;
+
+/// Arguments of `chart`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct ChartArgs {
+    /// Scene file; for `--format markdown` one or more
+    #[arg(required = true, value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// Every second setting and few repetitions: within five seconds
+    #[arg(long)]
+    quick: bool,
+    /// Form of the chart
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Form of a chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// A scatter of each stage, and a table under it
+    Text,
+    /// One JSON object
+    Json,
+    /// One row for each method and setting
+    Csv,
+    /// A report on the scenes, with what follows from the figures in words
+    Markdown,
+}
+
+/// The clock of this machine.
+struct SystemClock(Instant);
+
+impl Clock for SystemClock {
+    fn seconds(&mut self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+}
+
+pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
+    if args.scenes.len() > 1 && args.format != Form::Markdown {
+        return Err(Fault::other("several scenes make a report: add `--format markdown`, or name one scene"));
+    }
+    let stop = on_interrupt()?;
+    let mut charts = Vec::with_capacity(args.scenes.len());
+    for path in &args.scenes {
+        match charted(path, args.quick, style, &stop)? {
+            Ok(data) => charts.push((path, data)),
+            Err(failure) => {
+                style.tell(&format!("error: {}: {failure}", path.display()));
+                return Ok(Status::Failed);
+            }
+        }
+        if stop.load(Ordering::Relaxed) {
+            style.tell("stopped: what had been measured follows");
+            break;
+        }
+    }
+    output::print_or_write(&written(&charts, args.format, style)?, args.output.as_deref())?;
+    Ok(if stop.load(Ordering::Relaxed) { Status::Code(INTERRUPTED) } else { Status::Done })
+}
+
+/// Ctrl-C sets the flag; once more ends the program.
+fn on_interrupt() -> Result<Arc<AtomicBool>, Fault> {
+    let stop = Arc::new(AtomicBool::new(false));
+    signal_hook::flag::register_conditional_shutdown(SIGINT, i32::from(INTERRUPTED), Arc::clone(&stop))
+        .and_then(|_| signal_hook::flag::register(SIGINT, Arc::clone(&stop)))
+        .map_err(|error| Fault::other(format!("can't listen for Ctrl-C: {error}")))?;
+    Ok(stop)
+}
+
+/// The chart of one scene; inside, why there is none though the scene is good.
+fn charted(
+    path: &Path,
+    quick: bool,
+    style: Style,
+    stop: &AtomicBool,
+) -> Result<Result<ChartData, ChartError>, Fault> {
+    let mechanism = scene::read(path, style)?;
+    let linkage = Linkage::compile(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?;
+    let options = if quick { Options::QUICK } else { Options::THOROUGH };
+    let mut bar = Bar { shown: !quick && std::io::stderr().is_terminal(), last: None };
+    let mut clock = SystemClock(Instant::now());
+    let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
+        bar.show(progress);
+        if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    bar.clear();
+    match found {
+        Err(error @ (ChartError::Compile(_) | ChartError::Load(_))) => {
+            Err(scene::in_file(path, &error.to_string()))
+        }
+        other => Ok(other),
+    }
+}
+
+fn written(charts: &[(&PathBuf, ChartData)], format: Form, style: Style) -> Result<String, Fault> {
+    let mut text = String::new();
+    for (path, data) in charts {
+        text += &match format {
+            Form::Text => style.text(&chart::text(data, style.ascii)).into_owned(),
+            Form::Json => data.to_json().map_err(Fault::other)?,
+            Form::Csv => chart::csv(data),
+            Form::Markdown => chart::markdown(data, &path.display().to_string()),
+        };
+    }
+    if format == Form::Markdown {
+        let data: Vec<&ChartData> = charts.iter().map(|(_, data)| data).collect();
+        text = chart::report(&data, &text);
+    }
+    Ok(text)
+}
+
+/// A bar on standard error.
+struct Bar {
+    shown: bool,
+    last: Option<Progress>,
+}
+
+impl Bar {
+    const WIDTH: usize = 30;
+
+    fn show(&mut self, progress: Progress) {
+        if !self.shown || self.last == Some(progress) {
+            return;
+        }
+        self.last = Some(progress);
+        let full = Self::WIDTH * progress.done.min(progress.total) / progress.total.max(1);
+        let (full, rest) = ("#".repeat(full), ".".repeat(Self::WIDTH - full));
+        let line = format!("\r[{full}{rest}] {}\x1b[K", progress.stage.heading());
+        let _ = std::io::stderr().lock().write_all(line.as_bytes());
+    }
+
+    fn clear(&mut self) {
+        if self.last.take().is_some() {
+            let _ = std::io::stderr().lock().write_all(b"\r\x1b[K");
+        }
+    }
+}
