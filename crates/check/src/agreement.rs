@@ -22,7 +22,7 @@ pub(crate) struct Agreement<'a> {
 
 impl<'a> Agreement<'a> {
     pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads) -> Self {
-        let reason = "every reaction and the balancing load by each method, relative to the largest reaction; limit: 64 \
+        let reason = "every reaction and the balancing load by each method, relative to the largest reaction or load; limit: 64 \
                       rounding units by the sum of 1/determinant over the groups, and where a method is worse conditioned \
                       than the mechanism 8 times the rounding measured in its answers";
         Self { subject, loads, worst: Worst::new("agreement of the methods", reason) }
@@ -36,20 +36,27 @@ impl<'a> Agreement<'a> {
         self.worst.into_check()
     }
 
-    /// Compares all answers with that of the method `full`.
-    pub(crate) fn add(&mut self, one: &Solved, state: &State, answers: &[Answer], full: usize) {
+    /// Compares all answers with that of the method `full`; `load`: the largest load, N.
+    pub(crate) fn add(&mut self, one: &Solved, state: &State, answers: &[Answer], full: usize, load: f64) {
         let Some(reference) = &answers[full] else { return };
         for (i, other) in answers.iter().enumerate().filter(|(i, _)| *i != full) {
             if let Some(other) = other {
-                self.compare(one, state, [full, i], [reference, other]);
+                self.compare(one, state, [full, i], [reference, other], load);
             }
         }
     }
 
-    fn compare(&mut self, one: &Solved, state: &State, methods: [usize; 2], answers: [&Reactions; 2]) {
+    fn compare(
+        &mut self,
+        one: &Solved,
+        state: &State,
+        methods: [usize; 2],
+        answers: [&Reactions; 2],
+        load: f64,
+    ) {
         let [first, second] = methods.map(|i| self.subject.methods[i]);
         let scale = self.subject.linkage.structure.scale;
-        let units = self.units(answers[0]);
+        let units = self.units(answers[0], load);
         let [mine, theirs] = answers.map(numbers);
         let difference: Numbers = mine.iter().zip(&theirs).map(|(a, b)| a - b).collect();
         let off = sizes(&difference, scale, units);
@@ -68,9 +75,9 @@ impl<'a> Agreement<'a> {
     }
 
     /// Units of the balancing load and of the reactions. A balancing moment compares with that of the largest reaction.
-    fn units(&self, reference: &Reactions) -> [f64; 2] {
+    fn units(&self, reference: &Reactions, load: f64) -> [f64; 2] {
         let scale = self.subject.linkage.structure.scale;
-        let unit = largest(&reference.pairs, scale).max(f64::MIN_POSITIVE);
+        let unit = largest(&reference.pairs, scale).max(load);
         let moment = crate::power::balances_by_moment(&self.subject.linkage.mechanism);
         let lever = if moment { scale } else { 1.0 };
         [reference.balancing.abs().max(unit * lever), unit]

@@ -14,17 +14,34 @@ pub(crate) struct Estimate {
 ///
 /// `noise`: deviation of the rounding of the function. The error of an entry is its distance from both entries that it was made
 /// of, plus the rounding that its smallest step magnifies: of two values, 2 noise / 2h, and by at most
-/// (4/3)(16/15)... < 1.5 through the extrapolation. The entry of least error is taken. Large steps can agree on a wrong value
-/// when they all step over something narrow; so the row of the smallest step must agree too, or the error grows to the
-/// disagreement.
+/// (4/3)(16/15)... < 1.5 through the extrapolation. Of each row the entry of least error counts, and of all rows the best one.
+///
+/// The least of many estimates tends to be too small: two entries agree by chance, or large steps agree on a wrong value
+/// because they all step over something narrow. So the best row must agree with its better neighbor, and with the row of the
+/// smallest step, or the error grows to the disagreement.
 pub(crate) fn extrapolated(quotients: &[(f64, f64)], noise: f64) -> Estimate {
-    let none = Estimate { value: f64::NAN, error: f64::INFINITY };
-    let (mut best, mut last) = (none, none);
+    let rows = best_of_rows(quotients, noise);
+    let Some(best) = (0..rows.len()).min_by(|&i, &k| rows[i].error.total_cmp(&rows[k].error)) else {
+        return Estimate { value: f64::NAN, error: f64::INFINITY };
+    };
+    let found = rows[best];
+    let apart = |other: &Estimate| (found.value - other.value).abs();
+    let around = [best.checked_sub(1), Some(best + 1)].map(|i| rows.get(i?));
+    let neighbor = around.into_iter().flatten().min_by(|a, b| a.error.total_cmp(&b.error)).map_or(0.0, apart);
+    // What rounding can put between it and the last row is no disagreement.
+    let least = quotients.last().map_or(f64::NAN, |(step, _)| *step);
+    let last = rows.last().map_or(0.0, apart) - 3.0 * noise / least;
+    Estimate { error: found.error.max(neighbor).max(last), ..found }
+}
+
+/// The entry of least error in each row of the extrapolation but the first, which has nothing to agree with.
+fn best_of_rows(quotients: &[(f64, f64)], noise: f64) -> Vec<Estimate> {
+    let mut rows = Vec::with_capacity(LEVELS);
     let mut before: Vec<f64> = Vec::with_capacity(LEVELS);
     for (step, quotient) in quotients {
         let mut row = Vec::with_capacity(LEVELS);
         row.push(*quotient);
-        last = none;
+        let mut best: Option<Estimate> = None;
         let mut power = 1.0;
         for (j, coarse) in before.iter().enumerate() {
             power *= 4.0;
@@ -32,18 +49,13 @@ pub(crate) fn extrapolated(quotients: &[(f64, f64)], noise: f64) -> Estimate {
             let value = fine + (fine - coarse) / (power - 1.0);
             let apart = (value - fine).abs().max((value - coarse).abs());
             let error = apart + 1.5 * noise / step;
-            if error < last.error {
-                last = Estimate { value, error };
+            if best.is_none_or(|best| error < best.error) {
+                best = Some(Estimate { value, error });
             }
             row.push(value);
         }
-        if last.error < best.error {
-            best = last;
-        }
+        rows.extend(best);
         before = row;
     }
-    // What rounding can put between the two is no disagreement.
-    let least = quotients.last().map_or(f64::NAN, |(step, _)| *step);
-    let disagreement = (best.value - last.value).abs() - 3.0 * noise / least;
-    Estimate { error: best.error.max(disagreement), ..best }
+    rows
 }

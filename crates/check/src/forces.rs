@@ -39,7 +39,8 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
             agreement.leave_out();
             continue;
         };
-        agreement.add(one, state, &answers, full.unwrap_or(0));
+        let load = items.values().map(|item| item.size).fold(0.0, f64::max);
+        agreement.add(one, state, &answers, full.unwrap_or(0), load);
         let joints = joint_reactions(subject.linkage, reactions);
         equilibrium.add(one, &items, reactions, &joints);
         power.add(one, state, loads, &items, reactions, &joints);
