@@ -1,10 +1,12 @@
 //! Reads a printed working back and evaluates it: shares nothing with what wrote it.
 
+use std::collections::BTreeMap;
+
 /// The equations of a printed working as (row, parts between the equality signs).
 pub(crate) fn equations(text: &str) -> Vec<Vec<String>> {
     let mut rows: Vec<String> = Vec::new();
     for row in text.lines() {
-        match row.strip_prefix("      ") {
+        match row.strip_prefix("    ") {
             Some(rest) => {
                 let last = rows.last_mut().unwrap();
                 let space = if last.ends_with('*') { "" } else { " " };
@@ -26,7 +28,7 @@ pub(crate) fn printed(part: &str) -> (f64, f64) {
     let number = part.split(' ').next().unwrap();
     let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let exponent: i32 = exponent.parse().unwrap();
+    let exponent: i32 = exponent.parse().unwrap_or_else(|_| panic!("no number: {part}"));
     let half = 0.5 * 10.0_f64.powi(exponent - i32::try_from(decimals).unwrap());
     (number.parse().unwrap(), half)
 }
@@ -141,15 +143,20 @@ impl Reader<'_> {
 /// Every equation of a printed working recomputes to what it prints; their number.
 pub(crate) fn recomputes(what: &str, text: &str) -> usize {
     let mut count = 0;
+    let mut known = BTreeMap::new();
     for parts in equations(text) {
-        let [first, .., last] = &parts[..] else { continue };
+        let [name, .., last] = &parts[..] else { continue };
         let (wanted, half) = printed(last);
         if parts.len() > 2 {
-            let found = evaluate(&parts[parts.len() - 2]);
+            let expression = &parts[parts.len() - 2];
+            // A quantity that is another one, or its opposite, with its number printed once.
+            let opposite = expression.strip_prefix('-').and_then(|name| known.get(name)).map(|value: &f64| -value);
+            let found = known.get(expression).copied().or(opposite).unwrap_or_else(|| evaluate(expression));
             let slack = half * (1.0 + 1e-9) + f64::EPSILON;
-            assert!((found - wanted).abs() <= slack, "{what}: {first}: {found} is not {last}\n{parts:?}");
+            assert!((found - wanted).abs() <= slack, "{what}: {name}: {found} is not {last}\n{parts:?}");
             count += 1;
         }
+        assert!(known.insert(name.clone(), wanted).is_none(), "{what}: {name} stands for two quantities");
     }
     assert!(text.lines().all(|row| row.chars().count() <= 100), "{what}: a row is too long");
     count
