@@ -68,12 +68,18 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("play", Move, &[char(' ')], SCENE, |s| s.playing = !s.playing),
     command("next-row", Move, &[code(KeyCode::Down), char('j')], &[Table], |s| act::row(s, 1)),
     command("previous-row", Move, &[code(KeyCode::Up), char('k')], &[Table], |s| act::row(s, -1)),
-    command("next-item", Choose, &[code(KeyCode::Down), char('j')], &[Mechanism, Curves], |s| act::item(s, 1)),
-    command("previous-item", Choose, &[code(KeyCode::Up), char('k')], &[Mechanism, Curves], |s| act::item(s, -1)),
+    command("next-item", Choose, &[code(KeyCode::Down), char('j')], &[Mechanism, Curves], |s| {
+        act::item(s, 1)
+    }),
+    command("previous-item", Choose, &[code(KeyCode::Up), char('k')], &[Mechanism, Curves], |s| {
+        act::item(s, -1)
+    }),
     command("next-group", Choose, &[code(KeyCode::Down), char('j')], &[Structure], |s| act::group(s, 1)),
     command("previous-group", Choose, &[code(KeyCode::Up), char('k')], &[Structure], |s| act::group(s, -1)),
     command("next-reaction", Choose, &[code(KeyCode::Down), char('j')], &[Forces], |s| act::reaction(s, 1)),
-    command("previous-reaction", Choose, &[code(KeyCode::Up), char('k')], &[Forces], |s| act::reaction(s, -1)),
+    command("previous-reaction", Choose, &[code(KeyCode::Up), char('k')], &[Forces], |s| {
+        act::reaction(s, -1)
+    }),
     command("analyzer", Choose, &[char('f')], &[Forces], act::analyzer),
     command("difference", Choose, &[char('d')], &[Forces], act::difference),
     command("pane", Choose, &[code(KeyCode::Tab)], &[Forces, Motion], act::pane),
@@ -83,10 +89,16 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("previous-check", Choose, &[code(KeyCode::Up), char('k')], &[Checks], |s| act::check(s, -1)),
     command("worst", Choose, &[code(KeyCode::Enter)], &[Checks], act::worst),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
-    command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| act::column(s, -1)),
+    command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| {
+        act::column(s, -1)
+    }),
     command("sort", Choose, &[char('s')], &[Table], act::sort),
-    command("next-scene", Choose, &[code(KeyCode::Down), char('j'), code(KeyCode::Right)], &[Menu], |s| act::scene(s, 1)),
-    command("previous-scene", Choose, &[code(KeyCode::Up), char('k'), code(KeyCode::Left)], &[Menu], |s| act::scene(s, -1)),
+    command("next-scene", Choose, &[code(KeyCode::Down), char('j'), code(KeyCode::Right)], &[Menu], |s| {
+        act::scene(s, 1)
+    }),
+    command("previous-scene", Choose, &[code(KeyCode::Up), char('k'), code(KeyCode::Left)], &[Menu], |s| {
+        act::scene(s, -1)
+    }),
     command("open-scene", Choose, &[code(KeyCode::Enter)], &[Menu], act::open_scene),
     command("mechanism", Views, &[char('1')], SCENE, |s| s.show(Mechanism)),
     command("curves", Views, &[char('2')], SCENE, |s| s.show(Curves)),

@@ -14,7 +14,11 @@ pub(crate) fn of_columns(study: &Study, columns: &[usize]) -> String {
     for position in 0..study.positions() {
         text.push_str(&position.to_string());
         for &column in columns {
-            let value = study.column(column).and_then(|series| series.values.get(position)).copied().unwrap_or(f64::NAN);
+            let value = study
+                .column(column)
+                .and_then(|series| series.values.get(position))
+                .copied()
+                .unwrap_or(f64::NAN);
             text.push(',');
             if value.is_finite() {
                 text.push_str(&value.to_string());
@@ -26,5 +30,9 @@ pub(crate) fn of_columns(study: &Study, columns: &[usize]) -> String {
 }
 
 fn field(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
 }

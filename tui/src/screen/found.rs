@@ -35,8 +35,14 @@ pub(crate) struct Reaction {
 impl Found {
     /// Gathers the series of an analysis.
     pub(crate) fn of(analyzer: String, analysis: Analysis, checks: Vec<CheckRow>, positions: usize) -> Self {
-        let mut found =
-            Self { analyzer, analysis, checks, series: Vec::new(), reactions: Vec::new(), motion: Vec::new() };
+        let mut found = Self {
+            analyzer,
+            analysis,
+            checks,
+            series: Vec::new(),
+            reactions: Vec::new(),
+            motion: Vec::new(),
+        };
         let gather = Gather { positions };
         gather.motion(&mut found);
         gather.rates(&mut found);
@@ -47,9 +53,11 @@ impl Found {
 
     /// Forces that are rounding beside the largest force of the mechanism.
     fn mark_rounding(&mut self) {
-        let forces: Vec<usize> = self.reactions.iter().filter_map(|r| r.series.get(..3)).flatten().copied().collect();
+        let forces: Vec<usize> =
+            self.reactions.iter().filter_map(|r| r.series.get(..3)).flatten().copied().collect();
         let values = forces.iter().flat_map(|index| &self.series[*index].values);
-        let most = values.filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+        let most =
+            values.filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
         for index in forces {
             self.series[index].floor = 1e-13 * most;
         }
@@ -107,10 +115,15 @@ impl Gather {
             let rates = if order == 1 { &first.velocities } else { &first.accelerations };
             let of = |named: Vec<&str>| named.into_iter().map(str::to_owned).collect::<Vec<_>>();
             rates.as_ref().map(|rates| {
-                (of(rates.links.iter().map(|r| r.0).collect()), of(rates.points.iter().map(|r| r.0).collect()))
+                (
+                    of(rates.links.iter().map(|r| r.0).collect()),
+                    of(rates.points.iter().map(|r| r.0).collect()),
+                )
             })
         };
-        for (order, linear, angular) in [(1, ("v", "m/s"), ("w", "rad/s")), (2, ("a", "m/s2"), ("e", "rad/s2"))] {
+        for (order, linear, angular) in
+            [(1, ("v", "m/s"), ("w", "rad/s")), (2, ("a", "m/s2"), ("e", "rad/s2"))]
+        {
             let Some((links, points)) = names(order) else { continue };
             for point in points {
                 for (axis, letter) in ["x", "y"].into_iter().enumerate() {
@@ -161,7 +174,9 @@ fn rates_of(position: &PositionResult, order: usize) -> Option<&assur_results::R
 
 /// Pairs and links: of a pair of two links one, since the other force is the opposite one; of a multiple joint all.
 fn pairs(analysis: &Analysis) -> Vec<(String, String)> {
-    let Some(reactions) = analysis.positions.iter().find_map(|p| p.reactions.as_ref()) else { return Vec::new() };
+    let Some(reactions) = analysis.positions.iter().find_map(|p| p.reactions.as_ref()) else {
+        return Vec::new();
+    };
     let mut pairs = Vec::new();
     for (pair, reaction) in reactions.iter() {
         // The force on a moving link says more than the one on the ground.

@@ -60,6 +60,7 @@ impl Key {
     }
 
     /// The key of a name.
+    #[cfg(test)]
     pub(crate) fn parse(name: &str) -> Option<Self> {
         let (control, name) = match name.strip_prefix("C-") {
             Some(rest) if !rest.is_empty() => (true, rest),

@@ -126,11 +126,15 @@ fn set(state: &mut State, rest: &str) {
     let (name, value) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
     let value = value.trim();
     let done = match name {
-        "theme" => Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| state.look.theme = *theme),
+        "theme" => {
+            Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| state.look.theme = *theme)
+        }
         "marker" => marker(value).map(|marker| state.look.marker = marker),
         "ascii" => switch(value).map(|ascii| state.look.ascii = ascii),
         "fps" => value.parse().ok().filter(|fps| (1..=60).contains(fps)).map(|fps| state.look.fps = fps),
-        "cell" => value.parse().ok().filter(|r| (0.5..=5.0).contains(r)).map(|ratio| state.look.ratio = ratio),
+        "cell" => {
+            value.parse().ok().filter(|r| (0.5..=5.0).contains(r)).map(|ratio| state.look.ratio = ratio)
+        }
         _ => None,
     };
     if done.is_none() {

@@ -95,7 +95,8 @@ mod tests {
 
     #[test]
     fn zeros_of_a_sine() {
-        let sine: Vec<f64> = (0..12).map(|i| (f64::from(i) * std::f64::consts::TAU / 12.0 + 0.1).sin()).collect();
+        let sine: Vec<f64> =
+            (0..12).map(|i| (f64::from(i) * std::f64::consts::TAU / 12.0 + 0.1).sin()).collect();
         let found = zeros(&sine, true);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!((found[0] - (6.0 - 1.2 / std::f64::consts::TAU)).abs() < 0.01, "{found:?}");

@@ -89,9 +89,10 @@ fn apply(state: &mut State, event: Event) -> bool {
     match event {
         Event::Input(Input::Key(key)) if key.kind != KeyEventKind::Release => {
             #[cfg(debug_assertions)]
-            if std::env::var_os("ASSUR_PANIC_ON_KEY").is_some() {
-                panic!("a panic on request (ASSUR_PANIC_ON_KEY)");
-            }
+            assert!(
+                std::env::var_os("ASSUR_PANIC_ON_KEY").is_none(),
+                "a panic on request (ASSUR_PANIC_ON_KEY)"
+            );
             command::press(state, key);
             true
         }

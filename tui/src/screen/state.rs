@@ -1,8 +1,8 @@
 //! Everything a frame depends on. Commands change it, views read it.
 
 use super::draw::raster::Marker;
-use super::found::Found;
 use super::draw::scale::Zoom;
+use super::found::Found;
 use super::menu::Menu;
 use super::prompt::Prompt;
 use super::study::Study;
@@ -215,7 +215,9 @@ impl State {
             Report::Opened(Ok(study)) => self.open(*study),
             Report::Opened(Err(text)) => self.fault = Some(text),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
-            Report::Analyzed { generation, other, found } => return self.take_found(generation, other, found),
+            Report::Analyzed { generation, other, found } => {
+                return self.take_found(generation, other, found);
+            }
         }
         true
     }

@@ -90,7 +90,20 @@ impl Study {
         let strokes = strokes(&linkage, &fine);
         let bounds = bounds(&linkage, &fine, &paths, &strokes);
         let (series, transfers) = quantities::of(&linkage, &poses);
-        Self { source, linkage, poses, failures, paths, strokes, bounds, series, transfers, found: None, other: None, fault: None }
+        Self {
+            source,
+            linkage,
+            poses,
+            failures,
+            paths,
+            strokes,
+            bounds,
+            series,
+            transfers,
+            found: None,
+            other: None,
+            fault: None,
+        }
     }
 
     /// Number of positions.
@@ -100,7 +113,8 @@ impl Study {
 
     /// Whether the positions close a cycle: the first follows the last.
     pub(crate) fn closed(&self) -> bool {
-        matches!(self.linkage.mechanism.input.range, Range::Cycle(_)) && self.failures.iter().all(Option::is_none)
+        matches!(self.linkage.mechanism.input.range, Range::Cycle(_))
+            && self.failures.iter().all(Option::is_none)
     }
 
     /// The first position that exists, or 0.
@@ -144,7 +158,9 @@ fn paths(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<Vec<[f64; 2]>> {
             if points[id].places.iter().any(|place| place.link == GROUND) {
                 return Vec::new();
             }
-            fine.iter().map(|p| p.as_ref().map_or([f64::NAN; 2], |p| linkage.point_motion(id, p).pf0)).collect()
+            fine.iter()
+                .map(|p| p.as_ref().map_or([f64::NAN; 2], |p| linkage.point_motion(id, p).pf0))
+                .collect()
         })
         .collect()
 }

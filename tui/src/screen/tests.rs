@@ -64,8 +64,10 @@ fn frame(state: &State, width: u16, height: u16) -> Buffer {
 fn text(state: &State, width: u16, height: u16) -> String {
     let buffer = frame(state, width, height);
     let rows = buffer.content.chunks(usize::from(width.max(1)));
-    rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect::<String>().trim_end().to_owned() + "\n")
-        .collect()
+    rows.map(|row| {
+        row.iter().map(ratatui::buffer::Cell::symbol).collect::<String>().trim_end().to_owned() + "\n"
+    })
+    .collect()
 }
 
 fn press(state: &mut State, keys: &str) {

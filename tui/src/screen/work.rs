@@ -94,8 +94,10 @@ pub(crate) fn run(job: &Job) -> Report {
 /// Calculates a scene, and checks it where it is not only compared.
 fn analyze(request: &Request) -> Result<Found, String> {
     let mechanism = &request.linkage.mechanism;
-    let options =
-        assur_analysis::Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
+    let options = assur_analysis::Options {
+        analyzer: request.analyzer.clone(),
+        integrator: request.integrator.clone(),
+    };
     let study = assur_analysis::Study::of(mechanism.clone(), &options).map_err(|error| error.to_string())?;
     let analysis = study.analyze();
     // The whole mechanism is checked, whatever the scene asks for; as `assur check` does.
@@ -118,9 +120,11 @@ pub(crate) fn open(source: Source) -> Result<Study, String> {
     let text = match &source {
         Source::File(path) => std::fs::read_to_string(path)
             .map_err(|error| fill(ENGLISH.unreadable, &[&path.display(), &error]))?,
-        Source::Shipped(name) => {
-            SCENES.iter().find(|(known, _)| known == name).map(|(_, text)| (*text).to_owned()).unwrap_or_default()
-        }
+        Source::Shipped(name) => SCENES
+            .iter()
+            .find(|(known, _)| known == name)
+            .map(|(_, text)| (*text).to_owned())
+            .unwrap_or_default(),
     };
     Study::read(source, &text)
 }

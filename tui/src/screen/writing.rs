@@ -45,7 +45,8 @@ fn curve_columns(state: &State, study: &Study) -> Vec<usize> {
 /// `shaper-mechanism-12.svg`: the scene, the view and, for a drawing, the position.
 fn file_name(state: &State, study: &Study, ending: &str) -> String {
     let name = study.source.name();
-    let stem = PathBuf::from(&name).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let stem =
+        PathBuf::from(&name).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     match state.view {
         View::Mechanism | View::Structure => format!("{stem}-mechanism-{}.{ending}", state.position),
         View::Curves => {
@@ -85,10 +86,11 @@ fn replace(path: &std::path::Path, content: &str) -> std::io::Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(format!(".{}.part", std::process::id()));
     let beside = PathBuf::from(beside);
-    let written = std::fs::OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
-        file.write_all(content.as_bytes())?;
-        file.sync_all()
-    });
+    let written =
+        std::fs::OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
+            file.write_all(content.as_bytes())?;
+            file.sync_all()
+        });
     let renamed = written.and_then(|()| std::fs::rename(&beside, path));
     if renamed.is_err() {
         let _ = std::fs::remove_file(&beside);

@@ -94,11 +94,17 @@ impl Chart<'_> {
 
     /// Range of all curves, never empty.
     fn range(&self) -> Option<[f64; 2]> {
-        let [low, high] = self.curves.iter().filter_map(|(values, _)| extent(values)).reduce(|a, b| {
-            [a[0].min(b[0]), a[1].max(b[1])]
-        })?;
+        let [low, high] = self
+            .curves
+            .iter()
+            .filter_map(|(values, _)| extent(values))
+            .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
         let least = 1e-9 * low.abs().max(high.abs()).max(1e-12);
-        Some(if high - low > least { [low, high] } else { [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())] })
+        Some(if high - low > least {
+            [low, high]
+        } else {
+            [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())]
+        })
     }
 
     fn draw_marks(&self, frame: &Frame<'_>, raster: &Raster, style: Style, buffer: &mut Buffer) {
@@ -106,7 +112,11 @@ impl Chart<'_> {
         let mut labels = Labels::new(frame.plot);
         for &(at, mark) in &self.marks {
             let value = if mark == Mark::Zero { 0.0 } else { between(values, at) };
-            labels.put([frame.column(at.min(values.len().saturating_sub(1) as f64)), frame.row(value)], mark.sign(), style);
+            labels.put(
+                [frame.column(at.min(values.len().saturating_sub(1) as f64)), frame.row(value)],
+                mark.sign(),
+                style,
+            );
         }
         labels.write(raster, buffer);
     }
@@ -130,7 +140,10 @@ fn between(values: &[f64], at: f64) -> f64 {
     let count = values.len().max(1);
     let i = whole(at.floor().max(0.0)) % count;
     let part = at - at.floor();
-    let (a, b) = (values.get(i).copied().unwrap_or(f64::NAN), values.get((i + 1) % count).copied().unwrap_or(f64::NAN));
+    let (a, b) = (
+        values.get(i).copied().unwrap_or(f64::NAN),
+        values.get((i + 1) % count).copied().unwrap_or(f64::NAN),
+    );
     if part > 0.0 { a + part * (b - a) } else { a }
 }
 

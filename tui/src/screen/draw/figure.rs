@@ -29,9 +29,9 @@ pub(crate) struct Part {
 /// The figure of a mechanism in one position; `strokes` are the least and greatest displacement of each slide, m.
 pub(crate) fn figure(linkage: &Linkage, bodies: &[Body<f64>], strokes: &[[f64; 2]]) -> Vec<Part> {
     let mut parts = guides(linkage, bodies, strokes);
-    for link in 1..linkage.mechanism.links.len() {
+    for (link, body) in bodies.iter().enumerate().skip(1) {
         let outline = hull(&features(linkage, link));
-        let at = |local: [f64; 2]| bodies[link].point(local);
+        let at = |local: [f64; 2]| body.point(local);
         let edges = outline.len();
         // A triangle and more is closed, two points are one bar.
         let closed = usize::from(edges > 2);
@@ -75,13 +75,11 @@ fn blocks<'a>(linkage: &'a Linkage, bodies: &'a [Body<f64>]) -> impl Iterator<It
 fn pins<'a>(linkage: &'a Linkage, bodies: &'a [Body<f64>]) -> impl Iterator<Item = Part> + 'a {
     linkage.mechanism.points.iter().filter(|point| point.is_pin()).map(|point| {
         let ground = point.places.iter().find(|place| place.link == GROUND);
-        match ground {
-            Some(place) => Part { link: GROUND, shape: Shape::GroundPin(place.at) },
-            None => {
-                let place = point.places[0];
-                Part { link: place.link, shape: Shape::Pin(bodies[place.link].point(place.at)) }
-            }
+        if let Some(place) = ground {
+            return Part { link: GROUND, shape: Shape::GroundPin(place.at) };
         }
+        let place = point.places[0];
+        Part { link: place.link, shape: Shape::Pin(bodies[place.link].point(place.at)) }
     })
 }
 

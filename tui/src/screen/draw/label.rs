@@ -40,8 +40,14 @@ impl Labels {
         let width = text.width() as f64;
         let (x, y) = (at[0].floor(), at[1].floor());
         let left = x - width;
-        let offers =
-            [[x + 1.0, y - 1.0], [left, y - 1.0], [x + 1.0, y + 1.0], [left, y + 1.0], [x + 2.0, y], [left - 1.0, y]];
+        let offers = [
+            [x + 1.0, y - 1.0],
+            [left, y - 1.0],
+            [x + 1.0, y + 1.0],
+            [left, y + 1.0],
+            [x + 2.0, y],
+            [left - 1.0, y],
+        ];
         let spots: Vec<Rect> = offers
             .into_iter()
             .filter_map(|offer| self.spot(offer, text.width()))

@@ -80,7 +80,8 @@ fn block(pen: &mut Pen<'_>, center: [f64; 2], along: [f64; 2], style: Style) {
     let [half, thick] = BLOCK;
     let (u, v) = (pen.scale.arm(along, half), pen.scale.arm([-along[1], along[0]], thick));
     let corner = |a: f64, b: f64| [middle[0] + a * u[0] + b * v[0], middle[1] + a * u[1] + b * v[1]];
-    let corners = [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
+    let corners =
+        [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
     pen.raster.polyline(&corners, Stroke::Solid, style);
 }
 

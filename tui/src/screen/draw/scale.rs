@@ -13,11 +13,10 @@ impl Bounds {
     pub(crate) const EMPTY: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
 
     pub(crate) fn add(&mut self, at: [f64; 2]) {
-        for axis in 0..2 {
-            if at[axis].is_finite() {
-                self.low[axis] = self.low[axis].min(at[axis]);
-                self.high[axis] = self.high[axis].max(at[axis]);
-            }
+        for ((low, high), x) in self.low.iter_mut().zip(&mut self.high).zip(at).filter(|(_, x)| x.is_finite())
+        {
+            *low = low.min(x);
+            *high = high.max(x);
         }
     }
 
@@ -64,14 +63,13 @@ impl Scale {
     pub(crate) fn fit(bounds: Bounds, area: Rect, ratio: f64, zoom: Zoom) -> Self {
         let room = |cells: u16, margin: f64| (f64::from(cells) - 2.0 * margin).max(1.0);
         let [width, height] = bounds.size();
-        let meters = (width / room(area.width, MARGIN[0])).max(height / (room(area.height, MARGIN[1]) * ratio));
+        let meters =
+            (width / room(area.width, MARGIN[0])).max(height / (room(area.height, MARGIN[1]) * ratio));
         let meters = if meters.is_finite() && meters > 0.0 { meters } else { 1.0 };
         let center = bounds.center();
-        let center = [
-            center[0] + zoom.shift[0] * width.max(height),
-            center[1] + zoom.shift[1] * width.max(height),
-        ]
-        .map(|x| if x.is_finite() { x } else { 0.0 });
+        let center =
+            [center[0] + zoom.shift[0] * width.max(height), center[1] + zoom.shift[1] * width.max(height)]
+                .map(|x| if x.is_finite() { x } else { 0.0 });
         let middle = [f64::from(area.width) / 2.0, f64::from(area.height) / 2.0];
         Self { center, middle, meters: meters / zoom.factor, ratio }
     }

@@ -41,7 +41,8 @@ fn styles_of_the_structure_view() {
         (.., Color::Reset) => '.',
         _ => 'c',
     };
-    let rows = buffer.content.chunks(80).map(|row| row.iter().map(sign).collect::<String>().trim_end().to_owned());
+    let rows =
+        buffer.content.chunks(80).map(|row| row.iter().map(sign).collect::<String>().trim_end().to_owned());
     insta::assert_snapshot!(rows.collect::<Vec<_>>().join("\n"));
 }
 
@@ -81,7 +82,10 @@ fn mono_has_the_same_text_and_no_color() {
         state.look.theme = Theme::Mono;
         assert_eq!(text(&state, 120, 40), colored, "{view:?}");
         let mono = frame(&state, 120, 40);
-        assert!(mono.content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset), "{view:?}");
+        assert!(
+            mono.content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset),
+            "{view:?}"
+        );
     }
 }
 

@@ -21,9 +21,22 @@ fn every_key_in_every_view_is_survived() {
     let mut state = opened("shaper.toml");
     for view in super::VIEWS.into_iter().chain([View::Menu]) {
         for code in (' '..='~').map(KeyCode::Char).chain([
-            KeyCode::Enter, KeyCode::Esc, KeyCode::Tab, KeyCode::BackTab, KeyCode::Backspace, KeyCode::Left,
-            KeyCode::Right, KeyCode::Up, KeyCode::Down, KeyCode::Home, KeyCode::End, KeyCode::PageUp,
-            KeyCode::PageDown, KeyCode::F(1), KeyCode::Delete, KeyCode::Null,
+            KeyCode::Enter,
+            KeyCode::Esc,
+            KeyCode::Tab,
+            KeyCode::BackTab,
+            KeyCode::Backspace,
+            KeyCode::Left,
+            KeyCode::Right,
+            KeyCode::Up,
+            KeyCode::Down,
+            KeyCode::Home,
+            KeyCode::End,
+            KeyCode::PageUp,
+            KeyCode::PageDown,
+            KeyCode::F(1),
+            KeyCode::Delete,
+            KeyCode::Null,
         ]) {
             for modifiers in [KeyModifiers::NONE, KeyModifiers::CONTROL] {
                 (state.help, state.prompt, state.question) = (None, None, None);
@@ -72,7 +85,11 @@ fn no_key_means_two_things_in_a_view() {
 fn every_command_has_its_texts() {
     let texts = crate::screen::text::ENGLISH.commands;
     for command in COMMANDS {
-        assert!(texts.iter().any(|(name, help, _)| *name == command.name && !help.is_empty()), "{}", command.name);
+        assert!(
+            texts.iter().any(|(name, help, _)| *name == command.name && !help.is_empty()),
+            "{}",
+            command.name
+        );
     }
     assert_eq!(texts.len(), COMMANDS.len());
 }

@@ -34,7 +34,7 @@ fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &
     let theme = state.look.theme;
     let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
     if chosen {
-        put(buffer, area, 0, 0, &">".to_owned(), style);
+        put(buffer, area, 0, 0, ">", style);
     }
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
     let residual = format!("{:.2e}", check.residual);

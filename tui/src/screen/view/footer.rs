@@ -69,7 +69,8 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
 fn keys_of_hint(command: &Command, key: &str) -> String {
     match command.name {
         "next-position" => "Left/Right".to_owned(),
-        "next-row" | "next-item" | "next-group" | "next-scene" | "next-reaction" | "next-motion" | "next-check" => "Up/Down".to_owned(),
+        "next-row" | "next-item" | "next-group" | "next-scene" | "next-reaction" | "next-motion"
+        | "next-check" => "Up/Down".to_owned(),
         _ => key.to_owned(),
     }
 }

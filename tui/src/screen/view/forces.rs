@@ -1,5 +1,7 @@
 //! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
 
+use std::fmt::Write;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -28,10 +30,12 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         Pane::Table => {
             let rows = short(found.reactions.len()) + 1;
             let below = BELOW.max(rest.height.saturating_sub(rows + 1));
-            let [table, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
+            let [table, below] =
+                Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
             draw_table(state, study, found, table, buffer);
             let side = (below.height * 3).min(below.width / 2);
-            let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
+            let [left, right] =
+                Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
             draw_curves(state, study, found, left, &[usize::MAX], buffer);
             draw_hodograph(state, found, right, buffer);
         }
@@ -78,7 +82,7 @@ fn draw_table(state: &State, study: &Study, found: &Found, area: Rect, buffer: &
         let mut text = format!("{}{}", if chosen { '>' } else { ' ' }, name(state, reaction));
         for (cell, end) in cells(state, study, found, reaction).into_iter().zip(ENDS) {
             let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
-            text.push_str(&format!("{cell:>width$}"));
+            let _ = write!(text, "{cell:>width$}");
         }
         put(buffer, area, 0, short(row) + 1, &text, style);
     }
@@ -90,7 +94,13 @@ fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> Ve
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
         let unit = series.show(state.position);
-        return vec![String::new(), String::new(), unit, String::new(), difference(state, study, found, reaction)];
+        return vec![
+            String::new(),
+            String::new(),
+            unit,
+            String::new(),
+            difference(state, study, found, reaction),
+        ];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
     let direction = if modulus > 0.0 { format!("{:.2} deg", direction(fx, fy)) } else { "-".into() };
@@ -116,13 +126,19 @@ fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) 
     let Some(same) = same else { return "-".to_owned() };
     let at = |found: &Found, index: usize| found.series[index].values.get(state.position).copied();
     let parts = reaction.series.iter().zip(&same.series).take(2.min(reaction.series.len()));
-    let squares: Option<f64> =
-        parts.map(|(a, b)| Some((at(found, *a)? - at(other, *b)?).powi(2))).sum();
+    let squares: Option<f64> = parts.map(|(a, b)| Some((at(found, *a)? - at(other, *b)?).powi(2))).sum();
     squares.map_or_else(|| "-".to_owned(), |sum| format!("{:.1e}", sum.sqrt()))
 }
 
 /// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
-fn draw_curves(state: &State, study: &Study, found: &Found, area: Rect, which: &[usize], buffer: &mut Buffer) {
+fn draw_curves(
+    state: &State,
+    study: &Study,
+    found: &Found,
+    area: Rect,
+    which: &[usize],
+    buffer: &mut Buffer,
+) {
     let Some(reaction) = chosen(state, found) else { return };
     let mut wanted: Vec<usize> =
         which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();

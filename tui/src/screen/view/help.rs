@@ -28,7 +28,8 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
     let theme = state.look.theme;
     Clear.render(area, buffer);
-    let search = if help.filter.is_empty() { state.texts.help_filter.to_owned() } else { format!("/{}", help.filter) };
+    let search =
+        if help.filter.is_empty() { state.texts.help_filter.to_owned() } else { format!("/{}", help.filter) };
     let block = Block::bordered().title(state.texts.help_title).title_bottom(search);
     let inner = block.inner(area);
     block.render(area, buffer);
@@ -42,14 +43,28 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             Row::Command(command) => {
                 put(buffer, inner, KEYS_AT, line, &keys(command), theme.style(Role::Key));
                 put(buffer, inner, NAME_AT, line, command.name, theme.style(Role::Plain));
-                put(buffer, inner, HELP_AT, line, texts_of(state.texts, command.name).0, theme.style(Role::Plain));
+                put(
+                    buffer,
+                    inner,
+                    HELP_AT,
+                    line,
+                    texts_of(state.texts, command.name).0,
+                    theme.style(Role::Plain),
+                );
             }
         }
     }
     let shown = help.scroll + usize::from(inner.height);
     if rows.len() > shown || help.scroll > 0 {
         let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
-        put(buffer, area, area.width.saturating_sub(short(text.len()) + 2), 0, &text, theme.style(Role::Plain));
+        put(
+            buffer,
+            area,
+            area.width.saturating_sub(short(text.len()) + 2),
+            0,
+            &text,
+            theme.style(Role::Plain),
+        );
     }
 }
 
@@ -69,7 +84,8 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
     };
     let mut rows = Vec::new();
     for group in Group::ALL {
-        let of_group: Vec<_> = COMMANDS.iter().filter(|command| command.group == group).filter(fits).collect();
+        let of_group: Vec<_> =
+            COMMANDS.iter().filter(|command| command.group == group).filter(fits).collect();
         if of_group.is_empty() {
             continue;
         }

@@ -5,8 +5,8 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
 use super::panel;
-use crate::screen::draw::plot::{Pen, arrow, draw_figure, draw_ground, names};
 use crate::screen::draw::label::Labels;
+use crate::screen::draw::plot::{Pen, arrow, draw_figure, draw_ground, names};
 use crate::screen::draw::raster::{Raster, Stroke, whole};
 use crate::screen::draw::scale::Scale;
 use crate::screen::number::plain;
@@ -78,13 +78,7 @@ pub(crate) fn chosen_point(state: &State, study: &Study) -> Option<usize> {
     }
 }
 
-fn arrows(
-    state: &State,
-    study: &Study,
-    pose: &assur_kinematics::Position,
-    area: Rect,
-    pen: &mut Pen<'_>,
-) {
+fn arrows(state: &State, study: &Study, pose: &assur_kinematics::Position, area: Rect, pen: &mut Pen<'_>) {
     let theme = state.look.theme;
     let of = |velocity: bool| match state.arrows {
         Arrows::None => false,

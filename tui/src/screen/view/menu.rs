@@ -28,7 +28,8 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     }
     match state.menu.preview() {
         Some(Ok(study)) => {
-            let [name, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(picture);
+            let [name, drawing] =
+                Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(picture);
             put(buffer, name, 1, 0, &study.linkage.mechanism.title, theme.style(Role::Header));
             mechanism::picture(state, study, study.first_position(), drawing, &[], buffer);
         }

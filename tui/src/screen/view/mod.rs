@@ -72,7 +72,10 @@ pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
 
 /// A click chooses a position on a chart; tells whether the frame may differ.
 pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
-    let pressed = matches!(mouse.kind, MouseEventKind::Down(MouseButton::Left) | MouseEventKind::Drag(MouseButton::Left));
+    let pressed = matches!(
+        mouse.kind,
+        MouseEventKind::Down(MouseButton::Left) | MouseEventKind::Drag(MouseButton::Left)
+    );
     if !pressed || state.view != View::Curves {
         return false;
     }

@@ -21,7 +21,8 @@ const NUMBERS: u16 = 30;
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &study.found else { return };
-    let lines = found.analysis.dynamics.as_ref().map(|d| regime(d, found.analysis.input.angular)).unwrap_or_default();
+    let lines =
+        found.analysis.dynamics.as_ref().map(|d| regime(d, found.analysis.input.angular)).unwrap_or_default();
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     for (row, line) in lines.iter().enumerate() {
@@ -105,8 +106,8 @@ pub(crate) fn regime(dynamics: &Dynamics, angular: bool) -> Vec<String> {
         ("torque", dynamics.torque, "N m"),
         ("required power", dynamics.required_power, "W"),
     ];
-    let lines = all.into_iter().filter_map(|(name, value, unit)| {
-        value.map(|value| format!("{name} {} {unit}", digits(value, 5)))
-    });
+    let lines = all
+        .into_iter()
+        .filter_map(|(name, value, unit)| value.map(|value| format!("{name} {} {unit}", digits(value, 5))));
     lines.collect()
 }

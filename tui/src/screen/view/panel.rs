@@ -35,7 +35,9 @@ fn lines(state: &State, study: &Study, area: Rect) -> Vec<(Role, String)> {
     }
     if let Some(Some(failure)) = study.failures.get(state.position) {
         lines.push((Role::Plain, String::new()));
-        lines.extend(wrapped(failure, usize::from(area.width.max(8)) - 2).into_iter().map(|line| (Role::Bad, line)));
+        lines.extend(
+            wrapped(failure, usize::from(area.width.max(8)) - 2).into_iter().map(|line| (Role::Bad, line)),
+        );
         return lines;
     }
     lines.push((Role::Plain, String::new()));
@@ -97,7 +99,8 @@ fn arrow_scale(state: &State, study: &Study, area: Rect, lines: &mut Vec<(Role, 
         let Some(cells) = mechanism::arrow_unit(state, study, drawing, order) else { continue };
         let round = mechanism::round_length(8.0 / cells);
         let dashes = "-".repeat(crate::screen::draw::raster::whole((round * cells).clamp(1.0, 12.0)));
-        let (name, power) = if order == 1 { (state.texts.velocity_by, "") } else { (state.texts.acceleration_by, "2") };
+        let (name, power) =
+            if order == 1 { (state.texts.velocity_by, "") } else { (state.texts.acceleration_by, "2") };
         lines.push((role, format!("{name} {dashes}> {} m/{unit}{power}", plain(round))));
     }
 }

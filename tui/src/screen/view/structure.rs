@@ -50,7 +50,9 @@ fn lines(state: &State, study: &Study) -> Vec<(bool, String)> {
         let sign = if chosen { "> " } else { "  " };
         lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
         if chosen {
-            lines.extend(details(state, study, group, index).into_iter().map(|line| (false, format!("     {line}"))));
+            lines.extend(
+                details(state, study, group, index).into_iter().map(|line| (false, format!("     {line}"))),
+            );
         }
     }
     lines
@@ -66,7 +68,10 @@ fn details(state: &State, study: &Study, group: &assur_structure::Group, index: 
         names.join(", ")
     };
     let mut lines = vec![
-        fill(texts.class_and_order, &[&assur_structure::roman(group.class), &group.plugin.number, &group.order]),
+        fill(
+            texts.class_and_order,
+            &[&assur_structure::roman(group.class), &group.plugin.number, &group.order],
+        ),
         fill(texts.links_of, &[&links.join(", ")]),
         fill(texts.inner_pairs, &[&names(&group.frame.inner)]),
         fill(texts.outer_pairs, &[&names(&group.frame.outer)]),

@@ -1,5 +1,7 @@
 //! Positions and quantities as a table: first column and header stay, the rest scrolls both ways.
 
+use std::fmt::Write;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -44,28 +46,56 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     for &(column, width) in &columns {
         let Some(series) = study.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
-        put(buffer, area, left, 0, &format!("{:>1$}", series.short, usize::from(width) - 1), theme.style(role));
-        put(buffer, area, left, 1, &format!("{:>1$}", series.unit, usize::from(width) - 1), theme.style(Role::Dim));
+        put(
+            buffer,
+            area,
+            left,
+            0,
+            &format!("{:>1$}", series.short, usize::from(width) - 1),
+            theme.style(role),
+        );
+        put(
+            buffer,
+            area,
+            left,
+            1,
+            &format!("{:>1$}", series.unit, usize::from(width) - 1),
+            theme.style(Role::Dim),
+        );
         left += width;
     }
     let height = usize::from(area.height - 3);
     let row = order.iter().position(|position| *position == state.position).unwrap_or(0);
     let skip = row.saturating_sub(height / 2).min(order.len().saturating_sub(height));
     for (line, &position) in order.iter().skip(skip).take(height).enumerate() {
-        draw_row(state, study, position, &columns, Rect { y: area.y + 2 + short(line), height: 1, ..area }, buffer);
+        draw_row(
+            state,
+            study,
+            position,
+            &columns,
+            Rect { y: area.y + 2 + short(line), height: 1, ..area },
+            buffer,
+        );
     }
     let below = Rect { y: area.bottom() - 1, height: 1, ..area };
     status(state, study, &columns, below, buffer);
     scroll_bar(area, skip, height, order.len(), buffer);
 }
 
-fn draw_row(state: &State, study: &Study, position: usize, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
+fn draw_row(
+    state: &State,
+    study: &Study,
+    position: usize,
+    columns: &[(usize, u16)],
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let here = position == state.position;
     let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
         let value = study.column(column).map_or_else(String::new, |series| series.bare(position));
-        text.push_str(&format!("{value:>0$} ", usize::from(width) - 1));
+        let _ = write!(text, "{value:>0$} ", usize::from(width) - 1);
     }
     put(buffer, Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, style);
 }
