@@ -40,6 +40,8 @@ pub(crate) enum Command {
     Check(SceneArgs),
     /// Tell what is modelled, what is left out and why, and which method each stage uses
     Explain(SceneArgs),
+    /// Measure speed against accuracy of every method that can do a scene
+    Chart(super::chart::ChartArgs),
     /// Walk towards each singular position of a scene's groups and methods; how near the scene comes to them
     Stability(StabilityArgs),
     /// List every registered group, force analyzer, integrator and catalogue

@@ -2,6 +2,7 @@
 
 mod analyze;
 mod args;
+mod chart;
 mod check;
 mod explain;
 mod fault;
@@ -56,6 +57,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Analyze(args)) => analyze::run(&args, style),
         Some(Command::Check(args)) => check::run(&args, style),
         Some(Command::Explain(args)) => explain::run(&args, style),
+        Some(Command::Chart(args)) => chart::run(&args, style),
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
