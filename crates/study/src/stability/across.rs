@@ -20,11 +20,12 @@ pub(crate) fn interpolated(
     let places: Vec<f64> =
         (-NODES..=NODES).filter(|k| *k != 0).map(|k| center + unit * f64::from(k)).collect();
     let mut sum: Option<Vec<[Dd; 10]>> = None;
-    for &place in &places {
-        let weight = places.iter().filter(|other| **other != place).fold(Dd::ONE, |weight, &other| {
-            let part = |at: f64| Dd::from_f64(at) - Dd::from_f64(other);
-            weight * part(q) / part(place)
-        });
+    for (k, &place) in places.iter().enumerate() {
+        let weight =
+            places.iter().enumerate().filter(|(i, _)| *i != k).fold(Dd::ONE, |weight, (_, &other)| {
+                let part = |at: f64| Dd::from_f64(at) - Dd::from_f64(other);
+                weight * part(q) / part(place)
+            });
         let (mut bodies, mut health) = (chain.bodies(), vec![Dd::ZERO; chain.groups.len()]);
         let ways = linkage.ways.at(place);
         chain.solve(Dd::from_f64(place), ways, Order::Second, &mut bodies, &mut health).ok()?;

@@ -99,7 +99,7 @@ fn margin(linkage: &Linkage, length: &Length, grid: &[f64]) -> Margin {
     Margin {
         length: words,
         value,
-        increase: least(most, &breaks),
+        increase: least(most, breaks),
         decrease: least(decrease, |change| breaks(-change)),
     }
 }

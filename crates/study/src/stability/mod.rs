@@ -23,4 +23,6 @@ pub use row::{DISTANCES, Row};
 pub use walk_group::FACTOR;
 
 #[cfg(test)]
+mod metamorphic;
+#[cfg(test)]
 mod tests;

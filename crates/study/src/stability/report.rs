@@ -30,6 +30,11 @@ pub struct Stability {
     pub failure: Option<String>,
 }
 
+/// Place, method, quantity.
+type WalkKey<'a> = (&'a str, &'a str, &'a str);
+/// Largest error over bound, greatest distance at which the method refuses, whether all rows are ok.
+type WalkWorst = (f64, Option<f64>, bool);
+
 /// Studies a mechanism: its own cycle, and walks towards each singular position that its groups have.
 ///
 /// # Errors
@@ -138,7 +143,7 @@ impl Stability {
 
     fn walks(&self, text: &mut String) {
         text.push_str("\nWalks: largest error over bound, and from which distance on a method refuses\n");
-        let mut walks: BTreeMap<(&str, &str, &str), (f64, Option<f64>, bool)> = BTreeMap::new();
+        let mut walks: BTreeMap<WalkKey<'_>, WalkWorst> = BTreeMap::new();
         for row in &self.rows {
             let walk = walks.entry((&row.place, &row.method, row.quantity)).or_insert((0.0, None, true));
             walk.2 &= row.ok;

@@ -70,14 +70,13 @@ impl<'a> Walk<'a> {
 
     fn reference(&self, group: usize, q: f64, change: Option<f64>) -> Option<Reference> {
         let chain = &self.extended;
-        let bodies = match change {
-            Some(center) => interpolated(self.linkage, chain, center, q)?,
-            None => {
-                let (mut bodies, mut health) = (chain.bodies(), vec![Dd::ZERO; chain.groups.len()]);
-                let ways = self.linkage.ways.at(q);
-                chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
-                bodies
-            }
+        let bodies = if let Some(center) = change {
+            interpolated(self.linkage, chain, center, q)?
+        } else {
+            let (mut bodies, mut health) = (chain.bodies(), vec![Dd::ZERO; chain.groups.len()]);
+            let ways = self.linkage.ways.at(q);
+            chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
+            bodies
         };
         let mut loads: Vec<_> = self.loads.iter().map(lifted_load).collect();
         let mut pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
