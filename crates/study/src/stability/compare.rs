@@ -32,15 +32,17 @@ fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
     }
 }
 
-/// Largest deviation of some links, over the largest size of the order (of places: at least the scale).
+/// Largest deviation of some links, over the largest size of the order, but at least `floor`: where a derivative passes
+/// through zero its digits are gone, and nothing is lost.
 pub(crate) fn transfer(
     found: &[Body<f64>],
     reference: &[Body<Dd>],
     links: &[usize],
     order: usize,
     scale: f64,
+    floor: f64,
 ) -> f64 {
-    let (mut deviation, mut size) = (0.0, if order == 0 { 1.0 } else { f64::MIN_POSITIVE });
+    let (mut deviation, mut size) = (0.0, floor);
     for &link in links {
         let exact = of_order(&reference[link], order, scale);
         let mine = of_order(&lifted(&found[link]), order, scale);

@@ -127,7 +127,12 @@ impl<'a> Walk<'a> {
             let power = if order == 2 && change.is_some() { 3 } else { [1, 2, 2][order] };
             let bound = rounding * growth.powi(power);
             let outcome = match &solved {
-                Ok(()) => Ok(transfer(&position.bodies, &reference.bodies, links, order, self.scale)),
+                Ok(()) => {
+                    // The input itself turns by 1 (moves by 1/scale of the scale) for a unit of the coordinate.
+                    let unit = if self.linkage.angular() { 1.0_f64 } else { self.scale };
+                    let floor = order.try_into().map_or(1.0, |order: i32| unit.powi(-order));
+                    Ok(transfer(&position.bodies, &reference.bodies, links, order, self.scale, floor))
+                }
                 Err(error) => Err(error.to_string()),
             };
             rows.push(subject("closed forms", quantity, reference.health, bound).row(outcome));

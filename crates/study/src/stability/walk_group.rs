@@ -70,6 +70,11 @@ fn step(name: &str, group: &Group, isolated: &Isolated, side: Side, distance: f6
     }
 }
 
+/// Places are counted in units of the size, derivatives by the largest of them alone.
+fn floor(order: usize) -> f64 {
+    if order == 0 { 1.0 } else { f64::MIN_POSITIVE }
+}
+
 /// Loads on the two links.
 fn loads(size: f64) -> [Wrench<f64>; 4] {
     let mut loads = [Wrench::ZERO; 4];
@@ -123,7 +128,7 @@ impl Place<'_> {
                 order_done = kernel.solve(&mut bodies, way, Order::Second).map(|_| ());
             }
             let outcome = order_done
-                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size))
+                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size, floor(order)))
                 .map_err(|error| self.refused(error));
             rows.push(self.subject(method, quantity, reference).row(outcome));
         }
@@ -147,7 +152,7 @@ impl Place<'_> {
         let derived = derive_generally(self.frame, &mut bodies, Order::Second);
         for (order, quantity) in ORDERS.into_iter().enumerate().skip(1) {
             let outcome = derived
-                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size))
+                .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size, floor(order)))
                 .map_err(|error| self.refused(error));
             rows.push(unaware(self.subject(METHOD, quantity, reference).row(outcome)));
         }
