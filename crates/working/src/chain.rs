@@ -29,7 +29,7 @@ impl Work<'_> {
         self.sheet.section(&title);
         self.sheet.begin_group(group + 1);
         let before = self.sheet.clone();
-        let own = plugin_for(found.plugin.name)?.filter(|plugin| {
+        let own = plugin_for(found.plugin.name)?.filter(|_| self.own).filter(|plugin| {
             let written = (plugin.motion)(&mut self.sheet, &found.frame, self.bodies);
             written.is_ok() && !self.sheet.is_unfit() && self.agrees(&found.frame.links)
         });

@@ -59,6 +59,8 @@ pub(crate) struct Work<'a> {
     pub(crate) state: State,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,
+    /// Whether kinds may write their own equations; otherwise all are worked by the linear system.
+    pub(crate) own: bool,
 }
 
 impl Working {
@@ -73,6 +75,16 @@ impl Working {
         state: State,
         index: usize,
     ) -> Result<Self, WorkingError> {
+        Self::by(linkage, loads, state, index, true)
+    }
+
+    pub(crate) fn by(
+        linkage: &Linkage,
+        loads: Option<&Loads>,
+        state: State,
+        index: usize,
+        own: bool,
+    ) -> Result<Self, WorkingError> {
         let count = linkage.mechanism.input.positions;
         if index >= count {
             return Err(WorkingError::Index { index, last: count.saturating_sub(1) });
@@ -81,7 +93,7 @@ impl Working {
         linkage.solve_index(index, Order::Second, &mut position)?;
         let units = if linkage.angular() { Units::ANGULAR } else { Units::LINEAR };
         let sheet = Sheet::new(names::of(linkage), units);
-        let mut work = Work { linkage, bodies: &position.bodies, state, sheet, general: Vec::new() };
+        let mut work = Work { linkage, bodies: &position.bodies, state, sheet, general: Vec::new(), own };
         work.conventions(index, loads.is_some());
         work.input(index);
         for group in 0..linkage.structure.groups.len() {

@@ -187,6 +187,9 @@ fn add(a: &Expr, b: &Expr) -> Expr {
     }
     match &*b.0 {
         Node::Negative(b) => Expr::new(Node::Difference(a.clone(), b.clone())),
+        // From left to right, so that no sum needs parentheses.
+        Node::Sum(c, d) => add(&add(a, c), d),
+        Node::Difference(c, d) => subtract(&add(a, c), d),
         _ => Expr::new(Node::Sum(a.clone(), b.clone())),
     }
 }

@@ -95,7 +95,8 @@ fn derive(
     let name = sheet.place_name(rod, pairs.inner.own);
     let carrier = sheet.body_name(body).to_owned();
     let units = sheet.units.length;
-    sheet.note(format!("PF1: across the guide {name} moves as the point of {carrier} under it, with V"));
+    let with = if body == 0 { "does not move" } else { "moves as the point of the carrier under it, with V" };
+    sheet.note(format!("PF1: across the guide on {carrier}, {name} {with}"));
     let of = sheet.local("under");
     let v = sheet.under(body, through, c, 1);
     let v = sheet.components("V", &of, &v, units[1]);

@@ -39,7 +39,7 @@ pub(crate) enum Command {
     /// Run every check on a scene, one line each
     Check(SceneArgs),
     /// Tell what is modelled, what is left out and why, and which method each stage uses
-    Explain(SceneArgs),
+    Explain(ExplainArgs),
     /// Measure speed against accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
     /// Walk towards each singular position of a scene's groups and methods; how near the scene comes to them
@@ -108,6 +108,16 @@ pub(crate) struct StabilityArgs {
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// Arguments of `explain`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct ExplainArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Write the working of this position instead: every equation with its numbers, to follow by hand
+    #[arg(long, value_name = "N")]
+    pub(crate) position: Option<usize>,
 }
 
 /// Form of results.

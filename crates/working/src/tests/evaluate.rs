@@ -150,7 +150,8 @@ pub(crate) fn recomputes(what: &str, text: &str) -> usize {
         if parts.len() > 2 {
             let expression = &parts[parts.len() - 2];
             // A quantity that is another one, or its opposite, with its number printed once.
-            let opposite = expression.strip_prefix('-').and_then(|name| known.get(name)).map(|value: &f64| -value);
+            let opposite =
+                expression.strip_prefix('-').and_then(|name| known.get(name)).map(|value: &f64| -value);
             let found = known.get(expression).copied().or(opposite).unwrap_or_else(|| evaluate(expression));
             let slack = half * (1.0 + 1e-9) + f64::EPSILON;
             assert!((found - wanted).abs() <= slack, "{what}: {name}: {found} is not {last}\n{parts:?}");

@@ -1,1 +1,49 @@
+use super::evaluate::{equations, printed};
+use super::fixtures::scene;
+use super::{compiled, worked};
+use crate::{Working, WorkingError};
 
+fn value(text: &str, name: &str) -> f64 {
+    let all = equations(text);
+    let row = all.iter().find(|parts| parts[0] == name).unwrap_or_else(|| panic!("no {name}"));
+    printed(row.last().unwrap()).0
+}
+
+#[test]
+fn slider_crank_at_45_degrees_by_hand() {
+    // r = 0.06, l = 0.24, guide upwards: y_B = r sin q + sqrt(l² - r² cos² q); the slider stays on the y axis.
+    let (linkage, loads) = compiled(scene("slider-crank"));
+    let text = worked(&linkage, loads.as_ref(), 3).text();
+    let (r, l) = (0.06, 0.24_f64);
+    let c = r * std::f64::consts::FRAC_1_SQRT_2;
+    let root = (l * l - c * c).sqrt();
+    let near = |name: &str, wanted: f64| {
+        let found = value(&text, name);
+        assert!((found - wanted).abs() <= 1e-5 * wanted.abs(), "{name}: {found}, by hand {wanted}");
+    };
+    near("y_B", c + root);
+    near("y'_B", c + c * c / root);
+    near("phi'_rod", -c / root);
+    near("ay_t_B", value(&text, "y''_B") * (30.0 * std::f64::consts::PI).powi(2));
+    assert!((value(&text, "M_bal") - value(&text, "M_bal_power")).abs() < 1e-3);
+}
+
+#[test]
+fn without_loads_and_motion_there_are_no_forces() {
+    let mut mechanism = scene("slider-crank");
+    (mechanism.motion, mechanism.gravity) = (None, None);
+    mechanism.forces.clear();
+    let (linkage, loads) = compiled(mechanism);
+    assert!(loads.is_none());
+    let working = worked(&linkage, None, 3);
+    assert!(working.reactions.is_empty() && working.balancing.is_none());
+    assert!(!working.text().contains("Reactions of"));
+}
+
+#[test]
+fn a_position_that_does_not_exist() {
+    let (linkage, loads) = compiled(scene("slider-crank"));
+    let error = Working::of(&linkage, loads.as_ref(), assur_force::State::default(), 24).unwrap_err();
+    assert_eq!(error, WorkingError::Index { index: 24, last: 23 });
+    assert_eq!(error.to_string(), "there is no position 24: the scene has positions 0 to 23");
+}
