@@ -5,7 +5,7 @@ use crossterm::event::KeyCode;
 use super::draw::scale::Zoom;
 use super::found::Found;
 use super::key::Key;
-use super::state::{Arrows, Help, Pane, State, Traces, View, Wish};
+use super::state::{Arrows, Help, Pane, PlanKind, State, Traces, View, Wish};
 use super::study::{Source, Study};
 use super::theme::{Role, Theme};
 use super::work::Job;
@@ -251,4 +251,26 @@ pub(crate) fn difference(state: &mut State) {
     state.analyzer = next_analyzer(state);
     state.analyze(true);
     state.analyzer = now;
+}
+
+/// The next or previous polygon, or step of the construction.
+pub(crate) fn step(state: &mut State, by: isize) {
+    let plan = found(state).and_then(|found| found.plans.get(state.position));
+    let Some(plan) = plan else { return };
+    if state.plan == PlanKind::Construction {
+        let count = plan.construction.as_ref().map_or(0, |construction| construction.steps.len());
+        state.chosen.step = round(state.chosen.step, by, count);
+    } else {
+        state.chosen.polygon = round(state.chosen.polygon, by, plan.polygons.len());
+    }
+}
+
+/// The next kind of plan.
+pub(crate) fn plan(state: &mut State) {
+    state.plan = match state.plan {
+        PlanKind::Forces => PlanKind::Velocity,
+        PlanKind::Velocity => PlanKind::Acceleration,
+        PlanKind::Acceleration => PlanKind::Construction,
+        PlanKind::Construction => PlanKind::Forces,
+    };
 }

@@ -52,9 +52,9 @@ const fn command(
 }
 
 use Group::{Choose, Look, Move, Program, Views};
-use View::{Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Structure, Table};
+use View::{Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table};
 
-const SCENE: &[View] = &[Mechanism, Curves, Forces, Motion, Drive, Checks, Structure, Table];
+const SCENE: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 const DRAWN: &[View] = &[Mechanism, Structure];
 
 /// All commands, in the order of the help screen.
@@ -69,20 +69,23 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("next-row", Move, &[code(KeyCode::Down), char('j')], &[Table], |s| act::row(s, 1)),
     command("previous-row", Move, &[code(KeyCode::Up), char('k')], &[Table], |s| act::row(s, -1)),
     command("next-item", Choose, &[code(KeyCode::Down), char('j')], &[Mechanism, Curves], |s| {
-        act::item(s, 1)
+        act::item(s, 1);
     }),
     command("previous-item", Choose, &[code(KeyCode::Up), char('k')], &[Mechanism, Curves], |s| {
-        act::item(s, -1)
+        act::item(s, -1);
     }),
     command("next-group", Choose, &[code(KeyCode::Down), char('j')], &[Structure], |s| act::group(s, 1)),
     command("previous-group", Choose, &[code(KeyCode::Up), char('k')], &[Structure], |s| act::group(s, -1)),
     command("next-reaction", Choose, &[code(KeyCode::Down), char('j')], &[Forces], |s| act::reaction(s, 1)),
     command("previous-reaction", Choose, &[code(KeyCode::Up), char('k')], &[Forces], |s| {
-        act::reaction(s, -1)
+        act::reaction(s, -1);
     }),
-    command("analyzer", Choose, &[char('f')], &[Forces], act::analyzer),
+    command("analyzer", Choose, &[char('f')], &[Forces, Plans], act::analyzer),
     command("difference", Choose, &[char('d')], &[Forces], act::difference),
     command("pane", Choose, &[code(KeyCode::Tab)], &[Forces, Motion], act::pane),
+    command("next-step", Choose, &[code(KeyCode::Down), char('j')], &[Plans], |s| act::step(s, 1)),
+    command("previous-step", Choose, &[code(KeyCode::Up), char('k')], &[Plans], |s| act::step(s, -1)),
+    command("next-plan", Choose, &[code(KeyCode::Tab)], &[Plans], act::plan),
     command("next-motion", Choose, &[code(KeyCode::Down), char('j')], &[Motion], |s| act::motion(s, 1)),
     command("previous-motion", Choose, &[code(KeyCode::Up), char('k')], &[Motion], |s| act::motion(s, -1)),
     command("next-check", Choose, &[code(KeyCode::Down), char('j')], &[Checks], |s| act::check(s, 1)),
@@ -90,19 +93,20 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("worst", Choose, &[code(KeyCode::Enter)], &[Checks], act::worst),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
     command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| {
-        act::column(s, -1)
+        act::column(s, -1);
     }),
     command("sort", Choose, &[char('s')], &[Table], act::sort),
     command("next-scene", Choose, &[code(KeyCode::Down), char('j'), code(KeyCode::Right)], &[Menu], |s| {
-        act::scene(s, 1)
+        act::scene(s, 1);
     }),
     command("previous-scene", Choose, &[code(KeyCode::Up), char('k'), code(KeyCode::Left)], &[Menu], |s| {
-        act::scene(s, -1)
+        act::scene(s, -1);
     }),
     command("open-scene", Choose, &[code(KeyCode::Enter)], &[Menu], act::open_scene),
     command("mechanism", Views, &[char('1')], SCENE, |s| s.show(Mechanism)),
     command("curves", Views, &[char('2')], SCENE, |s| s.show(Curves)),
     command("forces", Views, &[char('3')], SCENE, |s| s.show(Forces)),
+    command("plans", Views, &[char('4')], SCENE, |s| s.show(Plans)),
     command("motion", Views, &[char('5')], SCENE, |s| s.show(Motion)),
     command("drive", Views, &[char('6')], SCENE, |s| s.show(Drive)),
     command("checks", Views, &[char('7')], SCENE, |s| s.show(Checks)),

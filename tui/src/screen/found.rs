@@ -2,6 +2,7 @@
 
 use assur_results::{Analysis, CheckRow, PositionResult};
 
+use super::plans::Plan;
 use super::series::Series;
 
 /// The results of one analysis, with the series made of them.
@@ -15,6 +16,8 @@ pub(crate) struct Found {
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
+    /// Plans by position.
+    pub(crate) plans: Vec<Plan>,
     /// Indices in `series` of what the motion view shows.
     pub(crate) motion: Vec<usize>,
 }
@@ -34,15 +37,10 @@ pub(crate) struct Reaction {
 
 impl Found {
     /// Gathers the series of an analysis.
-    pub(crate) fn of(analyzer: String, analysis: Analysis, checks: Vec<CheckRow>, positions: usize) -> Self {
-        let mut found = Self {
-            analyzer,
-            analysis,
-            checks,
-            series: Vec::new(),
-            reactions: Vec::new(),
-            motion: Vec::new(),
-        };
+    pub(crate) fn of(analyzer: String, analysis: Analysis, checks: Vec<CheckRow>, plans: Vec<Plan>) -> Self {
+        let positions = plans.len();
+        let (series, reactions, motion) = (Vec::new(), Vec::new(), Vec::new());
+        let mut found = Self { analyzer, analysis, checks, series, reactions, plans, motion };
         let gather = Gather { positions };
         gather.motion(&mut found);
         gather.rates(&mut found);

@@ -14,6 +14,7 @@ mod line;
 mod locale;
 mod menu;
 mod number;
+mod plans;
 mod prompt;
 mod quantities;
 mod series;

@@ -18,6 +18,7 @@ pub(crate) enum View {
     Mechanism,
     Curves,
     Forces,
+    Plans,
     Motion,
     Drive,
     Checks,
@@ -53,6 +54,15 @@ impl Default for Look {
     fn default() -> Self {
         Self { ascii: false, marker: Marker::Braille, theme: Theme::Default, ratio: 2.0, fps: 10 }
     }
+}
+
+/// Which plan is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PlanKind {
+    Forces,
+    Velocity,
+    Acceleration,
+    Construction,
 }
 
 /// What a view with several parts shows.
@@ -96,6 +106,10 @@ pub(crate) struct Chosen {
     /// Index in [`super::found::Found::reactions`].
     pub(crate) reaction: usize,
     pub(crate) check: usize,
+    /// Group whose force polygon is drawn; the last is the input link.
+    pub(crate) polygon: usize,
+    /// Last step of the construction that is drawn.
+    pub(crate) step: usize,
     /// First quantity of the motion view.
     pub(crate) motion: usize,
     /// Column of the table.
@@ -116,6 +130,7 @@ pub(crate) struct State {
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
     pub(crate) pane: Pane,
+    pub(crate) plan: PlanKind,
     /// Force analyzer and integrator that are asked for; `None`: the scene's.
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
@@ -155,6 +170,7 @@ impl State {
             arrows: Arrows::Velocity,
             traces: Traces::All,
             pane: Pane::Table,
+            plan: PlanKind::Forces,
             analyzer: None,
             integrator: None,
             generation: 0,
@@ -284,7 +300,7 @@ impl State {
         match view {
             View::Menu => true,
             View::Mechanism | View::Curves | View::Structure | View::Table => self.study.is_some(),
-            View::Forces => found.is_some_and(|found| found.has_forces()),
+            View::Forces | View::Plans => found.is_some_and(|found| found.has_forces()),
             View::Motion => {
                 found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
             }

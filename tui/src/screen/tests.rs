@@ -15,10 +15,11 @@ use super::state::{Look, State, View, Wish};
 use super::study::{Source, Study};
 use super::{command, view, work};
 
-const VIEWS: [View; 8] = [
+const VIEWS: [View; 9] = [
     View::Mechanism,
     View::Curves,
     View::Forces,
+    View::Plans,
     View::Motion,
     View::Drive,
     View::Checks,

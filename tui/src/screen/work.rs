@@ -103,7 +103,8 @@ fn analyze(request: &Request) -> Result<Found, String> {
     // The whole mechanism is checked, whatever the scene asks for; as `assur check` does.
     let checks = if request.other { Vec::new() } else { checks(mechanism, &options) };
     let analyzer = study.analyzer.map_or("", |plugin| plugin.name).to_owned();
-    Ok(Found::of(analyzer, analysis, checks, mechanism.input.positions))
+    let plans = super::plans::of(&study, &analysis);
+    Ok(Found::of(analyzer, analysis, checks, plans))
 }
 
 fn checks(mechanism: &Mechanism, options: &assur_analysis::Options) -> Vec<CheckRow> {

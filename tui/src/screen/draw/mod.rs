@@ -1,6 +1,7 @@
 //! Drawing with dots into cells: rasters, scales, and the figure of a mechanism.
 
 pub(crate) mod chart;
+pub(crate) mod diagram;
 pub(crate) mod figure;
 pub(crate) mod hodograph;
 pub(crate) mod label;

@@ -8,12 +8,9 @@ use crate::screen::state::{Look, State, Wish};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
-    let mut state_text = text(state, 120, 40);
-    state_text.push_str(&format!(
-        "{:?}{:?}{:?}{:?}{:?}{}",
-        state.view, state.wishes, state.prompt, state.look, state.chosen, state.playing
-    ));
-    state_text
+    let rest =
+        (&state.view, &state.wishes, &state.prompt, &state.look, &state.chosen, state.playing, state.plan);
+    format!("{}{rest:?}", text(state, 120, 40))
 }
 
 #[test]

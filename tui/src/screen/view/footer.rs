@@ -34,6 +34,8 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 1, 0, text, theme.style(*role));
     } else if let Some(failure) = failure(state) {
         put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
+    } else if state.study.as_ref().is_some_and(|study| study.found.is_none() && study.fault.is_none()) {
+        put(buffer, area, 1, 0, state.texts.calculating, theme.style(Role::Dim));
     }
     draw_hints(state, area, buffer);
 }
@@ -70,7 +72,7 @@ fn keys_of_hint(command: &Command, key: &str) -> String {
     match command.name {
         "next-position" => "Left/Right".to_owned(),
         "next-row" | "next-item" | "next-group" | "next-scene" | "next-reaction" | "next-motion"
-        | "next-check" => "Up/Down".to_owned(),
+        | "next-check" | "next-step" => "Up/Down".to_owned(),
         _ => key.to_owned(),
     }
 }

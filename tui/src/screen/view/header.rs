@@ -21,6 +21,7 @@ pub(crate) fn name(state: &State, view: View) -> &'static str {
         View::Mechanism => state.texts.mechanism,
         View::Curves => state.texts.curves,
         View::Forces => state.texts.forces,
+        View::Plans => state.texts.plans,
         View::Motion => state.texts.motion,
         View::Drive => state.texts.drive,
         View::Checks => state.texts.checks,
@@ -33,6 +34,7 @@ const TABS: &[(&str, View)] = &[
     ("mechanism", View::Mechanism),
     ("curves", View::Curves),
     ("forces", View::Forces),
+    ("plans", View::Plans),
     ("motion", View::Motion),
     ("drive", View::Drive),
     ("checks", View::Checks),
@@ -65,13 +67,13 @@ fn place(state: &State, study: &Study) -> String {
 }
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
-    let mut column = 1;
+    let mut column = 0;
     for (command, view) in TABS.iter().filter(|(_, view)| state.has(*view)) {
         let key = COMMANDS.iter().find(|c| c.name == *command && c.group == Group::Views);
         let key = key.and_then(|c| c.keys.first()).map(|key| key.name()).unwrap_or_default();
-        let text = format!(" {key} {} ", name(state, *view));
+        let text = format!("{key} {}", name(state, *view));
         let role = if *view == state.view { Role::Tab } else { Role::Dim };
         put(buffer, area, column, 1, &text, state.look.theme.style(role));
-        column += short(text.width());
+        column += short(text.width()) + 1;
     }
 }

@@ -12,6 +12,7 @@ pub(crate) mod mechanism;
 pub(crate) mod menu;
 pub(crate) mod motion;
 pub(crate) mod panel;
+pub(crate) mod plans;
 pub(crate) mod structure;
 pub(crate) mod table;
 
@@ -61,6 +62,7 @@ pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
         (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
         (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),
         (View::Forces, Some(study)) => forces::draw(state, study, area, buffer),
+        (View::Plans, Some(study)) => plans::draw(state, study, area, buffer),
         (View::Motion, Some(study)) => motion::draw(state, study, area, buffer),
         (View::Drive, Some(study)) => drive::draw(state, study, area, buffer),
         (View::Checks, Some(study)) => checks::draw(state, study, area, buffer),
