@@ -40,12 +40,18 @@ enum Length {
     Offset { slide: usize },
 }
 
-/// The margins, the smallest first.
+/// Each trial takes the mechanism apart anew: beyond so many lengths the search would take minutes.
+pub(crate) const MOST_LENGTHS: usize = 60;
+
+/// The margins, the smallest first; none for a mechanism of more than [`MOST_LENGTHS`] lengths.
 pub(crate) fn margins(linkage: &Linkage, critical: &[f64]) -> Vec<Margin> {
     let mut grid: Vec<f64> = super::cycle::coordinates(linkage).into_iter().step_by(STRIDE).collect();
     grid.extend(critical);
-    let mut found: Vec<Margin> =
-        lengths(&linkage.mechanism).iter().map(|length| margin(linkage, length, &grid)).collect();
+    let lengths = lengths(&linkage.mechanism);
+    if lengths.len() > MOST_LENGTHS {
+        return Vec::new();
+    }
+    let mut found: Vec<Margin> = lengths.iter().map(|length| margin(linkage, length, &grid)).collect();
     let key = |margin: &Margin| margin.least().unwrap_or(f64::INFINITY);
     found.sort_by(|a, b| key(a).total_cmp(&key(b)));
     found

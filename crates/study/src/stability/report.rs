@@ -128,6 +128,13 @@ impl Stability {
 
     fn margins(&self, text: &mut String) {
         if self.lengths.is_empty() {
+            if self.failure.is_none() {
+                let most = margin::MOST_LENGTHS;
+                let _ = writeln!(
+                    text,
+                    "\nMargins of lengths: not searched, the mechanism has more than {most} lengths"
+                );
+            }
             return;
         }
         text.push_str("\nLeast change of one length after which it no longer assembles all over\n");

@@ -83,7 +83,9 @@ impl<'a> Walk<'a> {
         for kernel in chain.groups.iter().rev() {
             kernel.reactions(&bodies, &mut loads, &mut pairs).ok()?;
         }
-        let growth = chain.groups.iter().map(|kernel| 1.0 / kernel.health(&bodies).abs()).product();
+        let product: f64 = chain.groups.iter().map(|kernel| 1.0 / kernel.health(&bodies).abs()).product();
+        // Finite, so that the bound is a number that says "nothing".
+        let growth = product.min(1e90);
         let health = chain.groups[group].health(&bodies).abs();
         Some(Reference { bodies, pairs, growth, health })
     }
