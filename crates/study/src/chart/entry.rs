@@ -23,7 +23,7 @@ pub(crate) struct Verdict {
 
 impl Verdict {
     /// Nothing came out.
-    pub(crate) fn failed(why: impl ToString) -> Self {
+    pub(crate) fn failed(why: &impl ToString) -> Self {
         Self { failure: Some(why.to_string()), ..Self::default() }
     }
 }
@@ -43,7 +43,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A method that can't take part.
-    pub(crate) fn refused(mut row: Row, why: impl ToString) -> Self {
+    pub(crate) fn refused(mut row: Row, why: &(impl ToString + ?Sized)) -> Self {
         row.reason = Some(why.to_string());
         Self { row, units: 1.0, contestant: None }
     }

@@ -156,7 +156,7 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
         let row = row(plugin.name, "f64");
         entries.push(match plugin.instance.supports(linkage) {
             Ok(()) => Entry::new(row, loaded.positions.len(), Registered::new(loaded, plugin)),
-            Err(why) => Entry::refused(row, why),
+            Err(why) => Entry::refused(row, &why),
         });
     }
     let single = ByGroups::<f32>::new(loaded, Forms::Closed)?;

@@ -1,5 +1,7 @@
 //! The chart as a chapter in Markdown, with what follows from it in words.
 
+use std::fmt::Write;
+
 use super::text::{stage_text, unit_words};
 use super::{ChartData, Row, Stage, units};
 
@@ -13,12 +15,12 @@ pub fn markdown(data: &ChartData, file: &str) -> String {
         if data.of(stage).next().is_none() {
             continue;
         }
-        text += &format!("\n### {}\n\n", stage.heading());
+        let _ = write!(text, "\n### {}\n\n", stage.heading());
         for sentence in words(data, stage) {
-            text += &format!("* {sentence}\n");
+            let _ = writeln!(text, "* {sentence}");
         }
         let drawn = stage_text(data, stage, false);
-        text += &format!("\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
+        let _ = write!(text, "\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
     }
     text
 }

@@ -1,6 +1,6 @@
 //! Motion: every registered integrator on the scene's equation of motion.
 
-mod reference;
+pub(in crate::chart) mod reference;
 
 use std::hint::black_box;
 
@@ -34,7 +34,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
     for plugin in integrators()? {
         let instance = (plugin.instance)();
         if let Err(why) = instance.supports(&task.motion.dependence()) {
-            entries.push(Entry::refused(row(plugin.name, Setting::default()), why));
+            entries.push(Entry::refused(row(plugin.name, Setting::default()), &why));
             continue;
         }
         for (setting, request) in settings(plugin, task, references.duration, options) {
@@ -119,7 +119,7 @@ impl Contestant for Run<'_> {
                 error: Some(reference::deviation(&found, &self.truth, self.sizes)),
                 failure: None,
             },
-            Err(why) => Verdict::failed(why),
+            Err(why) => Verdict::failed(&why),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The report on several scenes: what follows from all of them, then a chapter on each.
 
+use std::fmt::Write;
+
 use super::markdown::fastest;
 use super::{ChartData, Row, Stage, units};
 
@@ -28,15 +30,18 @@ The fastest method whose error is at most the one at the head of the column.
 const CHOICE: &str = "
 What follows, and what the program does by default:
 
-* **Transfer functions:** the closed forms in f64. They are as exact as any form in f64 and the fastest; four positions side by
-  side (f64x4) cost less for each. Single precision saves next to nothing and loses half of the digits. Newton's method gives
-  the same digits and costs several times more: it is for groups without closed forms. Numerical differentiation is never the
-  answer: at its best step it keeps 7 digits (three points) or 9 (five points), at several times the cost; it is a check.
+* **Transfer functions:** the closed forms in f64: as exact as any form in f64, and the fastest for one position; four positions
+  side by side (f64x4) cost a good third less for each. Single precision saves nothing here and loses half of the digits.
+  Newton's method gives the same digits at some thirty times the cost: it is for groups without closed forms. Numerical
+  differentiation is a check and no method: at its best step it keeps 6 or 7 digits (three points) or 8 or 9 (five points), at
+  several times the cost.
 * **Forces:** `groups`. `newton-euler` builds one system for the whole mechanism: as exact, slower, and independent, so it is the
   check. `virtual-power` is the cheapest where the balancing load alone is wanted.
-* **Motion:** `auto` takes `closed-form` where J and M are constant, `energy` where the moment depends on the coordinate
-  alone, `dopri5` for tolerances looser than 1e-4, `dop853` for tighter ones. `radau5` pays where a motor is steep.
-  `uniform` and `rk4` at a fixed step are there to be compared.
+* **Motion:** `auto` takes `closed-form` where J and M are constant; `energy` where the moment depends on the coordinate
+  alone, since it needs the fewest evaluations and drifts least (where a position is very cheap, as in parallelograms, its own
+  quadrature takes longer than a few more evaluations would); `dopri5` for tolerances looser than 1e-4, `dop853` for
+  tighter ones. `radau5` pays where a motor is steep. `uniform` and `rk4` at a fixed step are there to be compared. A
+  test holds `auto` to at most three times the evaluations of the best method that meets the tolerance.
 * **Flywheel:** the formulas of the textbooks cost one look at the cycle and neglect something (variable inertia, the
   motor's reaction to the speed); the exact flywheel costs the search for the regime and is milliseconds.
 * **Steady regime:** running until it settles is quick where the motor restores the speed within a few cycles, and its
@@ -52,9 +57,9 @@ pub fn report(charts: &[&ChartData], chapters: &str) -> String {
         if with.is_empty() {
             continue;
         }
-        text += &format!("\n### {}\n\n| scene |", stage.heading());
+        let _ = write!(text, "\n### {}\n\n| scene |", stage.heading());
         for wanted in WANTED {
-            text += &format!(" {} |", units::short(wanted));
+            let _ = write!(text, " {} |", units::short(wanted));
         }
         text += "\n| --- | --- | --- | --- | --- |\n";
         for data in with {

@@ -149,7 +149,11 @@ impl Charting<'_> {
     }
 
     /// How many steps of four evaluations fit into a run of a quick chart.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small positive number")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to a small positive number"
+    )]
     fn steps_in_time(&mut self, task: &Task<'_>) -> usize {
         const EVALUATIONS: u32 = 200;
         let mut motion = task.motion.clone();

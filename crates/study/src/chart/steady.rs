@@ -168,7 +168,7 @@ fn verdict(solved: Result<(f64, usize), String>, truth: f64) -> Verdict {
             let error = ((speed - truth) / truth).abs();
             Verdict { evaluations: Some(count as u64), error: Some(error), failure: None }
         }
-        Err(why) => Verdict::failed(why),
+        Err(why) => Verdict::failed(&why),
     }
 }
 

@@ -94,7 +94,7 @@ fn columns(rows: &[Vec<String>]) -> String {
         for (column, cell) in row.iter().enumerate() {
             let gap = " ".repeat(widths[column] - cell.chars().count());
             let last = column + 1 == count;
-            line += &if (3..6).contains(&column) { gap + cell } else { format!("{cell}{gap}") };
+            line += &if (3..6).contains(&column) { gap + cell } else { cell.clone() + &gap };
             line += if last { "" } else { "  " };
         }
         text += line.trim_end();

@@ -1,5 +1,7 @@
 //! The work that all methods of transfer functions and forces do: the scene's positions, and the truth about them.
 
+use std::fmt::Write;
+
 use assur_group::{Body, Order, derive_generally, place_by_newton};
 use assur_kinematics::{Chain, Linkage, Position};
 use assur_number::{Dd, Real};
@@ -69,7 +71,7 @@ impl<'a> Work<'a> {
         for truth in &self.truth {
             match newton_from(&self.extended, truth) {
                 Some(bodies) => {
-                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers)))
+                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers)));
                 }
                 None => missing += 1,
             }
@@ -80,10 +82,11 @@ impl<'a> Work<'a> {
             self.len()
         );
         if left > 0 {
-            how += &format!("; {left} positions are left out, next to change points or without an assembly");
+            let _ =
+                write!(how, "; {left} positions are left out, next to change points or without an assembly");
         }
         if missing > 0 {
-            how += &format!("; at {missing} positions Newton's method could not confirm it");
+            let _ = write!(how, "; at {missing} positions Newton's method could not confirm it");
         }
         // Rounding of the extended numbers themselves, should both agree in every digit.
         Reference { how, error: greater(error, Dd::EPSILON) }
@@ -148,7 +151,7 @@ fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>>
 
 /// The same by Newton's method from a place that is rounded, so that it has something to do.
 fn newton_from(chain: &Chain<Dd>, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
-    let mut bodies: Vec<Body<Dd>> = truth.iter().map(|body| rounded(body)).collect();
+    let mut bodies: Vec<Body<Dd>> = truth.iter().map(rounded).collect();
     let input = input_link(chain);
     bodies[input] = truth[input];
     for group in &chain.groups {

@@ -14,10 +14,10 @@ use crate::chart::{ChartError, Reference};
 const TIGHT: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
 
 /// Most steps of a tight run.
-const MOST_STEPS: usize = 300_000;
+const MOST_STEPS: usize = 30_000;
 
 /// The judges of a motion.
-pub(super) struct References {
+pub(in crate::chart) struct References {
     /// With the method's name; a closed form of this module has none.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
     how: String,
@@ -30,7 +30,7 @@ pub(super) struct References {
 }
 
 impl References {
-    pub(super) fn find(task: &Task<'_>) -> Result<Self, ChartError> {
+    pub(in crate::chart) fn find(task: &Task<'_>) -> Result<Self, ChartError> {
         let mut runs = Vec::new();
         let exact = uniform(task);
         for plugin in candidates(task)? {
@@ -61,7 +61,7 @@ impl References {
     }
 
     /// The first judge that is another method.
-    pub(super) fn judge_of(&self, method: &str) -> Option<Rc<Trajectory>> {
+    pub(in crate::chart) fn judge_of(&self, method: &str) -> Option<Rc<Trajectory>> {
         self.judges.iter().find(|(name, _)| *name != method).map(|(_, found)| Rc::clone(found))
     }
 

@@ -1,3 +1,8 @@
 //! Tests of the chart.
 
+mod auto;
+mod forms;
+mod judged;
+mod orders;
+mod race;
 mod scenes;

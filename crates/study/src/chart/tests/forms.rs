@@ -1,0 +1,126 @@
+//! The forms of a chart: JSON, CSV, text, Markdown; rows of methods that can't.
+
+use super::scenes::charted;
+use crate::chart::{ChartData, Scatter, Stage, csv, front, markdown, report, text};
+use proptest::prelude::*;
+
+fn json(data: &ChartData) -> serde_json::Value {
+    serde_json::from_str(&data.to_json().unwrap()).unwrap()
+}
+
+#[test]
+fn json_has_the_shape_of_the_contract() {
+    let value = json(&charted("slider-crank"));
+    let rows = value["rows"].as_array().unwrap();
+    for row in rows {
+        assert!(["kinematics", "forces"].contains(&row["stage"].as_str().unwrap()));
+        assert!(row["setting"].is_object() && row["ok"].is_boolean());
+        assert!(["position", "run"].contains(&row["unit"].as_str().unwrap()));
+        if row["ok"] == true {
+            assert!(row["seconds"].as_f64().unwrap() > 0.0 && row["error"].as_f64().unwrap() >= 0.0, "{row}");
+            assert!(row["evaluations"].is_u64() && row["reason"].is_null());
+        } else {
+            assert!(!row["reason"].as_str().unwrap().is_empty());
+        }
+    }
+    assert!(value["reference"]["kinematics"].as_str().unwrap().contains("double-double"));
+    assert!(value["reference_error"]["forces"].as_f64().unwrap() < 1e-15);
+    let named = |method: &str| rows.iter().filter(|row| row["method"] == method && row["ok"] == true).count();
+    for method in ["closed-form", "newton", "differences-2", "groups", "newton-euler", "longitudinal"] {
+        assert!(named(method) > 0, "{method}");
+    }
+}
+
+#[test]
+fn a_method_that_cannot_keeps_its_row_and_says_why() {
+    let data = charted("shaper-drive");
+    let of = |stage, method: &str| data.of(stage).find(|row| row.method == method).unwrap();
+    let longitudinal = of(Stage::Forces, "longitudinal");
+    assert!(!longitudinal.ok && longitudinal.error.is_none() && longitudinal.seconds.is_none());
+    assert!(longitudinal.reason.as_deref().unwrap().contains("2 groups"), "{longitudinal:?}");
+    let energy = of(Stage::Motion, "energy");
+    assert!(energy.reason.as_deref().unwrap().contains("M(q, w)"), "{energy:?}");
+    // The smallest steps need more than are allowed here.
+    let many = data.of(Stage::Motion).filter(|row| row.method == "rk4").last().unwrap();
+    assert!(many.reason.as_deref().unwrap().contains("too many steps"), "{many:?}");
+}
+
+#[test]
+fn every_stage_of_a_scene_is_there() {
+    let stages = |name: &str| {
+        let data = charted(name);
+        Stage::ALL.into_iter().filter(|stage| data.of(*stage).next().is_some()).collect::<Vec<_>>()
+    };
+    assert_eq!(stages("shaper-drive"), Stage::ALL);
+    assert_eq!(stages("press"), [Stage::Kinematics, Stage::Forces]);
+    assert_eq!(stages("andrews"), [Stage::Kinematics, Stage::Forces, Stage::Motion]);
+    assert_eq!(stages("flywheel"), [Stage::Forces, Stage::Motion, Stage::Flywheel, Stage::Steady]);
+}
+
+#[test]
+fn the_exact_flywheel_is_exact_and_the_textbooks_are_not() {
+    let data = charted("shaper-drive");
+    for row in data.of(Stage::Flywheel) {
+        let error = row.error.unwrap();
+        assert!(if row.method == "exact" { error < 1e-8 } else { error > 1e-3 }, "{row:?}");
+    }
+    // E example 2 is what the textbooks are made for.
+    for row in charted("flywheel").of(Stage::Flywheel) {
+        assert!(row.error.unwrap() < 1e-9, "{row:?}");
+    }
+}
+
+#[test]
+fn text_csv_and_markdown() {
+    let data = charted("press");
+    let plain = text(&data, true);
+    assert!(plain.is_ascii(), "{plain}");
+    for word in ["relative error", "time of one position", "closed-form", "Pareto front", "Reference:"] {
+        assert!(plain.contains(word), "{word}\n{plain}");
+    }
+    assert!(
+        plain.lines().filter(|line| line.contains(" |")).all(|line| line.chars().count() <= 92),
+        "{plain}"
+    );
+    let table = csv(&data);
+    assert_eq!(table.lines().count(), data.rows.len() + 1);
+    let chapter = markdown(&data, "press.toml");
+    assert!(chapter.contains("### Forces") && chapter.contains("is the fastest"), "{chapter}");
+    assert!(report(&[&data], &chapter).contains("## Which method when"));
+}
+
+#[test]
+fn a_scatter_holds_every_point() {
+    let data = charted("press");
+    let scatter = Scatter::of(&data, Stage::Kinematics).unwrap();
+    assert_eq!(scatter.marks.len(), data.of(Stage::Kinematics).filter(|row| row.point().is_some()).count());
+    for mark in &scatter.marks {
+        let ([left, right], [low, high]) = (scatter.time_decades, scatter.error_decades);
+        assert!((f64::from(left)..=f64::from(right)).contains(&mark.seconds.log10()));
+        assert!((f64::from(low)..=f64::from(high)).contains(&mark.error.log10()));
+    }
+    assert_eq!(Scatter::of(&data, Stage::Motion), None);
+}
+
+#[test]
+fn the_front_of_known_points() {
+    // Fast and rough, middling, beaten by the middling one, slow and exact, equal to the first.
+    let points = [(1.0, 9.0), (3.0, 4.0), (4.0, 4.0), (8.0, 1.0), (1.0, 9.0), (9.0, 2.0)];
+    assert_eq!(front(&points), [0, 1, 3]);
+    assert_eq!(front(&[]), [0_usize; 0]);
+    assert_eq!(front(&[(2.0, 5.0), (1.0, 5.0)]), [1]);
+}
+
+proptest! {
+    #[test]
+    fn nothing_beats_the_front(points in prop::collection::vec((0.0..10.0, 0.0..10.0), 1..40)) {
+        let found = front(&points);
+        let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
+        for (index, point) in points.iter().enumerate() {
+            let beaten = points.iter().any(|other| beats(*other, *point));
+            let twin = points[..index].contains(point);
+            prop_assert_eq!(found.contains(&index), !beaten && !twin);
+        }
+        prop_assert!(found.windows(2).all(|two| points[two[0]].0 < points[two[1]].0));
+    }
+}

@@ -1,0 +1,104 @@
+//! How rows are measured.
+
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+
+use super::scenes::{Ticks, shipped};
+use crate::chart::entry::{Contestant, Entry, Field, Verdict};
+use crate::chart::race::{Judge, STOPPED, median};
+use crate::chart::{Clock, Options, Progress, Reference, Row, Setting, Stage, Unit, chart};
+
+/// A clock that contestants move.
+struct Moved<'a>(&'a RefCell<f64>);
+
+impl Clock for Moved<'_> {
+    fn seconds(&mut self) -> f64 {
+        *self.0.borrow()
+    }
+}
+
+/// Takes the times of its list in turn, and notes each run.
+struct Slow<'a> {
+    name: char,
+    times: Vec<f64>,
+    next: usize,
+    now: &'a RefCell<f64>,
+    log: &'a RefCell<String>,
+}
+
+impl Contestant for Slow<'_> {
+    fn run(&mut self) {
+        *self.now.borrow_mut() += self.times[self.next % self.times.len()];
+        self.next += 1;
+        self.log.borrow_mut().push(self.name);
+    }
+
+    fn judge(&mut self) -> Verdict {
+        self.run();
+        Verdict { evaluations: Some(7), error: Some(1e-9), failure: None }
+    }
+}
+
+#[test]
+fn methods_take_turns_and_the_median_counts() {
+    let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
+    let row = || Row::new(Stage::Motion, Unit::Run, "slow", Setting::default());
+    let slow = |name, times: &[f64]| Slow { name, times: times.to_vec(), next: 0, now: &now, log: &log };
+    // The first of "a" is disturbed once: the median does not see it.
+    let entries = vec![
+        Entry::new(row(), 1, slow('a', &[0.9, 0.1, 0.1, 0.1, 0.1])),
+        Entry::new(row(), 2, slow('b', &[0.2])),
+    ];
+    let field = Field { reference: Reference { how: String::new(), error: 1e-12 }, entries };
+    let options = Options { stage_seconds: 7.2, rounds: 4, ..Options::THOROUGH };
+    let mut go_on = |_: Progress| ControlFlow::Continue(());
+    let mut clock = Moved(&now);
+    let mut judge = Judge { clock: &mut clock, options, progress: &mut go_on, start: 0.0, stopped: false };
+    let rows = judge.race(Stage::Motion, field);
+    assert_eq!(*log.borrow(), "abababababab"[..10].to_owned());
+    assert!((rows[0].seconds.unwrap() - 0.1).abs() < 1e-12, "{rows:?}");
+    // Two units of work in one run.
+    assert!((rows[1].seconds.unwrap() - 0.1).abs() < 1e-12, "{rows:?}");
+    assert!(rows.iter().all(|row| row.ok && row.evaluations == Some(7) && !row.at_most));
+}
+
+#[test]
+fn an_error_below_the_reference_is_told_as_its_estimate() {
+    let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
+    let row = Row::new(Stage::Motion, Unit::Run, "slow", Setting::default());
+    let entry = Entry::new(row, 1, Slow { name: 'a', times: vec![0.1], next: 0, now: &now, log: &log });
+    let field = Field { reference: Reference { how: String::new(), error: 1e-6 }, entries: vec![entry] };
+    let mut go_on = |_: Progress| ControlFlow::Continue(());
+    let mut clock = Moved(&now);
+    let mut judge = Judge {
+        clock: &mut clock,
+        options: Options::QUICK,
+        progress: &mut go_on,
+        start: 0.0,
+        stopped: false,
+    };
+    let rows = judge.race(Stage::Motion, field);
+    assert!(rows[0].at_most);
+    assert!((rows[0].error.unwrap() - 1e-6).abs() < 1e-20);
+}
+
+#[test]
+fn what_was_measured_before_a_stop_is_kept() {
+    let mut calls = 0;
+    let mut stop_at_ten = |_: Progress| {
+        calls += 1;
+        if calls > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let data = chart(&shipped("shaper"), &mut Ticks(0.0), Options::THOROUGH, &mut stop_at_ten).unwrap();
+    assert!(!data.complete);
+    let measured = data.rows.iter().filter(|row| row.ok && row.seconds.is_some()).count();
+    assert_eq!(measured, 10);
+    assert!(data.rows.iter().any(|row| row.reason.as_deref() == Some(STOPPED)));
+}
+
+#[test]
+fn the_median() {
+    assert_eq!(median(vec![]), None);
+    assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+    assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), Some(2.5));
+}
