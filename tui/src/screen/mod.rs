@@ -5,6 +5,7 @@
 //! changed something. Nothing here calculates; reading and calculating run in a thread beside.
 
 mod act;
+mod asking;
 mod command;
 mod csv;
 mod draw;

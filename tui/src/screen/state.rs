@@ -2,13 +2,12 @@
 
 use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
-use super::found::Found;
 use super::menu::Menu;
 use super::prompt::Prompt;
 use super::study::Study;
 use super::text::{ENGLISH, Texts, fill};
 use super::theme::{Role, Theme};
-use super::work::{Job, Report, Request};
+use super::work::{Job, Report};
 use super::writing::OutputFile;
 
 /// What is shown.
@@ -260,68 +259,5 @@ impl State {
         if again {
             self.say(Role::Good, self.texts.reloaded);
         }
-    }
-}
-
-impl State {
-    /// Asks for the analysis of the open scene; `other`: by [`State::analyzer`]'s successor, for the difference.
-    pub(crate) fn analyze(&mut self, other: bool) {
-        let Some(study) = &self.study else { return };
-        let request = Request {
-            generation: self.generation,
-            linkage: study.linkage.clone(),
-            analyzer: self.analyzer.clone(),
-            integrator: self.integrator.clone(),
-            other,
-        };
-        self.wishes.push(Wish::Work(Job::Analyze(request)));
-    }
-
-    fn take_found(&mut self, generation: usize, other: bool, found: Result<Box<Found>, String>) -> bool {
-        let texts = self.texts;
-        let Some(study) = self.study.as_mut().filter(|_| generation == self.generation) else { return false };
-        match found {
-            Ok(found) if other => study.other = Some(found),
-            Ok(found) => {
-                study.found = Some(found);
-                study.fault = None;
-            }
-            Err(text) => {
-                study.fault.get_or_insert_with(|| text.clone());
-                self.say(Role::Bad, fill(texts.no_analysis, &[&text]));
-            }
-        }
-        true
-    }
-
-    /// Whether a view has something to show.
-    pub(crate) fn has(&self, view: View) -> bool {
-        let found = self.study.as_ref().and_then(|study| study.found.as_ref());
-        match view {
-            View::Menu => true,
-            View::Mechanism | View::Curves | View::Structure | View::Table => self.study.is_some(),
-            View::Forces | View::Plans => found.is_some_and(|found| found.has_forces()),
-            View::Motion => {
-                found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
-            }
-            View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
-            View::Checks => found.is_some_and(|found| !found.checks.is_empty()),
-        }
-    }
-
-    /// Goes to a view, or says that this scene has nothing for it.
-    pub(crate) fn show(&mut self, view: View) {
-        if self.has(view) {
-            self.view = view;
-            return;
-        }
-        let study = self.study.as_ref();
-        let running = study.is_some_and(|study| study.found.is_none() && study.fault.is_none());
-        let text = match study.and_then(|study| study.fault.as_ref()) {
-            Some(fault) => fill(self.texts.no_analysis, &[fault]),
-            None if running => self.texts.still_running.to_owned(),
-            None => self.texts.nothing_here.to_owned(),
-        };
-        self.say(Role::Bad, text);
     }
 }

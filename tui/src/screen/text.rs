@@ -53,7 +53,7 @@ texts! {
     kept: "{0} was left as it is",
     nothing_to_write: "this view has nothing to write",
     no_file: "a shipped scene has no file to read again",
-    unreadable: "{0} could not be read: {1}",
+    unreadable: "error: {0} could not be read: {1}",
     worker_failed: "the calculation stopped unexpectedly: {0}",
     fault_title: "The scene was not taken; the old result stays. Any key goes on.",
     extremes: "o extreme",

@@ -108,13 +108,11 @@ fn rates(state: &State, study: &Study, found: &Found, list: Rect, drawing: Rect,
 /// Velocity (acceleration) of each named point: by time with a motion, else PF1 (PF2).
 fn vectors(position: &PositionResult, first: bool) -> Vec<(String, [f64; 2])> {
     let timed = if first { &position.velocities } else { &position.accelerations };
-    match timed {
-        Some(rates) => rates.points.iter().map(|(name, v)| (name.to_owned(), *v)).collect(),
-        None => {
-            let of = |t: &assur_results::Transfer| if first { t.pf1 } else { t.pf2 };
-            position.points.iter().map(|(name, t)| (name.to_owned(), of(t))).collect()
-        }
+    if let Some(rates) = timed {
+        return rates.points.iter().map(|(name, v)| (name.to_owned(), *v)).collect();
     }
+    let of = |t: &assur_results::Transfer| if first { t.pf1 } else { t.pf2 };
+    position.points.iter().map(|(name, t)| (name.to_owned(), of(t))).collect()
 }
 
 /// The relative vectors of the points of one link.
