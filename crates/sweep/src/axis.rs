@@ -1,0 +1,168 @@
+//! A parameter that was found in the scene: what is written at each of its values, and what that is in SI.
+
+use std::ops::Range;
+
+use assur_scene::{Dimension, UnitError, quantity};
+use toml::de::DeTable;
+
+use crate::find::{Found, find};
+use crate::range::{between, split};
+use crate::unit::{self, Takes};
+use crate::{SweepError, Vary};
+
+/// A parameter that was found in the scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Axis {
+    /// Its key.
+    pub(crate) key: String,
+    /// Name of its column.
+    pub(crate) column: String,
+    /// Bytes of the file that are replaced.
+    pub(crate) span: Range<usize>,
+    /// The values.
+    pub(crate) values: Vec<AxisValue>,
+}
+
+/// One value of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct AxisValue {
+    /// As the scene has it.
+    pub(crate) toml: String,
+    /// As a message has it: "120 mm".
+    pub(crate) shown: String,
+    /// In SI.
+    pub(crate) si: f64,
+}
+
+/// One end of a range.
+#[derive(Debug, Clone, PartialEq)]
+struct End {
+    number: f64,
+    unit: String,
+}
+
+impl Axis {
+    /// Finds the parameter in the scene, and what it measures.
+    pub(crate) fn of(
+        vary: &Vary,
+        document: &DeTable<'_>,
+        file: &str,
+        scene: &str,
+    ) -> Result<Self, SweepError> {
+        let key = vary.key();
+        let fault = |problem: String| SweepError::vary(&key, problem);
+        let found = find(document, &vary.steps).map_err(fault)?;
+        let (from, to) = ends(vary).map_err(fault)?;
+        let dimension = dimension(vary, &found, [&from, &to], file, scene).map_err(fault)?;
+        let values = values(vary.range.count, from, to, dimension).map_err(fault)?;
+        let unit = dimension.map(unit::suffix).filter(|unit| !unit.is_empty());
+        let column = unit.map_or(key.clone(), |unit| format!("{key}_{unit}"));
+        Ok(Self { key, column, span: found.span, values })
+    }
+}
+
+/// Both ends; a unit on one side serves both.
+fn ends(vary: &Vary) -> Result<(End, End), String> {
+    let end = |text: &str| match split(text) {
+        Some((number, unit)) => Ok(End { number, unit }),
+        None => Err(format!("`{text}` does not begin with a finite number")),
+    };
+    let (mut from, mut to) = (end(&vary.range.from)?, end(&vary.range.to)?);
+    if from.unit.is_empty() {
+        from.unit.clone_from(&to.unit);
+    } else if to.unit.is_empty() {
+        to.unit.clone_from(&from.unit);
+    }
+    Ok((from, to))
+}
+
+impl End {
+    fn text(&self) -> String {
+        let space = if self.unit.is_empty() { "" } else { " " };
+        format!("{}{space}{}", self.number, self.unit)
+    }
+}
+
+/// What the parameter measures; `None` for a count.
+fn dimension(
+    vary: &Vary,
+    found: &Found,
+    ends: [&End; 2],
+    file: &str,
+    scene: &str,
+) -> Result<Option<Dimension>, String> {
+    let own = found.text.clone().or_else(|| scene.get(found.span.clone()).map(|text| text.replace('_', "")));
+    let own = own.filter(|text| split(text).is_some());
+    let texts = ends.map(End::text);
+    let texts: Vec<&str> = own.iter().chain(&texts).map(String::as_str).collect();
+    let with = |value: &str| replaced(scene, [(&found.span, value)]);
+    match unit::takes(&texts, |value| assur_scene::read(file, &with(value)).is_ok()) {
+        Takes::Quantity(kinds) => chosen(&kinds, ends).map(Some),
+        Takes::Bare if ends.iter().all(|end| end.unit.is_empty()) => Ok(None),
+        Takes::Bare => Err(format!("`{}` is a count, it has no unit", vary.key())),
+        Takes::Text => Err(format!("`{}` is a text, not a number", vary.key())),
+        Takes::Nothing => {
+            Err(match assur_scene::read(file, &with(&unit::toml(ends[0].number, &ends[0].unit, true))) {
+                Err(errors) if !errors.errors.is_empty() => errors.errors[0].message.clone(),
+                _ => format!("`{}` takes no number", vary.key()),
+            })
+        }
+    }
+}
+
+/// The kind that the ends have, among those that the scene takes there.
+fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
+    let fits = |kind: Dimension, end: &End| end.unit.is_empty() || quantity(&end.text(), kind).is_ok();
+    let fitting: Vec<_> = kinds.iter().filter(|kind| ends.iter().all(|end| fits(**kind, end))).collect();
+    match (fitting.as_slice(), kinds) {
+        ([kind], _) => Ok(**kind),
+        ([], [kind, ..]) => {
+            let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
+            Err(wrong
+                .map_or_else(|| "FROM and TO measure different things".to_owned(), |error| wants(&error)))
+        }
+        _ => Err("it can measure several things: write FROM and TO with a unit".to_owned()),
+    }
+}
+
+fn wants(error: &UnitError) -> String {
+    error.to_string()
+}
+
+/// The values; spaced in the unit of the ends where both have the same, so that decimal steps stay decimal.
+fn values(count: usize, from: End, to: End, dimension: Option<Dimension>) -> Result<Vec<AxisValue>, String> {
+    let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
+        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| wants(&error)),
+        None => Ok(end.number),
+    };
+    let (from, to) = match dimension {
+        Some(dimension) if from.unit != to.unit => {
+            let unit = dimension.si().to_owned();
+            (End { number: si(&from)?, unit: unit.clone() }, End { number: si(&to)?, unit })
+        }
+        _ => (from, to),
+    };
+    let value = |index: usize| {
+        let end = End { number: between(from.number, to.number, index, count), unit: from.unit.clone() };
+        let toml = unit::toml(end.number, &end.unit, !end.unit.is_empty());
+        Ok(AxisValue { toml, shown: end.text(), si: si(&end)? })
+    };
+    (0..count).map(value).collect()
+}
+
+/// The scene with other values in it; the spans don't overlap.
+pub(crate) fn replaced<'v>(
+    scene: &str,
+    values: impl IntoIterator<Item = (&'v Range<usize>, &'v str)>,
+) -> String {
+    let mut values: Vec<_> = values.into_iter().collect();
+    values.sort_by_key(|(span, _)| span.start);
+    let mut text = String::with_capacity(scene.len() + 32 * values.len());
+    let mut done = 0;
+    for (span, value) in values {
+        text += scene.get(done..span.start).unwrap_or_default();
+        text += value;
+        done = span.end;
+    }
+    text + scene.get(done..).unwrap_or_default()
+}

@@ -1,0 +1,61 @@
+//! Why a sweep can't begin.
+
+use assur_scene::SceneErrors;
+
+/// Why a sweep can't begin, or has no row worth writing. What is wrong at one point is part of the table.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// The scene itself is faulty.
+    #[error(transparent)]
+    Scene(#[from] SceneErrors),
+    /// A parameter is not written as it should be, or names nothing.
+    #[error("`{vary}`: {problem}")]
+    Vary {
+        /// The parameter as it was given, or its key.
+        vary: String,
+        /// What is wrong, and what to write.
+        problem: String,
+    },
+    /// No parameter.
+    #[error("nothing is varied: name a parameter, such as \"link.crank.mass=1 kg..5 kg:9\"")]
+    Nothing,
+    /// Two parameters are the same value of the scene.
+    #[error("`{first}` and `{second}` are the same value of the scene: vary it once")]
+    Twice {
+        /// One key.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// Too many points.
+    #[error("the grid has {points} points, at most {most} are calculated: fewer values of each parameter")]
+    TooMany {
+        /// How many; `more than 10^19` where they can't be counted.
+        points: String,
+        /// How many there may be.
+        most: usize,
+    },
+    /// No point of the grid makes a scene that can be calculated.
+    #[error("no point of the grid can be calculated; the first, {point}:\n{problem}")]
+    AllRefused {
+        /// Keys and values of the first point.
+        point: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The threads could not be started.
+    #[error("can't start {threads} threads: {problem}")]
+    Threads {
+        /// How many.
+        threads: usize,
+        /// What the system says.
+        problem: String,
+    },
+}
+
+impl SweepError {
+    pub(crate) fn vary(vary: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self::Vary { vary: vary.into(), problem: problem.into() }
+    }
+}

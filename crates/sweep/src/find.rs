@@ -1,0 +1,140 @@
+//! Finds a value of the scene by its key.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+use crate::key::{Step, shown};
+
+/// A number or quantity of the scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Found {
+    /// Bytes of the file.
+    pub(crate) span: Range<usize>,
+    /// The text of a string; `None` for a bare number.
+    pub(crate) text: Option<String>,
+}
+
+/// Names that a message lists.
+const MOST: usize = 24;
+
+/// The value of a key, or what is wrong with the key.
+pub(crate) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Found, String> {
+    let mut at = in_table(document, steps, 0)?;
+    for depth in 1..steps.len() {
+        at = match at.get_ref() {
+            DeValue::Table(table) => in_table(table, steps, depth)?,
+            DeValue::Array(array) => in_array(array, steps, depth)?,
+            _ => return Err(format!("`{}` is one value, nothing is in it", shown(&steps[..depth]))),
+        };
+    }
+    leaf(at, steps)
+}
+
+fn in_table<'a, 'b>(
+    table: &'a DeTable<'b>,
+    steps: &[Step],
+    depth: usize,
+) -> Result<&'a Spanned<DeValue<'b>>, String> {
+    let owner = owner(&steps[..depth]);
+    let names = keys(table);
+    let Step::Name(name) = &steps[depth] else {
+        return Err(format!("{owner} is no list; it has: {}", listed(&names)));
+    };
+    table.get(name.as_str()).ok_or_else(|| absent(&owner, steps, depth, name, &names))
+}
+
+fn in_array<'a, 'b>(
+    array: &'a DeArray<'b>,
+    steps: &[Step],
+    depth: usize,
+) -> Result<&'a Spanned<DeValue<'b>>, String> {
+    let owner = owner(&steps[..depth]);
+    let names: Vec<String> = array.iter().filter_map(|item| element_name(item.get_ref())).collect();
+    match &steps[depth] {
+        Step::Index(index) => array.get(*index).ok_or_else(|| {
+            let last = array.len().checked_sub(1).map(|last| format!(", from [0] to [{last}]"));
+            format!("{owner} has {} elements{}", array.len(), last.unwrap_or_default())
+        }),
+        Step::Name(name) => {
+            let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
+            let found = array.iter().find(same);
+            found.ok_or_else(|| {
+                let by_index =
+                    format!("name an element by its number, such as `{}[0]`", shown(&steps[..depth]));
+                match names.is_empty() {
+                    true => format!("{owner} is a list without names: {by_index}"),
+                    false => format!("{}, or {by_index}", absent(&owner, steps, depth, name, &names)),
+                }
+            })
+        }
+    }
+}
+
+/// The name of a load, or the name or default name of a slide.
+fn element_name(value: &DeValue<'_>) -> Option<String> {
+    let DeValue::Table(table) = value else { return None };
+    let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
+    let default = || Some(format!("{}/{}", text("link")?, text("on")?));
+    text("name").map(str::to_owned).or_else(default)
+}
+
+fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Found, String> {
+    let key = shown(steps);
+    let text = match at.get_ref() {
+        DeValue::Integer(_) | DeValue::Float(_) => None,
+        DeValue::String(text) => Some(text.to_string()),
+        DeValue::Table(table) => return Err(format!("`{key}` is a table; it has: {}", listed(&keys(table)))),
+        DeValue::Array(array) => {
+            let elements: Vec<String> = (0..array.len()).map(|index| format!("{key}[{index}]")).collect();
+            return Err(format!("`{key}` is a list; it has: {}", listed(&elements)));
+        }
+        DeValue::Boolean(_) => return Err(format!("`{key}` is true or false, not a number")),
+        DeValue::Datetime(_) => return Err(format!("`{key}` is a date, not a number")),
+    };
+    Ok(Found { span: at.span(), text })
+}
+
+/// Keys in the order of the file.
+fn keys(table: &DeTable<'_>) -> Vec<String> {
+    let mut keys: Vec<_> = table.iter().collect();
+    keys.sort_by_key(|(key, _)| key.span().start);
+    keys.into_iter().map(|(key, _)| key.get_ref().to_string()).collect()
+}
+
+fn owner(steps: &[Step]) -> String {
+    if steps.is_empty() { "the scene".to_owned() } else { format!("`{}`", shown(steps)) }
+}
+
+fn absent(owner: &str, steps: &[Step], depth: usize, name: &str, names: &[String]) -> String {
+    let near = nearest(name, names).map(|near| {
+        let mut steps = steps[..=depth].to_vec();
+        steps[depth] = Step::Name(near.to_owned());
+        format!("; did you mean `{}`?", shown(&steps))
+    });
+    // A key that may be absent has a default; only what is written can be replaced.
+    let default = "; what is left to its default must be written in the scene to be varied";
+    let hint = near.unwrap_or_else(|| default.to_owned());
+    format!("{owner} has no `{name}`{hint}; it has: {}", listed(names))
+}
+
+fn listed(names: &[String]) -> String {
+    if names.is_empty() {
+        return "nothing".to_owned();
+    }
+    let more = names.len().saturating_sub(MOST);
+    let list = names[..names.len() - more].join(", ");
+    if more == 0 { list } else { format!("{list} and {more} more") }
+}
+
+/// The name that is spelled nearly so: a third of the letters may be wrong.
+fn nearest<'n>(word: &str, names: &'n [String]) -> Option<&'n str> {
+    let limit = (word.chars().count() / 3).max(1);
+    let distance = |name: &str| strsim::damerau_levenshtein(&word.to_lowercase(), &name.to_lowercase());
+    let all = names.iter().filter(|_| word.len() <= 64).map(|name| (distance(name), name.as_str()));
+    let near = all.filter(|(distance, name)| {
+        *distance <= limit && *distance < name.chars().count().min(word.chars().count())
+    });
+    near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
+}

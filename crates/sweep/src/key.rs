@@ -1,0 +1,73 @@
+//! Keys: dotted paths with indices.
+
+/// One step into the scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Step {
+    /// A key of a table, or the name of an element of a list.
+    Name(String),
+    /// An element of a list, from 0.
+    Index(usize),
+}
+
+/// Reads `link.crank.points.A[0]`; a name with a point or bracket in it stands in quotes.
+pub(crate) fn parse(text: &str) -> Result<Vec<Step>, String> {
+    let mut steps = Vec::new();
+    let mut rest = text.trim();
+    loop {
+        let (name, after) = name(rest)?;
+        steps.push(Step::Name(name));
+        rest = after;
+        while let Some(inside) = rest.strip_prefix('[') {
+            let (index, after) = inside.split_once(']').ok_or("a `[` is not closed")?;
+            let index = index.trim().parse().map_err(|_| wrong_index(index))?;
+            steps.push(Step::Index(index));
+            rest = after;
+        }
+        if rest.is_empty() {
+            return Ok(steps);
+        }
+        rest =
+            rest.strip_prefix('.').ok_or_else(|| format!("a key goes on with `.` or `[`, not `{rest}`"))?;
+    }
+}
+
+fn wrong_index(index: &str) -> String {
+    format!("`[{index}]` is no element: write a whole number from 0")
+}
+
+/// The name at the beginning, and what follows it.
+fn name(text: &str) -> Result<(String, &str), String> {
+    for quote in ['"', '\''] {
+        if let Some(inside) = text.strip_prefix(quote) {
+            let (name, after) = inside.split_once(quote).ok_or("a quote is not closed")?;
+            return Ok((name.to_owned(), after));
+        }
+    }
+    let end = text.find(['.', '[']).unwrap_or(text.len());
+    let name = text[..end].trim();
+    if name.is_empty() {
+        return Err("a key is names joined by points, such as link.crank.mass".to_owned());
+    }
+    Ok((name.to_owned(), &text[end..]))
+}
+
+/// The steps as a key.
+pub(crate) fn shown(steps: &[Step]) -> String {
+    let mut text = String::new();
+    for step in steps {
+        match step {
+            Step::Index(index) => text += &format!("[{index}]"),
+            Step::Name(name) => {
+                if !text.is_empty() {
+                    text.push('.');
+                }
+                text += &quoted(name);
+            }
+        }
+    }
+    text
+}
+
+fn quoted(name: &str) -> String {
+    if name.contains(['.', '[', '"']) || name.trim() != name { format!("'{name}'") } else { name.to_owned() }
+}

@@ -1,0 +1,52 @@
+//! The calculation of one point.
+
+use assur_analysis::{Options, Study};
+use assur_group::{GroupError, Order};
+use assur_mechanism::{Mechanism, Motion};
+use assur_results::Failure;
+
+use crate::row::{Layouts, Row};
+use crate::{Status, measure};
+
+/// Calculates a mechanism and keeps what the columns tell.
+pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) -> Row {
+    let study = match Study::of(mechanism, options) {
+        Ok(study) => study,
+        Err(error) => return Row::without(Status::Error, &error.to_string(), None),
+    };
+    let analysis = study.analyze();
+    if let Some(first) = analysis.failures.first() {
+        return Row::without(status(&study, first), &first.message, Some(failed(&analysis.failures)));
+    }
+    let groups = study.plan.groups_needed.iter().filter(|needed| **needed).count();
+    let transient = matches!(study.linkage.mechanism.motion, Some(Motion::Transient { .. }));
+    let cells = measure::cells(&analysis, groups, transient);
+    if let Some(column) = cells.not_finite() {
+        let message = format!("{column} is not a finite number; this is a bug of the program");
+        return Row::without(Status::Error, &message, Some(0));
+    }
+    let motor = analysis.dynamics.and_then(|found| found.motor).map(|motor| motor.designation);
+    Row {
+        motor,
+        layout: layouts.shared(cells.names),
+        values: cells.values,
+        ..Row::without(Status::Ok, "", Some(0))
+    }
+}
+
+/// Positions that have failures; a position may have several.
+fn failed(failures: &[Failure]) -> usize {
+    let mut positions: Vec<_> = failures.iter().map(|failure| failure.index).collect();
+    positions.sort_unstable();
+    positions.dedup();
+    positions.len()
+}
+
+/// Whether it was the assembly that failed.
+fn status(study: &Study, first: &Failure) -> Status {
+    let mut position = study.linkage.position();
+    match study.linkage.solve_index(first.index, Order::Place, &mut position) {
+        Err(error) if matches!(error.source, GroupError::NoAssembly { .. }) => Status::NoAssembly,
+        _ => Status::NoSolution,
+    }
+}

@@ -1,0 +1,172 @@
+//! The rows of a sweep.
+
+use std::sync::Arc;
+
+use crate::row::Row;
+
+/// How the calculation of a point ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Everything that the scene asks for was found.
+    Ok,
+    /// A position can't be assembled.
+    NoAssembly,
+    /// A position is singular, or the motion has no solution.
+    NoSolution,
+    /// The scene as a whole can't be calculated.
+    Error,
+    /// The reader of scenes refuses the values.
+    Refused,
+}
+
+impl Status {
+    /// As the table has it.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::NoAssembly => "no assembly",
+            Self::NoSolution => "no solution",
+            Self::Error => "error",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+/// One cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cell<'a> {
+    /// Does not apply.
+    Empty,
+    /// A number, SI; finite.
+    Number(f64),
+    /// A text.
+    Text(&'a str),
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Column {
+    Parameter(usize),
+    Status,
+    Message,
+    Failed,
+    Value(usize),
+    Motor,
+}
+
+/// The rows of a sweep, in the order of the grid: the last parameter changes fastest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    header: Vec<String>,
+    columns: Vec<Column>,
+    rows: Vec<Row>,
+    /// By number of the row's layout: where each result column is among the values of the row.
+    places: Vec<Vec<Option<usize>>>,
+    /// By row: its layout.
+    layouts: Vec<usize>,
+}
+
+impl Table {
+    pub(crate) fn of(parameters: Vec<String>, rows: Vec<Row>) -> Self {
+        let (distinct, layouts) = distinct_layouts(&rows);
+        let names = union(&distinct);
+        let places = distinct
+            .iter()
+            .map(|layout| names.iter().map(|name| layout.iter().position(|own| own == name)).collect())
+            .collect();
+        let mut columns: Vec<Column> = (0..parameters.len()).map(Column::Parameter).collect();
+        columns.extend([Column::Status, Column::Message, Column::Failed]);
+        columns.extend((0..names.len()).map(Column::Value));
+        let mut header = parameters;
+        header.extend(["status", "message", "failed_positions"].map(str::to_owned));
+        header.extend(names);
+        if rows.iter().any(|row| row.motor.is_some()) {
+            columns.push(Column::Motor);
+            header.push("motor".to_owned());
+        }
+        Self { header, columns, rows, places, layouts }
+    }
+
+    /// Names of the columns.
+    pub fn header(&self) -> &[String] {
+        &self.header
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// How the point of a row ended, and what went wrong there; `None` beyond the last row.
+    pub fn status(&self, row: usize) -> Option<(Status, &str)> {
+        self.rows.get(row).map(|row| (row.status, row.message.as_str()))
+    }
+
+    /// Rows whose point has no solution.
+    pub fn failures(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).filter(|row| self.rows[*row].status != Status::Ok)
+    }
+
+    /// Whether a column holds texts; otherwise numbers.
+    pub fn is_text(&self, column: usize) -> bool {
+        matches!(self.columns.get(column), Some(Column::Status | Column::Message | Column::Motor))
+    }
+
+    /// One cell; empty outside the table.
+    pub fn cell(&self, row: usize, column: usize) -> Cell<'_> {
+        let (Some(found), Some(column)) = (self.rows.get(row), self.columns.get(column)) else {
+            return Cell::Empty;
+        };
+        let text = |text: &'_ str| !text.is_empty();
+        match *column {
+            Column::Parameter(index) => found.parameters.get(index).map_or(Cell::Empty, |x| Cell::Number(*x)),
+            Column::Status => Cell::Text(found.status.text()),
+            Column::Message => {
+                Some(found.message.as_str()).filter(|m| text(m)).map_or(Cell::Empty, Cell::Text)
+            }
+            Column::Failed => found.failed.map_or(Cell::Empty, |count| Cell::Number(count as f64)),
+            Column::Motor => found.motor.as_deref().filter(|m| text(m)).map_or(Cell::Empty, Cell::Text),
+            Column::Value(index) => {
+                let place = self.places[self.layouts[row]][index];
+                place
+                    .and_then(|place| found.values.get(place))
+                    .map_or(Cell::Empty, |value| Cell::Number(*value))
+            }
+        }
+    }
+}
+
+/// The layouts in the order of their first rows, and the layout of each row.
+fn distinct_layouts(rows: &[Row]) -> (Vec<Arc<[String]>>, Vec<usize>) {
+    let mut distinct: Vec<Arc<[String]>> = Vec::new();
+    let mut number = |layout: &Arc<[String]>| {
+        distinct.iter().position(|known| known == layout).unwrap_or_else(|| {
+            distinct.push(Arc::clone(layout));
+            distinct.len() - 1
+        })
+    };
+    let layouts = rows.iter().map(|row| number(&row.layout)).collect();
+    (distinct, layouts)
+}
+
+/// All names; one that an earlier layout lacks comes after its neighbor to the left.
+fn union(layouts: &[Arc<[String]>]) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for layout in layouts {
+        let mut after = 0;
+        for name in layout.iter() {
+            if let Some(at) = all.iter().position(|known| known == name) {
+                after = at + 1;
+            } else {
+                all.insert(after, name.clone());
+                after += 1;
+            }
+        }
+    }
+    all
+}
