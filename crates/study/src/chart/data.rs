@@ -145,6 +145,9 @@ impl std::fmt::Display for Setting {
     }
 }
 
+/// The name of a setting that says that a method gives a part only of what is asked.
+pub(crate) const GIVES: &str = "gives";
+
 /// One method at one setting.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
@@ -168,7 +171,7 @@ pub struct Row {
     pub ok: bool,
     /// Why not, or why something is missing.
     pub reason: Option<String>,
-    /// Whether it stands on the Pareto front of its stage: no other is both faster and more exact.
+    /// Whether it stands on the Pareto front of its stage: no other that does the whole work is both faster and more exact.
     pub front: bool,
 }
 
@@ -188,6 +191,11 @@ impl Row {
             reason: None,
             front: false,
         }
+    }
+
+    /// Whether the method answers all that is asked in its stage, so that it may be compared with the others.
+    pub fn whole(&self) -> bool {
+        self.setting.get(GIVES).is_none()
     }
 
     /// Time and error, where the method did all of its work and both are known.

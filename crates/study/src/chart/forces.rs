@@ -8,11 +8,12 @@ use assur_kinematics::{Chain, Linkage, Position};
 use assur_mechanism::{Mechanism, Motion};
 use assur_number::{Dd, Real};
 
+use super::data::GIVES;
 use super::entry::{Contestant, Entry, Field, Verdict};
 use super::reaction::{Answer, Forms};
 use super::ruler::greater;
 use super::work::{Work, partial, positions};
-use super::{ChartError, Reference, Row, Setting, Stage, Unit};
+use super::{ChartError, Reference, Row, Setting, Stage, Unit, Value};
 
 /// The positions with their loads, and the true reactions.
 pub(crate) struct Loaded<'a> {
@@ -153,7 +154,10 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
     let linkage = loaded.work.linkage;
     let mut entries = Vec::new();
     for plugin in analyzers()? {
-        let row = row(plugin.name, "f64");
+        let mut row = row(plugin.name, "f64");
+        if !plugin.gives_reactions {
+            row.setting.0.push((GIVES, Value::Word("balancing load only")));
+        }
         entries.push(match plugin.instance.supports(linkage) {
             Ok(()) => Entry::new(row, loaded.positions.len(), Registered::new(loaded, plugin)),
             Err(why) => Entry::refused(row, &why),

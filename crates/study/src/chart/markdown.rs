@@ -8,7 +8,7 @@ use super::{ChartData, Row, Stage, units};
 /// Errors for which the fastest method is told.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
 
-/// A chapter on one scene.
+/// A chapter on one scene; its tables have the Pareto front only.
 pub fn markdown(data: &ChartData, file: &str) -> String {
     let mut text = format!("## {} (`{file}`)\n", data.title);
     for stage in Stage::ALL {
@@ -19,7 +19,7 @@ pub fn markdown(data: &ChartData, file: &str) -> String {
         for sentence in words(data, stage) {
             let _ = writeln!(text, "* {sentence}");
         }
-        let drawn = stage_text(data, stage, false);
+        let drawn = stage_text(data, stage, false, |row| row.front);
         let _ = write!(text, "\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
     }
     text
@@ -51,8 +51,11 @@ pub fn words(data: &ChartData, stage: Stage) -> Vec<String> {
 
 /// The fastest row of a stage with an error of at most `wanted`.
 pub(super) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
-    let good =
-        data.of(stage).filter_map(|row| Some((row, row.point()?))).filter(|(_, point)| point.1 <= wanted);
+    let good = data
+        .of(stage)
+        .filter(|row| row.whole())
+        .filter_map(|row| Some((row, row.point()?)))
+        .filter(|(_, point)| point.1 <= wanted);
     good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)
 }
 

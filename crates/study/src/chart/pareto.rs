@@ -23,7 +23,7 @@ pub(crate) fn mark(rows: &mut [super::Row]) {
         let known: Vec<(usize, (f64, f64))> = rows
             .iter()
             .enumerate()
-            .filter(|(_, row)| row.stage == stage)
+            .filter(|(_, row)| row.stage == stage && row.whole())
             .filter_map(|(index, row)| Some((index, row.point()?)))
             .collect();
         let points: Vec<(f64, f64)> = known.iter().map(|(_, point)| *point).collect();

@@ -20,7 +20,7 @@ cargo run --release -p assur -- chart fixtures/*.toml --format markdown -o docs/
 Every method of every stage did the same work; times are medians of runs that took turns in one process, on one machine:
 compare them with one another, not with another machine. Errors are the largest deviation from a reference that is better than
 what it judges, relative to the largest value of the same quantity. `≤` stands before the reference's own error estimate
-where a method comes below it.
+where a method comes below it. The tables here have the Pareto fronts; `assur chart SCENE` prints every row.
 
 ## Which method when
 

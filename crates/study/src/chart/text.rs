@@ -29,14 +29,14 @@ pub fn text(data: &ChartData, ascii: bool) -> String {
     for stage in Stage::ALL {
         if data.of(stage).next().is_some() {
             text.push('\n');
-            text += &stage_text(data, stage, ascii);
+            text += &stage_text(data, stage, ascii, |_| true);
         }
     }
     text
 }
 
-/// One stage.
-pub(crate) fn stage_text(data: &ChartData, stage: Stage, ascii: bool) -> String {
+/// One stage; the table has the rows that are wanted.
+pub(crate) fn stage_text(data: &ChartData, stage: Stage, ascii: bool, wanted: fn(&Row) -> bool) -> String {
     let mut text = format!("{}\n", stage.heading());
     if let Some(how) = data.reference.get(&stage) {
         let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);
@@ -50,18 +50,24 @@ pub(crate) fn stage_text(data: &ChartData, stage: Stage, ascii: bool) -> String 
         text += &canvas::legend(scatter, WIDTH, ascii);
     }
     text.push('\n');
-    text + &table(data, stage, scatter.as_ref(), ascii)
+    text + &table(data, stage, scatter.as_ref(), ascii, wanted)
 }
 
 /// The rows of a stage in columns; `*` marks the front.
-pub(crate) fn table(data: &ChartData, stage: Stage, scatter: Option<&Scatter>, ascii: bool) -> String {
+fn table(
+    data: &ChartData,
+    stage: Stage,
+    scatter: Option<&Scatter>,
+    ascii: bool,
+    wanted: fn(&Row) -> bool,
+) -> String {
     let unit = data.of(stage).next().map_or(Unit::Run, |row| row.unit);
     let mut rows = vec![
         ["", "method", "setting", &format!("time/{}", unit.name()), "evaluations", "error", ""]
             .map(str::to_owned)
             .to_vec(),
     ];
-    for row in data.of(stage) {
+    for row in data.of(stage).filter(|row| wanted(row)) {
         rows.push(cells(row, scatter, ascii));
     }
     columns(&rows)

@@ -90,6 +90,15 @@ fn text_csv_and_markdown() {
 }
 
 #[test]
+fn who_does_a_part_of_the_work_is_not_on_the_front() {
+    let data = charted("press");
+    let row = data.of(Stage::Forces).find(|row| row.method == "virtual-power").unwrap();
+    assert!(row.ok && row.error.unwrap() < 1e-12 && !row.whole() && !row.front, "{row:?}");
+    assert_eq!(row.setting.to_string(), "f64, balancing load only");
+    assert!(data.of(Stage::Forces).any(|row| row.front));
+}
+
+#[test]
 fn a_scatter_holds_every_point() {
     let data = charted("press");
     let scatter = Scatter::of(&data, Stage::Kinematics).unwrap();
