@@ -43,7 +43,7 @@ What follows, and what the program does by default:
   tighter ones. `radau5` pays where a motor is steep. `uniform` and `rk4` at a fixed step are there to be compared. A
   test holds `auto` to at most three times the evaluations of the best method that meets the tolerance.
 * **Flywheel:** the formulas of the textbooks cost one look at the cycle and neglect something (variable inertia, the
-  motor's reaction to the speed); the exact flywheel costs the search for the regime and is milliseconds.
+  motor's reaction to the speed); the exact flywheel costs the search for the regime, still below a millisecond.
 * **Steady regime:** running until it settles is quick where the motor restores the speed within a few cycles, and its
   error is then far below its tolerance; where the motor is weak or the flywheel heavy, what is left can be many times the last change, and
   where nothing restores the speed it never settles. Shooting costs the same everywhere and is exact: the program shoots.
