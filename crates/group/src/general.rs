@@ -77,7 +77,7 @@ fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
 /// J, in units of the scale; rows that a smaller group leaves are filled with the identity.
 pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
     let mut j = [[T::ZERO; N]; N];
-    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let mut row = 0;
     for pair in frame.pairs() {
         let (on_a, on_b) = arms(pair, bodies);
@@ -128,7 +128,7 @@ fn point_side<T: Real>(
     n: [T; 2],
     second: bool,
 ) -> T {
-    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let known = |body: usize, arm: [T; 2]| {
         let motion = &bodies[body];
         match (frame.column(body).is_some(), second) {
@@ -243,7 +243,7 @@ fn reactions_sized<T: Real, const N: usize>(
         return Err(GroupError::Singular { health: lu.health });
     }
     let scale = T::from_f64(frame.scale);
-    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let mut right = [T::ZERO; N];
     for (i, &link) in frame.links.iter().enumerate() {
         let load = &loads[link];

@@ -25,7 +25,7 @@ pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> R
 /// Phi of each pair, in units of the scale, with the sign such that J du = -Phi.
 fn residual<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [T; N] {
     let mut phi = [T::ZERO; N];
-    let inverse_scale = T::from_f64(1.0 / frame.scale);
+    let inverse_scale = T::ONE / T::from_f64(frame.scale);
     for (k, pair) in frame.pairs().enumerate() {
         let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
         (phi[2 * k], phi[2 * k + 1]) = match pair.geometry {
