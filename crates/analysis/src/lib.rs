@@ -9,6 +9,7 @@ mod error;
 mod forces;
 mod motions;
 mod names;
+mod plans;
 mod run;
 mod structure;
 mod study;

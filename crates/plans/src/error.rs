@@ -1,6 +1,6 @@
 //! Why there is no plan.
 
-use assur_force::{ForceError, RegistryError};
+use assur_force::{ForceError, LoadError, RegistryError};
 use assur_kinematics::PositionError;
 
 /// Why there is no plan.
@@ -13,6 +13,9 @@ pub enum PlansError {
     /// The reactions can't be found.
     #[error(transparent)]
     Force(#[from] ForceError),
+    /// The loads can't be compiled.
+    #[error(transparent)]
+    Load(#[from] LoadError),
     /// The force analyzers are not in order.
     #[error(transparent)]
     Registry(#[from] RegistryError),

@@ -26,6 +26,7 @@ pub struct Sheet {
     /// Constructions of the registered analyzers that have one and can treat the mechanism.
     pub constructions: Vec<Plan>,
     /// Reactions by cause; `None` without loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub by_cause: Option<Split>,
 }
 

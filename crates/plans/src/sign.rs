@@ -9,6 +9,8 @@ use serde::Serialize;
 
 use crate::PlansError;
 
+/// A force below this part of the greatest is zero up to rounding, and has no side.
+const ROUNDING: f64 = 1e-12;
 /// Halvings of a step: to rounding.
 const HALVINGS: usize = 60;
 
@@ -51,10 +53,15 @@ pub fn sign_changes(
     let mut across = Across::new(linkage, loads, analyzer, pair, slide, state_at);
     // The position after the last is the first one of the next cycle.
     let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
+    let forces = (0..input.positions + closing).map(|index| across.at(input.coordinate(index)));
+    let forces: Vec<f64> = forces.collect::<Result<_, _>>()?;
+    let least = ROUNDING * forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
     let mut list = Vec::new();
-    let mut before = across.at(input.coordinate(0))?;
-    for index in 1..input.positions + closing {
-        let after = across.at(input.coordinate(index))?;
+    let mut before = 0.0;
+    for (index, after) in forces.into_iter().enumerate() {
+        if after.abs() <= least {
+            continue;
+        }
         if before * after < 0.0 {
             let ends = [input.coordinate(index - 1), input.coordinate(index)];
             let (coordinate, left) = across.root(ends, before)?;
@@ -62,9 +69,7 @@ pub fn sign_changes(
             let jump = left > 1e-6 * before.abs().max(after.abs());
             list.push(SignChange { coordinate, after_index: index - 1, before, after, jump });
         }
-        if after != 0.0 {
-            before = after;
-        }
+        before = after;
     }
     Ok(list)
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Derivatives, Dynamics, Named, PositionResult, StructureReport};
+use crate::{Cycle, Derivatives, Dynamics, Named, PositionResult, StructureReport};
 
 /// Everything that one calculation of a scene found. Sections that don't apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,6 +26,9 @@ pub struct Analysis {
     /// Periodic regime, drive, flywheel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<Dynamics>,
+    /// Reactions over the cycle, contacts, plans.
+    #[serde(flatten)]
+    pub cycle: Cycle,
     /// Checks of the numbers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<CheckRow>,

@@ -5,6 +5,7 @@
 
 mod analysis;
 pub mod csv;
+mod cycle;
 mod dynamics;
 mod fold;
 pub mod json;
@@ -14,6 +15,7 @@ mod structure;
 pub mod text;
 
 pub use analysis::{Analysis, CheckRow, Failure, InputReport, Trajectory};
+pub use cycle::{ByCause, Cycle, PositionPlans};
 pub use dynamics::{Dynamics, MotorReport};
 pub use fold::to_ascii;
 pub use named::Named;

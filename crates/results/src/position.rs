@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::sync::Arc;
 
-use crate::Named;
+use crate::{ByCause, Named};
 
 /// PF0, PF1, PF2 of an angle (rad) or a displacement (m): the value and its derivatives by the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
@@ -114,6 +114,9 @@ pub struct PositionResult {
     /// The balancing moment (N m) or force (N).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balancing: Option<f64>,
+    /// Reactions and balancing load by cause, where they were asked for.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub by_cause: Option<ByCause>,
     /// By index of the group: 1 / |dimensionless determinant|, how near it is to a singular position.
     pub condition: Named<f64>,
 }

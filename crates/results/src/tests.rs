@@ -32,6 +32,7 @@ fn analysis(angle: f64) -> Analysis {
         reduced: None,
         reactions: Some(named("ram/ground", reaction)),
         balancing: Some(3.0),
+        by_cause: None,
         condition: named("0", 2.0),
     };
     Analysis {
@@ -52,6 +53,7 @@ fn analysis(angle: f64) -> Analysis {
         failures: Vec::new(),
         trajectory: Vec::new(),
         dynamics: None,
+        cycle: crate::Cycle::default(),
         checks: Vec::new(),
     }
 }

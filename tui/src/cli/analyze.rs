@@ -5,7 +5,7 @@ use assur_results::{Failure, csv, json};
 use super::args::{AnalyzeArgs, Format};
 use super::fault::{Fault, Status};
 use super::style::Style;
-use super::{output, scene};
+use super::{output, plans, scene};
 
 /// Failures that are told in full.
 const MOST: usize = 3;
@@ -15,7 +15,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
     }
     let study = scene::study(&args.scene, style)?;
-    let analysis = study.analyze_and_check();
+    args.plans.refuse(args.format, &study)?;
+    let mut analysis = study.analyze_and_check();
+    let added = args.plans.add(&study, &args.scene, style, &mut analysis)?;
     let target = args.output.as_deref();
     match (args.format, target) {
         (Format::Json, _) => {
@@ -27,12 +29,13 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             output::write_folder(folder, &files)?;
         }
         (Format::Text | Format::Csv, _) => {
-            let text = assur_results::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            let mut text = assur_results::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            text += &plans::text(&analysis, style);
             output::print_or_write(&text, target)?;
         }
     }
     tell_failures(&analysis.failures, style);
-    Ok(if analysis.failures.is_empty() { Status::Done } else { Status::Failed })
+    Ok(if analysis.failures.is_empty() { added } else { Status::Failed })
 }
 
 /// Positions without a solution go to standard error, the first ones in full.

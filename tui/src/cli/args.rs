@@ -89,6 +89,8 @@ pub(crate) struct SceneArgs {
 pub(crate) struct AnalyzeArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
+    #[command(flatten)]
+    pub(crate) plans: super::plans::PlanArgs,
     /// Form of the results
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,

@@ -8,6 +8,7 @@ mod explain;
 mod fault;
 mod lists;
 mod output;
+mod plans;
 mod scene;
 mod shell;
 mod stability;
@@ -23,6 +24,7 @@ use clap::{CommandFactory, Parser};
 
 use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
 use fault::{Fault, Status};
+use plans::PlanArgs;
 use style::Style;
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
@@ -74,7 +76,7 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
     match cli.scene {
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
-            analyze::run(&AnalyzeArgs { scene, format: Format::Text, output: None }, style)
+            analyze::run(&AnalyzeArgs { scene, format: Format::Text, output: None, plans: PlanArgs::default() }, style)
         }
         None if !interactive => {
             style.tell(&Cli::command().render_help().to_string());

@@ -35,7 +35,7 @@ fn force(position: &PositionResult, pair: usize, link: usize) -> Option<[f64; 2]
 }
 
 /// Which links of a pair are shown: of two the first that moves (the other has the opposite), of more all.
-fn shown(source: &Source<'_>, reaction: &PairReaction) -> Vec<usize> {
+pub(super) fn shown(source: &Source<'_>, reaction: &PairReaction) -> Vec<usize> {
     let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
     match &reaction.forces[..] {
         [(first, _), _] => vec![usize::from(&**first == ground)],
@@ -99,20 +99,24 @@ fn place(source: &Source<'_>, position: &PositionResult) -> Vec<String> {
 
 fn greatest(source: &Source<'_>, first: &crate::Named<PairReaction>, page: &mut Page) {
     let coordinate = format!("{}, {}", source.analysis.input.link, source.units.coordinate.name);
-    let mut rows =
-        vec![vec!["pair".to_owned(), "on".to_owned(), "R, N".to_owned(), "position".to_owned(), coordinate]];
-    for (pair, (name, reaction)) in first.iter().enumerate() {
+    let head = ["pair", "on", "greatest R, N", "position", &coordinate, "RMS of R, N"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (name, reaction) in first.iter() {
         for link in shown(source, reaction) {
-            let modulus = |p: &&PositionResult| force(p, pair, link).map_or(0.0, |f| f[0].hypot(f[1]));
-            let found = source.analysis.positions.iter().max_by(|a, b| modulus(a).total_cmp(&modulus(b)));
-            let Some(position) = found else { continue };
-            let mut row =
-                vec![name.to_owned(), reaction.forces[link].0.to_string(), single(modulus(&position))];
-            row.extend(place(source, position));
-            rows.push(row);
+            let on = &*reaction.forces[link].0;
+            let all = &source.analysis.cycle.reaction_extremes;
+            let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
+            rows.push(vec![
+                name.to_owned(),
+                on.to_owned(),
+                single(found.greatest),
+                found.index.to_string(),
+                single(found.coordinate * source.units.coordinate.factor),
+                single(found.rms),
+            ]);
         }
     }
-    page.caption("Greatest reactions");
+    page.caption("Reactions over the cycle: greatest, and root mean square");
     page.rows(&rows);
 }
 

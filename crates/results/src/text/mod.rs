@@ -2,7 +2,9 @@
 //!
 //! Angles in degrees, lengths in millimeters, the rest in SI; each column with as many digits as its largest value needs.
 
+mod causes;
 mod condition;
+mod contact;
 mod forces;
 mod geometry;
 mod layout;
@@ -37,6 +39,8 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
     geometry::write(&source, &mut page);
     motion::write(&source, &mut page);
     forces::write(&source, &mut page);
+    causes::write(&source, &mut page);
+    contact::write(&source, &mut page);
     condition::write(&source, &mut page);
     if !analysis.failures.is_empty() {
         page.section("Positions without a solution");

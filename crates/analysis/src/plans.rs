@@ -1,0 +1,228 @@
+//! Plans of a position, reactions by cause and over the cycle, geometry of the contacts.
+
+use std::sync::Arc;
+
+use assur_force::{AnalyzerPlugin, Loads, State};
+use assur_group::Order;
+use assur_mechanism::{Motion, PairId};
+use assur_plans::{
+    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, enveloping, extremes,
+    hodograph, sheet, sign_changes, split,
+};
+use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionPlans, PositionResult};
+
+use crate::{DEFAULT_ANALYZER, Study};
+
+/// A guide whose force stays below this part of the greatest reaction bears nothing but rounding.
+const LEAST_FORCE: f64 = 1e-9;
+
+impl Study {
+    /// All plans of a position in the prescribed motion (at rest without one).
+    ///
+    /// Needs the whole mechanism: see [`Plan::is_partial`](assur_plan::Plan::is_partial).
+    ///
+    /// # Errors
+    ///
+    /// [`PlansError`] where the position can't be assembled, or has no reactions.
+    pub fn sheet(&self, index: usize) -> Result<Sheet, PlansError> {
+        let mechanism = &self.linkage.mechanism;
+        self.sheet_at(index, &State::prescribed(mechanism, mechanism.input.coordinate(index)))
+    }
+
+    /// [`sheet`](Self::sheet) with the speed and acceleration that were found for the position.
+    ///
+    /// # Errors
+    ///
+    /// As [`sheet`](Self::sheet).
+    pub fn sheet_of(&self, analysis: &Analysis, index: usize) -> Result<PositionPlans, PlansError> {
+        let found = analysis.positions.iter().find(|position| position.index == index);
+        let sheet = match found {
+            Some(position) => self.sheet_at(index, &self.state_of(position))?,
+            None => self.sheet(index)?,
+        };
+        Ok(PositionPlans { index, sheet })
+    }
+
+    fn sheet_at(&self, index: usize, state: &State) -> Result<Sheet, PlansError> {
+        // Told with the number of the position, where it can't be taken.
+        self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
+        let moves = self.linkage.mechanism.motion.is_some();
+        let own;
+        let loads = match &self.loads {
+            Some(loads) => loads,
+            None => {
+                own = Loads::compile(&self.linkage)?;
+                &own
+            }
+        };
+        sheet(&self.linkage, loads, state, moves, self.reaction_analyzer()?)
+    }
+
+    /// The analyzer of the study, where it gives reactions; else the default one.
+    fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, PlansError> {
+        match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
+            Some(analyzer) => Ok(analyzer),
+            None => Ok(assur_force::find(DEFAULT_ANALYZER)?),
+        }
+    }
+
+    /// The state of motion in a position of the results.
+    fn state_of(&self, position: &PositionResult) -> State {
+        let state = State::prescribed(&self.linkage.mechanism, position.coordinate);
+        State {
+            speed: position.speed.unwrap_or(state.speed),
+            acceleration: position.acceleration.unwrap_or(state.acceleration),
+            ..state
+        }
+    }
+
+    /// Adds reactions by cause to every position that has reactions, and the polar diagrams of all reactions.
+    ///
+    /// # Errors
+    ///
+    /// [`PlansError`] where a cause alone has no reactions.
+    pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), PlansError> {
+        let Some(loads) = &self.loads else { return Ok(()) };
+        let instance = self.reaction_analyzer()?.instance;
+        let mut solved = self.linkage.position();
+        for position in analysis.positions.iter_mut() {
+            let Some(reactions) = &position.reactions else { continue };
+            let state = self.state_of(position);
+            self.linkage.solve_index(position.index, Order::Second, &mut solved)?;
+            let found = split(&self.linkage, &solved, loads, &state, instance)?;
+            position.by_cause = Some(by_cause(&found.shares, reactions));
+        }
+        analysis.cycle.hodographs = self.hodographs(analysis)?;
+        Ok(())
+    }
+
+    fn hodographs(&self, analysis: &Analysis) -> Result<Vec<Hodograph>, PlansError> {
+        let samples = samples(&analysis.positions);
+        let each = analysis.cycle.reaction_extremes.iter();
+        each.map(|one| hodograph(&self.linkage, &samples, &one.joint, &one.on)).collect()
+    }
+
+    /// What follows from the reactions of all positions, and the geometry of the contacts.
+    pub(crate) fn cycle(&self, positions: &[PositionResult]) -> Cycle {
+        Cycle {
+            reaction_extremes: extremes(&self.linkage, &samples(positions)),
+            sign_changes: self.sign_changes(positions),
+            enveloping: self.enveloping(),
+            ..Cycle::default()
+        }
+    }
+
+    /// A contact whose arc can't be followed through its interval is left out; the positions tell why.
+    fn enveloping(&self) -> Vec<Enveloping> {
+        if self.plan.is_partial() {
+            return Vec::new();
+        }
+        let mechanism = &self.linkage.mechanism;
+        let count = mechanism.input.positions.max(2);
+        let contacts = 0..mechanism.contacts.len();
+        contacts.filter_map(|contact| enveloping(&self.linkage, contact, count).ok()).collect()
+    }
+
+    /// Of the guides with a force; none where a position is missing, as the force can't be followed there.
+    fn sign_changes(&self, positions: &[PositionResult]) -> Named<Vec<SignChange>> {
+        let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
+            return Named::default();
+        };
+        let state_at = |coordinate: f64| self.state_at(positions, coordinate);
+        let slides = self.plan.wanted.reactions.iter().filter_map(|pair| match pair {
+            PairId::Slide(slide) => Some(*slide),
+            PairId::Pin(_) => None,
+        });
+        let least = LEAST_FORCE * sizes(positions, |_| true);
+        slides
+            .filter_map(|slide| {
+                let name = self.linkage.mechanism.slides[slide].name.as_str();
+                if sizes(positions, |pair| pair == name) <= least {
+                    return None;
+                }
+                let changes = sign_changes(&self.linkage, loads, analyzer.instance, slide, &state_at);
+                changes.ok().map(|changes| (Arc::from(name), changes))
+            })
+            .collect()
+    }
+
+    /// The state of motion at any coordinate: prescribed, else between the positions on a straight line.
+    fn state_at(&self, positions: &[PositionResult], coordinate: f64) -> State {
+        let mechanism = &self.linkage.mechanism;
+        let state = State::prescribed(mechanism, coordinate);
+        if matches!(mechanism.motion, None | Some(Motion::Prescribed { .. })) {
+            return state;
+        }
+        let covers = |two: &&[PositionResult]| {
+            (two[0].coordinate - coordinate) * (two[1].coordinate - coordinate) <= 0.0
+        };
+        let Some([a, b]) = positions.windows(2).find(covers) else {
+            // The step that closes the cycle.
+            return positions.last().map_or(state, |last| State { coordinate, ..self.state_of(last) });
+        };
+        let part = (coordinate - a.coordinate) / (b.coordinate - a.coordinate);
+        let (a, b) = (self.state_of(a), self.state_of(b));
+        State {
+            speed: a.speed + part * (b.speed - a.speed),
+            acceleration: a.acceleration + part * (b.acceleration - a.acceleration),
+            ..state
+        }
+    }
+}
+
+/// Greatest force in the pairs of these names, N.
+fn sizes(positions: &[PositionResult], wanted: impl Fn(&str) -> bool) -> f64 {
+    let pairs = positions.iter().flat_map(|position| &position.reactions).flat_map(Named::iter);
+    let forces = pairs.filter(|(name, _)| wanted(name)).flat_map(|(_, reaction)| &reaction.forces);
+    forces.map(|(_, [x, y])| x.hypot(*y)).fold(0.0, f64::max)
+}
+
+/// The reactions of the positions that have them.
+fn samples(positions: &[PositionResult]) -> Vec<Sample> {
+    let each = positions.iter().filter_map(|position| {
+        let reactions = position.reactions.as_ref()?.iter();
+        Some(Sample {
+            index: position.index,
+            coordinate: position.coordinate,
+            reactions: reactions.flat_map(|(joint, reaction)| joint_forces(joint, reaction)).collect(),
+            balancing: position.balancing.unwrap_or_default(),
+        })
+    });
+    each.collect()
+}
+
+fn joint_forces(joint: &str, reaction: &PairReaction) -> Vec<JointForce> {
+    let each = reaction.forces.iter().enumerate().map(|(nth, (link, force))| JointForce {
+        joint: joint.to_owned(),
+        on: link.to_string(),
+        force: *force,
+        moment: reaction.moment.filter(|_| nth == 0),
+    });
+    each.collect()
+}
+
+/// The shares in the order and for the pairs of the whole.
+fn by_cause(shares: &[Share], whole: &Named<PairReaction>) -> ByCause {
+    let mut found = ByCause::default();
+    for share in shares {
+        let mut cause = share.cause.clone();
+        // A load may be called `weight` too.
+        while found.balancing_by_cause.get(&cause).is_some() {
+            cause.push_str(" (load)");
+        }
+        let cause: Arc<str> = cause.into();
+        let pairs = whole.0.iter().map(|(name, _)| (Arc::clone(name), pair(share, name)));
+        found.reactions_by_cause.push(Arc::clone(&cause), pairs.collect());
+        found.balancing_by_cause.push(cause, share.balancing);
+    }
+    found
+}
+
+fn pair(share: &Share, name: &str) -> PairReaction {
+    let forces = || share.reactions.iter().filter(|reaction| reaction.joint == name);
+    PairReaction {
+        forces: forces().map(|reaction| (reaction.on.as_str().into(), reaction.force)).collect(),
+        moment: forces().find_map(|reaction| reaction.moment),
+        offset: None,
+    }
+}

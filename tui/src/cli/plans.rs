@@ -1,0 +1,91 @@
+//! `assur analyze --plans N`, `--by-cause`.
+
+use assur_analysis::Study;
+use assur_plans::sheet_text;
+use assur_results::Analysis;
+use clap::Args;
+
+use super::args::{Format, SceneArgs};
+use super::fault::{Fault, Status};
+use super::scene;
+use super::style::Style;
+
+/// What is told beside the results.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct PlanArgs {
+    /// Add the plans of these positions: velocities, accelerations, instant centers, force polygons, constructions
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    pub(crate) plans: Vec<usize>,
+    /// Split the reactions by cause: weight, inertia, each load; json: their polar diagrams too
+    #[arg(long)]
+    pub(crate) by_cause: bool,
+}
+
+impl PlanArgs {
+    /// Refuses what can't be told, before anything is calculated.
+    pub(crate) fn refuse(&self, format: Format, study: &Study) -> Result<(), Fault> {
+        if format == Format::Csv && (self.by_cause || !self.plans.is_empty()) {
+            return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
+        }
+        let count = study.linkage.mechanism.input.positions;
+        match self.plans.iter().find(|index| **index >= count) {
+            Some(index) => Err(Fault::other(format!(
+                "--plans {index}: there is no such position; they are numbered 0 to {}",
+                count - 1
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Adds what was asked for; a position without plans is told and makes the command fail.
+    pub(crate) fn add(
+        &self,
+        study: &Study,
+        args: &SceneArgs,
+        style: Style,
+        analysis: &mut Analysis,
+    ) -> Result<Status, Fault> {
+        let mut status = Status::Done;
+        if self.by_cause
+            && let Err(error) = study.add_causes(analysis)
+        {
+            style.tell(&format!("error: reactions by cause: {error}"));
+            status = Status::Failed;
+        }
+        if self.plans.is_empty() {
+            return Ok(status);
+        }
+        // The plans show the whole mechanism, whatever the scene asks for.
+        let whole = if study.plan.is_partial() { Some(scene::whole_study(args, style)?) } else { None };
+        let study = whole.as_ref().unwrap_or(study);
+        let mut indices = self.plans.clone();
+        indices.sort_unstable();
+        indices.dedup();
+        for index in indices {
+            match study.sheet_of(analysis, index) {
+                Ok(plans) => analysis.cycle.plans.push(plans),
+                Err(error) => {
+                    style.tell(&format!("error: plans of position {index}: {error}"));
+                    status = Status::Failed;
+                }
+            }
+        }
+        Ok(status)
+    }
+}
+
+/// The plans as tables, each position under its heading.
+pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
+    let mut text = String::new();
+    for plans in &analysis.cycle.plans {
+        let coordinate = if analysis.input.angular {
+            format!("{:.4} deg", plans.sheet.coordinate.to_degrees())
+        } else {
+            format!("{:.6} m", plans.sheet.coordinate)
+        };
+        let heading = format!("Plans of position {} ({} {coordinate})", plans.index, analysis.input.link);
+        let rule = "-".repeat(heading.chars().count());
+        text += &style.text(&format!("\n{heading}\n{rule}\n{}", sheet_text(&plans.sheet)));
+    }
+    text
+}
