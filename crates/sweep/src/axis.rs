@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use assur_scene::{Dimension, UnitError, quantity};
+use assur_scene::{Dimension, quantity};
 use toml::de::DeTable;
 
 use crate::find::{Found, find};
@@ -119,20 +119,16 @@ fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
         ([], [kind, ..]) => {
             let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
             Err(wrong
-                .map_or_else(|| "FROM and TO measure different things".to_owned(), |error| wants(&error)))
+                .map_or_else(|| "FROM and TO measure different things".to_owned(), |error| error.to_string()))
         }
         _ => Err("it can measure several things: write FROM and TO with a unit".to_owned()),
     }
 }
 
-fn wants(error: &UnitError) -> String {
-    error.to_string()
-}
-
 /// The values; spaced in the unit of the ends where both have the same, so that decimal steps stay decimal.
 fn values(count: usize, from: End, to: End, dimension: Option<Dimension>) -> Result<Vec<AxisValue>, String> {
     let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
-        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| wants(&error)),
+        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.to_string()),
         None => Ok(end.number),
     };
     let (from, to) = match dimension {

@@ -31,7 +31,7 @@ pub enum SweepError {
     /// Too many points.
     #[error("the grid has {points} points, at most {most} are calculated: fewer values of each parameter")]
     TooMany {
-        /// How many; `more than 10^19` where they can't be counted.
+        /// How many; `too many` where they can't be counted.
         points: String,
         /// How many there may be.
         most: usize,

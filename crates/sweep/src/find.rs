@@ -63,9 +63,10 @@ fn in_array<'a, 'b>(
             found.ok_or_else(|| {
                 let by_index =
                     format!("name an element by its number, such as `{}[0]`", shown(&steps[..depth]));
-                match names.is_empty() {
-                    true => format!("{owner} is a list without names: {by_index}"),
-                    false => format!("{}, or {by_index}", absent(&owner, steps, depth, name, &names)),
+                if names.is_empty() {
+                    format!("{owner} is a list without names: {by_index}")
+                } else {
+                    format!("{}, or {by_index}", absent(&owner, steps, depth, name, &names))
                 }
             })
         }

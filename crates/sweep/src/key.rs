@@ -56,7 +56,7 @@ pub(crate) fn shown(steps: &[Step]) -> String {
     let mut text = String::new();
     for step in steps {
         match step {
-            Step::Index(index) => text += &format!("[{index}]"),
+            Step::Index(index) => text.extend(["[", &index.to_string(), "]"]),
             Step::Name(name) => {
                 if !text.is_empty() {
                     text.push('.');

@@ -18,6 +18,9 @@ pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) ->
     if let Some(first) = analysis.failures.first() {
         return Row::without(status(&study, first), &first.message, Some(failed(&analysis.failures)));
     }
+    if analysis.failed() {
+        return Row::without(Status::NoSolution, "the motion that the scene asks for is not found", Some(0));
+    }
     let groups = study.plan.groups_needed.iter().filter(|needed| **needed).count();
     let transient = matches!(study.linkage.mechanism.motion, Some(Motion::Transient { .. }));
     let cells = measure::cells(&analysis, groups, transient);

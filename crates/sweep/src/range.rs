@@ -32,8 +32,8 @@ pub(crate) fn split(text: &str) -> Option<(f64, String)> {
         let digits = head.ends_with(|c: char| c.is_ascii_digit() || c == '.');
         head.parse().ok().filter(|value: &f64| digits && value.is_finite()).map(|value| (value, *end))
     };
-    let ends = text.char_indices().map(|(at, c)| at + c.len_utf8()).rev();
-    let (value, end) = ends.filter_map(|end| number(&end)).next()?;
+    let mut ends = text.char_indices().map(|(at, c)| at + c.len_utf8()).rev();
+    let (value, end) = ends.find_map(|end| number(&end))?;
     let unit: Vec<&str> = text[end..].split_whitespace().collect();
     Some((value, unit.join(" ")))
 }
@@ -45,7 +45,11 @@ pub(crate) fn between(from: f64, to: f64, index: usize, count: usize) -> f64 {
     } else if index + 1 == count {
         to
     } else {
-        // Multiplied first and divided once: from 100 to 140 in four steps is 110 to the last bit.
-        from + (to - from) * (index as f64) / ((count - 1) as f64)
+        decimal(from + (to - from) * (index as f64) / ((count - 1) as f64))
     }
+}
+
+/// Rounded to the 15 digits that every double keeps, so that decimal steps stay decimal: 0.12, not 0.12000000000000001.
+fn decimal(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
 }

@@ -122,15 +122,12 @@ impl Table {
         let (Some(found), Some(column)) = (self.rows.get(row), self.columns.get(column)) else {
             return Cell::Empty;
         };
-        let text = |text: &'_ str| !text.is_empty();
         match *column {
             Column::Parameter(index) => found.parameters.get(index).map_or(Cell::Empty, |x| Cell::Number(*x)),
             Column::Status => Cell::Text(found.status.text()),
-            Column::Message => {
-                Some(found.message.as_str()).filter(|m| text(m)).map_or(Cell::Empty, Cell::Text)
-            }
+            Column::Message => text(&found.message),
             Column::Failed => found.failed.map_or(Cell::Empty, |count| Cell::Number(count as f64)),
-            Column::Motor => found.motor.as_deref().filter(|m| text(m)).map_or(Cell::Empty, Cell::Text),
+            Column::Motor => text(found.motor.as_deref().unwrap_or_default()),
             Column::Value(index) => {
                 let place = self.places[self.layouts[row]][index];
                 place
@@ -139,6 +136,10 @@ impl Table {
             }
         }
     }
+}
+
+fn text(text: &str) -> Cell<'_> {
+    if text.is_empty() { Cell::Empty } else { Cell::Text(text) }
 }
 
 /// The layouts in the order of their first rows, and the layout of each row.

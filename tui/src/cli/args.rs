@@ -44,6 +44,8 @@ pub(crate) enum Command {
     Chart(super::chart::ChartArgs),
     /// Walk towards each singular position of a scene's groups and methods; how near the scene comes to them
     Stability(StabilityArgs),
+    /// Calculate a scene over a grid of parameters, in parallel, one row for each point
+    Sweep(super::sweep::SweepArgs),
     /// List every registered group, force analyzer, integrator and catalogue
     Plugins,
     /// List motors of the catalogues

@@ -14,6 +14,7 @@ mod shell;
 mod stability;
 mod starter;
 mod style;
+mod sweep;
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
@@ -61,6 +62,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Explain(args)) => explain::run(&args, style),
         Some(Command::Chart(args)) => chart::run(&args, style),
         Some(Command::Stability(args)) => stability::run(&args, style),
+        Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
         Some(Command::New { file }) => starter::run(&file),
@@ -76,7 +78,10 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
     match cli.scene {
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
-            analyze::run(&AnalyzeArgs { scene, format: Format::Text, output: None, plans: PlanArgs::default() }, style)
+            analyze::run(
+                &AnalyzeArgs { scene, format: Format::Text, output: None, plans: PlanArgs::default() },
+                style,
+            )
         }
         None if !interactive => {
             style.tell(&Cli::command().render_help().to_string());

@@ -24,7 +24,8 @@ pub(crate) fn print_or_write(text: &str, target: Option<&Path>) -> Result<(), Fa
 }
 
 /// Writes a file as a whole: a failure leaves what was there before.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Fault> {
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Fault> {
+    let content = content.as_ref();
     let fault = |error: io::Error| Fault::Write { path: path.to_owned(), problem: error.to_string() };
     if path.is_dir() {
         return Err(Fault::Write {
@@ -37,13 +38,13 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<(), Fault> {
         return fs::OpenOptions::new()
             .write(true)
             .open(path)
-            .and_then(|mut file| file.write_all(text.as_bytes()))
+            .and_then(|mut file| file.write_all(content))
             .map_err(
                 |error| if error.kind() == io::ErrorKind::BrokenPipe { Fault::Reader } else { fault(error) },
             );
     }
     let path = resolved(path);
-    beside(&path, text).and_then(|file| put(file, &path)).map_err(fault)
+    beside(&path, content).and_then(|file| put(file, &path)).map_err(fault)
 }
 
 /// Writes CSV files into a folder: all of them, or none.
@@ -67,7 +68,7 @@ pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), Fault
     let mut written = Vec::with_capacity(files.len());
     for file in files {
         let path = resolved(&folder.join(file.name));
-        match beside(&path, &file.text) {
+        match beside(&path, file.text.as_bytes()) {
             Ok(temporary) => written.push((temporary, path)),
             Err(error) => {
                 drop(written);
@@ -86,8 +87,8 @@ fn resolved(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// A temporary file in the folder of the target, with the text; it vanishes unless it is put in place.
-fn beside(path: &Path, text: &str) -> io::Result<NamedTempFile> {
+/// A temporary file in the folder of the target, with the content; it vanishes unless it is put in place.
+fn beside(path: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -105,7 +106,7 @@ fn beside(path: &Path, text: &str) -> io::Result<NamedTempFile> {
         builder.permissions(fs::Permissions::from_mode(0o666))
     };
     let mut file = builder.tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(content)?;
     file.as_file().sync_all()?;
     Ok(file)
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use assur_analysis::{Options, Study};
 use assur_mechanism::Mechanism;
+use assur_scene::SceneErrors;
 
 use super::args::{MethodArgs, SceneArgs};
 use super::fault::Fault;
@@ -13,10 +14,13 @@ use super::style::Style;
 /// Reads a scene file.
 pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
     let text = text_of(path)?;
-    assur_scene::read(&path.display().to_string(), &text).map_err(|errors| {
-        let text = errors.to_string();
-        Fault::Scene(if style.ascii { keep_columns(&text) } else { text })
-    })
+    assur_scene::read(&path.display().to_string(), &text).map_err(|errors| faults(&errors, style))
+}
+
+/// The faults of a scene, as they are printed.
+pub(crate) fn faults(errors: &SceneErrors, style: Style) -> Fault {
+    let text = errors.to_string();
+    Fault::Scene(if style.ascii { keep_columns(&text) } else { text })
 }
 
 /// Reads and compiles a scene file.
@@ -52,7 +56,8 @@ pub(crate) fn in_file(path: &Path, message: &str) -> Fault {
     Fault::Read { path: path.to_owned(), problem: message.to_owned() }
 }
 
-fn text_of(path: &Path) -> Result<String, Fault> {
+/// The text of a scene file.
+pub(crate) fn text_of(path: &Path) -> Result<String, Fault> {
     let fault = |problem: String| Fault::Read { path: path.to_owned(), problem };
     if path.is_dir() {
         return Err(fault("is a folder, not a scene file".to_owned()));

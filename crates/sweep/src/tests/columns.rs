@@ -1,0 +1,94 @@
+//! The columns against known values.
+
+use std::f64::consts::TAU;
+use std::num::NonZeroUsize;
+
+use assur_analysis::Options;
+
+use super::{SLIDER, column, numbers, run, sweep};
+use crate::{Cell, Status};
+
+fn close(found: f64, known: f64) {
+    assert!((found - known).abs() <= 1e-12 * (1.0 + known.abs()), "{found} is not {known}");
+}
+
+/// Place of the piston: r cos q + sqrt(l² - r² sin² q).
+fn piston(r: f64, l: f64, q: f64) -> f64 {
+    r * q.cos() + (l * l - (r * q.sin()).powi(2)).sqrt()
+}
+
+#[test]
+fn a_slider_crank_has_its_closed_form() {
+    let table = run(SLIDER, &["link.crank.points.A=50 mm..150 mm:3"], 2);
+    for (row, r) in [0.05, 0.1, 0.15].into_iter().enumerate() {
+        let at = |name: &str| numbers(&table, name)[row];
+        close(at("B_x_max_m"), 0.3 + r);
+        close(at("B_x_min_m"), 0.3 - r);
+        close(at("piston/ground_travel_m"), 2.0 * r);
+        close(at("A_y_max_m"), r);
+        close(at("A_y_min_m"), -r);
+        close(at("rod_angle_max_rad"), (r / 0.3).asin());
+        // M dq = F dx: the moment that holds 1 kN on the piston, by central differences of the closed form.
+        let h = 1e-6;
+        let arm = |q: f64| ((piston(r, 0.3, q + h) - piston(r, 0.3, q - h)) / (2.0 * h)).abs();
+        let arms: Vec<f64> = (0..12).map(|index| arm(f64::from(index) * TAU / 12.0)).collect();
+        let greatest = 1000.0 * arms.iter().copied().fold(0.0, f64::max);
+        assert!((at("balancing_greatest_Nm") - greatest).abs() < 1e-6 * greatest);
+        let mean = 1000.0 * arms.iter().sum::<f64>() / 12.0;
+        assert!((at("balancing_mean_Nm") - mean).abs() < 1e-6 * mean);
+        // The massless rod carries F / cos(angle of the rod); it leans most where the crank stands across.
+        close(at("reaction_B_greatest_N"), 1000.0 / (1.0 - (r / 0.3).powi(2)).sqrt());
+        close(at("failed_positions"), 0.0);
+        assert_eq!(table.status(row), Some((Status::Ok, "")));
+    }
+}
+
+#[test]
+fn a_point_that_can_not_be_assembled_keeps_its_row() {
+    // The crank turns fully while it is shorter than the rod of 300 mm.
+    let table = run(SLIDER, &["link.crank.points.A=200 mm..400 mm:3"], 2);
+    assert_eq!(table.len(), 3);
+    assert_eq!(table.status(0), Some((Status::Ok, "")));
+    let (status, message) = table.status(2).unwrap();
+    assert_eq!(status, Status::NoAssembly);
+    assert!(message.contains("no assembly"), "{message}");
+    assert_eq!(numbers(&table, "link.crank.points.A_m"), [0.2, 0.3, 0.4]);
+    // |sin q| > 3/4 at 60, 90, 120 degrees and their opposites.
+    assert_eq!(table.cell(2, column(&table, "failed_positions")), Cell::Number(6.0));
+    assert_eq!(table.cell(2, column(&table, "B_x_max_m")), Cell::Empty, "extremes over a part are none");
+    assert!(table.failures().any(|row| row == 2));
+}
+
+#[test]
+fn a_point_that_the_reader_refuses_keeps_its_row() {
+    let table = run(SLIDER, &["link.piston.mass=-1 kg..1 kg:2"], 1);
+    let message = "`mass` must not be negative, got \"-1 kg\" (line 12)";
+    assert_eq!(table.status(0), Some((Status::Refused, message)));
+    assert_eq!(table.status(1), Some((Status::Ok, "")));
+    assert_eq!(table.cell(0, column(&table, "failed_positions")), Cell::Empty);
+}
+
+#[test]
+fn a_grid_of_refused_points_is_a_mistake() {
+    let grid = sweep(SLIDER, &["link.piston.mass=-1 kg..-2 kg:2"]).unwrap();
+    let error = grid.run(&Options::default(), NonZeroUsize::MIN, &|_| ()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "no point of the grid can be calculated; the first, link.piston.mass = -1 kg:\n\
+         error: `mass` must not be negative, got \"-1 kg\"\n  a.toml, line 12, column 8\n   |\n\
+         12 | mass = \"-1 kg\"\n   |        ^^^^^^^ such as \"4 kg\", or a number in kg\n"
+    );
+}
+
+#[test]
+fn a_column_that_only_some_points_have_stands_in_the_table() {
+    // Without a load nothing has to be balanced: a point has reactions or it has none.
+    let scene = "gravity = 9.81\n[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0, C = 0.5 }\n\
+                 mass = 1\ncenter = \"C\"\n[input]\nlink = \"arm\"\npositions = 4\n";
+    let table = run(scene, &["link.arm.mass=0..2 kg:3"], 2);
+    let greatest = column(&table, "balancing_greatest_Nm");
+    assert_eq!(table.cell(0, greatest), Cell::Empty);
+    assert_eq!(table.cell(1, greatest), Cell::Number(1.0 * 9.81 * 0.5));
+    assert_eq!(table.cell(2, greatest), Cell::Number(2.0 * 9.81 * 0.5));
+    assert_eq!(numbers(&table, "C_x_max_m"), [0.5; 3]);
+}

@@ -1,0 +1,129 @@
+//! `assur sweep`: reads the scene, shows the progress, writes the table.
+
+use std::io::{IsTerminal, Write};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use assur_sweep::{Sweep, SweepError, Table, Vary, csv, parquet};
+use clap::Args;
+
+use super::args::MethodArgs;
+use super::fault::{Fault, Status};
+use super::style::Style;
+use super::{output, scene};
+
+/// Steps of the progress.
+const STEPS: usize = 200;
+
+/// Arguments of `sweep`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct SweepArgs {
+    /// Scene file
+    scene: PathBuf,
+    /// N values of a number of the scene, equally spaced, both ends included, such as
+    /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest
+    #[arg(long, required = true, value_name = "KEY=FROM..TO:N", allow_hyphen_values = true)]
+    vary: Vec<String>,
+    /// Write to this file (*.csv or *.parquet) instead of CSV to standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Threads; the results don't depend on them [default: as many as the machine runs at once]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    methods: MethodArgs,
+}
+
+/// Form of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Csv,
+    Parquet,
+}
+
+pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
+    let target = args.output.as_deref();
+    let form = target.map_or(Ok(Form::Csv), form)?;
+    let options = scene::options(&args.methods)?;
+    let text = scene::text_of(&args.scene)?;
+    let vary = args.vary.iter().map(|vary| Vary::parse(vary)).collect::<Result<Vec<_>, _>>();
+    let file = args.scene.display().to_string();
+    let fault = |error| fault(&args.scene, error, style);
+    let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?).map_err(fault)?;
+    let bar = Bar { shown: std::io::stderr().is_terminal(), points: sweep.points() };
+    let table = sweep.run(&options, threads(args), &|done| bar.show(done));
+    bar.clear();
+    let table = table.map_err(fault)?;
+    match form {
+        Form::Csv => {
+            let text = csv::to_csv(&table).map_err(Fault::other)?;
+            let text = if style.ascii_data { style.text(&text) } else { text.as_str().into() };
+            output::print_or_write(&text, target)?;
+        }
+        Form::Parquet => {
+            let bytes = parquet::to_parquet(&table).map_err(Fault::other)?;
+            target.map_or(Ok(()), |path| output::write(path, bytes))?;
+        }
+    }
+    Ok(told(&table, &sweep, style))
+}
+
+/// The form that the name of the file asks for; known before anything is calculated.
+fn form(path: &Path) -> Result<Form, Fault> {
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    let fault = |problem: String| Fault::Write { path: path.to_owned(), problem };
+    let form = match extension.as_deref() {
+        // `/dev/null` and its kind.
+        None | Some("csv") => Form::Csv,
+        Some("parquet") => Form::Parquet,
+        Some(_) => return Err(fault("name it *.csv or *.parquet".to_owned())),
+    };
+    match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
+        Some(folder) => Err(fault(format!("there is no folder {}", folder.display()))),
+        None => Ok(form),
+    }
+}
+
+fn threads(args: &SweepArgs) -> NonZeroUsize {
+    args.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+}
+
+fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
+    match error {
+        SweepError::Scene(errors) => scene::faults(&errors, style),
+        SweepError::AllRefused { .. } => scene::in_file(path, &error.to_string()),
+        error => Fault::other(error),
+    }
+}
+
+/// Points without a solution go to standard error, the first one in full.
+fn told(table: &Table, sweep: &Sweep, style: Style) -> Status {
+    let failures: Vec<usize> = table.failures().collect();
+    let first = failures.first().and_then(|row| Some((*row, table.status(*row)?)));
+    let Some((row, (_, message))) = first else { return Status::Done };
+    let (count, points) = (failures.len(), table.len());
+    let point = sweep.describe(row);
+    style.tell(&format!("error: no solution at {count} of {points} points; the first, {point}: {message}"));
+    Status::Failed
+}
+
+/// Progress on standard error.
+struct Bar {
+    shown: bool,
+    points: usize,
+}
+
+impl Bar {
+    fn show(&self, done: usize) {
+        if self.shown && done.is_multiple_of(self.points.div_ceil(STEPS)) {
+            let line = format!("\r{done} of {} points\x1b[K", self.points);
+            let _ = std::io::stderr().lock().write_all(line.as_bytes());
+        }
+    }
+
+    fn clear(&self) {
+        if self.shown {
+            let _ = std::io::stderr().lock().write_all(b"\r\x1b[K");
+        }
+    }
+}
