@@ -24,10 +24,25 @@ pub enum AnalysisError {
         /// Why not.
         reason: String,
     },
-    /// A part of the scene that this version does not calculate.
-    #[error("{what}: not available yet")]
-    NotAvailable {
-        /// The part.
-        what: &'static str,
+    /// There is no motion.
+    #[error("{message}")]
+    Motion {
+        /// What went wrong, where, and what to do.
+        message: String,
+        /// Whether the scene or the chosen method is at fault, rather than the machine that it describes.
+        usage: bool,
     },
+}
+
+impl From<assur_dynamics::DynamicsError> for AnalysisError {
+    fn from(error: assur_dynamics::DynamicsError) -> Self {
+        Self::Motion { usage: crate::course::is_usage(&error), message: error.to_string() }
+    }
+}
+
+impl AnalysisError {
+    /// Whether the machine has no solution, though the scene is sound.
+    pub fn is_no_solution(&self) -> bool {
+        matches!(self, Self::Motion { usage: false, .. })
+    }
 }

@@ -5,6 +5,8 @@
 
 mod angles;
 mod checks;
+mod course;
+mod dynamics;
 mod error;
 mod forces;
 mod motions;
@@ -13,7 +15,9 @@ mod plans;
 mod run;
 mod structure;
 mod study;
+mod trajectory;
 
+pub use course::Course;
 pub use error::AnalysisError;
 pub use study::{DEFAULT_ANALYZER, DEFAULT_INTEGRATOR, Options, Study, methods};
 

@@ -46,7 +46,8 @@ impl Study {
     fn sheet_at(&self, index: usize, state: &State) -> Result<Sheet, PlansError> {
         // Told with the number of the position, where it can't be taken.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
-        let moves = self.linkage.mechanism.motion.is_some();
+        // At rest the plans are those for unit speed.
+        let moves = state.speed != 0.0 || state.acceleration != 0.0;
         let own;
         let loads = match &self.loads {
             Some(loads) => loads,

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use assur_force::State;
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::Balance;
@@ -54,8 +53,11 @@ impl Study {
             cycle: self.cycle(&run.positions),
             positions: run.positions,
             failures: run.failures,
-            trajectory: Vec::new(),
-            dynamics: None,
+            trajectory: self.trajectory(),
+            dynamics: self.dynamics(),
+            integration: self.integration(),
+            no_motion: self.no_motion.clone(),
+            notes: Vec::new(),
             checks: Vec::new(),
         }
     }
@@ -99,7 +101,7 @@ impl<'a> Run<'a> {
             return;
         }
         let mut result = self.motion(linkage, index);
-        let state = State::prescribed(&linkage.mechanism, self.position.coordinate);
+        let state = self.study.state(self.position.coordinate);
         if let (true, Some(loads)) = (self.study.plan.reduction, &self.study.loads) {
             let found = loads.reduced(&state, &self.position.bodies);
             result.reduced = Some(Reduced {
@@ -108,7 +110,7 @@ impl<'a> Run<'a> {
                 moment: found.moment,
             });
         }
-        if let Some(forces) = &mut self.forces {
+        if let (Some(forces), true) = (&mut self.forces, self.study.positions_have_forces()) {
             match forces.solve(&state, &self.position, &self.study.plan.wanted, &self.names) {
                 Ok((reactions, balancing)) => {
                     result.reactions = reactions;
@@ -134,11 +136,11 @@ impl<'a> Run<'a> {
         let links = motions::links(linkage, &plan.wanted, &self.names, position, angles);
         let points = motions::points(linkage, &plan.wanted, &self.names, position);
         let slides = motions::slides(linkage, &plan.wanted, &self.names, position);
-        let moves = linkage.mechanism.motion.is_some();
-        let state = State::prescribed(&linkage.mechanism, position.coordinate);
+        let moves = self.study.course.moves(&linkage.mechanism);
+        let state = self.study.state(position.coordinate);
         let rates = |second| {
             let all = (&links, &points, &slides);
-            plan.velocities.then(|| motions::rates(all, state.speed, state.acceleration, second))
+            (moves && plan.velocities).then(|| motions::rates(all, state.speed, state.acceleration, second))
         };
         PositionResult {
             index,

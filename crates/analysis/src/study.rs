@@ -1,12 +1,12 @@
 //! A mechanism with its plan, compiled.
 
-use assur_force::{AnalyzerPlugin, Loads};
+use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_plan::{Methods, Plan};
 use assur_structure::Structure;
 
-use crate::AnalysisError;
+use crate::{AnalysisError, Course};
 
 /// The force analyzer that is taken where none is named.
 pub const DEFAULT_ANALYZER: &str = "groups";
@@ -33,6 +33,10 @@ pub struct Study {
     pub loads: Option<Loads>,
     /// The force analyzer, where the plan needs one.
     pub analyzer: Option<&'static AnalyzerPlugin>,
+    /// How the input moves.
+    pub course: Course,
+    /// Why the motion that was asked for is not found; what does not depend on it is calculated nevertheless.
+    pub no_motion: Option<String>,
 }
 
 impl Study {
@@ -44,13 +48,31 @@ impl Study {
     pub fn of(mechanism: Mechanism, options: &Options) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, &methods(&mechanism, options));
-        refuse_unavailable(&mechanism)?;
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         // A load that can't be compiled for want of a position is told by the positions themselves.
-        let wants_loads = (plan.forces || plan.reduction) && linkage.range.is_some();
+        let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
         let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
-        Ok(Self { linkage, plan, loads, analyzer })
+        let (course, no_motion) = match Course::of(&linkage, loads.as_ref(), options) {
+            Ok(course) => (course, None),
+            Err(error) if error.is_no_solution() => (Course::Prescribed, Some(error.to_string())),
+            Err(error) => return Err(error),
+        };
+        Ok(Self { linkage, plan, loads, analyzer, course, no_motion })
+    }
+
+    /// Whether forces belong to the positions: not where the motion is transient, or not found.
+    pub(crate) fn positions_have_forces(&self) -> bool {
+        match self.linkage.mechanism.motion {
+            None | Some(Motion::Prescribed { .. }) => true,
+            Some(Motion::Steady { .. }) => self.no_motion.is_none(),
+            Some(Motion::Transient { .. }) => false,
+        }
+    }
+
+    /// State of the input at the coordinate of a position: as prescribed, or in the steady regime.
+    pub fn state(&self, coordinate: f64) -> State {
+        self.course.state(&self.linkage.mechanism, coordinate)
     }
 }
 
@@ -64,16 +86,6 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
         analyzer: options.analyzer.clone().unwrap_or_else(|| DEFAULT_ANALYZER.to_owned()),
         integrator: options.integrator.clone().unwrap_or_else(|| own.to_owned()),
     }
-}
-
-fn refuse_unavailable(mechanism: &Mechanism) -> Result<(), AnalysisError> {
-    let what = match (&mechanism.motion, &mechanism.drive) {
-        (Some(Motion::Transient { .. }), _) => "motion of kind `transient`",
-        (Some(Motion::Steady { .. }), _) => "motion of kind `steady`",
-        (_, Some(_)) => "`[drive]`",
-        _ => return Ok(()),
-    };
-    Err(AnalysisError::NotAvailable { what })
 }
 
 fn analyzer(linkage: &Linkage, options: &Options) -> Result<&'static AnalyzerPlugin, AnalysisError> {

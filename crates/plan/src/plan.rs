@@ -79,13 +79,17 @@ impl Plan {
         let reduction = dynamics || asked && (heavy || mechanism.has_loads());
         let mut plan = Self {
             stages: Vec::new(),
-            groups_needed: if forces || reduction {
+            groups_needed: if forces || reduction || dynamics {
                 // A reaction depends on the loads of every group behind it, and they on every group before.
                 vec![true; structure.groups.len()]
             } else {
                 needs::groups(mechanism, structure, &wanted)
             },
-            order: if tells_motion || heavy && (reduction || moves) { Order::Second } else { Order::First },
+            order: if tells_motion || dynamics || heavy && (reduction || moves) {
+                Order::Second
+            } else {
+                Order::First
+            },
             velocities: moves && tells_motion,
             reduction,
             inertia_loads: forces && moves && heavy,

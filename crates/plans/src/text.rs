@@ -5,6 +5,9 @@ use std::fmt::Write;
 use crate::plan::length;
 use crate::{Center, CenterAt, Extreme, JointForce, Plan, Sheet, Split};
 
+/// A number below this part of the greatest beside it is rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// A plan as a table: name, length and direction of every vector, its start, what it means; then the points.
 pub fn text(plan: &Plan) -> String {
     let mut out = String::new();
@@ -13,12 +16,14 @@ pub fn text(plan: &Plan) -> String {
         if plan.scale > 0.0 { format!(", 1 mm = {} {}", plan.scale, plan.unit) } else { String::new() };
     line(&mut out, &format!("unit {}{scale}; residual {:.1e}", plan.unit, plan.residual));
     let head = ["vector", "size", "unit", "deg", "from x", "from y", "meaning"].map(str::to_owned);
+    let ends = plan.items.iter().flat_map(|item| [item.start, item.end]);
+    let number = beside(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
     let rows = plan.items.iter().map(|item| {
         let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
         let [x, y] = item.start;
         [
             item.name.clone(),
-            number(item.size),
+            seven(item.size),
             item.unit.clone(),
             degrees(vector),
             number(x),
@@ -46,10 +51,15 @@ pub fn sheet_text(sheet: &Sheet) -> String {
 fn centers_text(centers: &[Center]) -> String {
     let mut out = String::new();
     line(&mut out, "Instant centers (m)");
+    let places = centers.iter().filter_map(|center| match center.at {
+        CenterAt::Point(place) => Some(place),
+        _ => None,
+    });
+    let (number, unit) = (beside(places.flatten()), beside([1.0]));
     let rows = centers.iter().map(|center| {
         let (x, y, note) = match center.at {
             CenterAt::Point([x, y]) => (number(x), number(y), ""),
-            CenterAt::Direction([x, y]) => (number(x), number(y), "at infinity, in this direction"),
+            CenterAt::Direction([x, y]) => (unit(x), unit(y), "at infinity, in this direction"),
             CenterAt::Everywhere => ("-".to_owned(), "-".to_owned(), "no motion against each other"),
         };
         [center.link.clone(), center.against.clone(), x, y, note.to_owned()]
@@ -66,9 +76,11 @@ pub fn split_text(split: &Split) -> String {
         &format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}", split.residual),
     );
     let shares = || split.shares.iter().chain([&split.whole]);
+    let forces = || shares().flat_map(|share| &share.reactions);
+    let number = beside(forces().flat_map(|reaction| reaction.force));
     let mut rows: Vec<[String; 6]> = Vec::new();
     for share in shares() {
-        rows.extend(share.reactions.iter().map(|reaction| row(&share.cause, reaction)));
+        rows.extend(share.reactions.iter().map(|reaction| row(&share.cause, reaction, &number)));
         let dash = || "-".to_owned();
         rows.push([
             share.cause.clone(),
@@ -76,7 +88,7 @@ pub fn split_text(split: &Split) -> String {
             dash(),
             dash(),
             dash(),
-            number(share.balancing),
+            seven(share.balancing),
         ]);
     }
     let head = ["cause", "joint", "on", "fx", "fy", "size"].map(str::to_owned);
@@ -84,7 +96,7 @@ pub fn split_text(split: &Split) -> String {
     out
 }
 
-fn row(cause: &str, reaction: &JointForce) -> [String; 6] {
+fn row(cause: &str, reaction: &JointForce, number: &impl Fn(f64) -> String) -> [String; 6] {
     let [fx, fy] = reaction.force;
     let size = number(length(reaction.force));
     [cause.to_owned(), reaction.joint.clone(), reaction.on.clone(), number(fx), number(fy), size]
@@ -96,8 +108,8 @@ pub fn extremes_text(extremes: &[Extreme], angular: bool) -> String {
     line(&mut out, "Reactions over the cycle (N)");
     let rows = extremes.iter().map(|one| {
         let coordinate = if angular { one.coordinate.to_degrees() } else { one.coordinate };
-        let at = format!("{} ({})", one.index, number(coordinate));
-        [one.joint.clone(), one.on.clone(), number(one.greatest), at, number(one.rms)]
+        let at = format!("{} ({})", one.index, seven(coordinate));
+        [one.joint.clone(), one.on.clone(), seven(one.greatest), at, seven(one.rms)]
     });
     let coordinate = if angular { "at position (deg)" } else { "at position (m)" };
     let head = ["joint", "on", "greatest", coordinate, "rms"].map(str::to_owned);
@@ -143,8 +155,14 @@ fn degrees([x, y]: [f64; 2]) -> String {
     }
 }
 
+/// How numbers are written that stand beside others: what is rounding beside the greatest is zero.
+fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> String {
+    let greatest = all.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    move |value| if value.abs() <= ROUNDING * greatest { "0".to_owned() } else { seven(value) }
+}
+
 /// Seven significant digits.
-fn number(value: f64) -> String {
+fn seven(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         return "0".to_owned();

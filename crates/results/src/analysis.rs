@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Cycle, Derivatives, Dynamics, Named, PositionResult, StructureReport};
+use crate::{Cycle, Dynamics, Integration, PositionResult, StructureReport, Trajectory};
 
 /// Everything that one calculation of a scene found. Sections that don't apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,6 +26,15 @@ pub struct Analysis {
     /// Periodic regime, drive, flywheel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<Dynamics>,
+    /// How a transient motion was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub integration: Option<Integration>,
+    /// Why the motion that was asked for is not found; what does not depend on it is told nevertheless.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_motion: Option<String>,
+    /// What had to be left out, and what was decided on the way.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Reactions over the cycle, contacts, plans.
     #[serde(flatten)]
     pub cycle: Cycle,
@@ -38,9 +47,9 @@ impl Analysis {
     /// The version of the form that is written.
     pub const FORMAT: u32 = 1;
 
-    /// Whether a position, or a check, failed.
+    /// Whether a position, the motion, or a check, failed.
     pub fn failed(&self) -> bool {
-        !self.failures.is_empty() || self.checks.iter().any(|check| !check.ok)
+        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(|check| !check.ok)
     }
 }
 
@@ -64,21 +73,6 @@ pub struct Failure {
     pub coordinate: f64,
     /// What is missing, where and by how much.
     pub message: String,
-}
-
-/// One instant of a motion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Trajectory {
-    /// Time, s.
-    pub time: f64,
-    /// Coordinate, rad or m.
-    pub coordinate: f64,
-    /// Its first derivative by time.
-    pub speed: f64,
-    /// Its second derivative by time.
-    pub acceleration: f64,
-    /// Angles of the links and their derivatives by the coordinate.
-    pub links: Named<Derivatives>,
 }
 
 /// The largest residual of one check.

@@ -2,7 +2,7 @@
 
 use ::csv::Writer;
 
-use crate::{Analysis, Derivatives, Named, PositionResult, to_ascii};
+use crate::{Analysis, Derivatives, Named, PairReaction, PositionResult, Rates, to_ascii};
 
 /// A result can't be written as CSV.
 #[derive(Debug, thiserror::Error)]
@@ -151,7 +151,7 @@ fn position_row(position: &PositionResult, units: Units) -> Row {
     for (name, motion) in position.slides.iter() {
         row.derivatives(&format!("{name}_displacement"), "m", units, motion);
     }
-    rates(position, &mut row);
+    rates([&position.velocities, &position.accelerations], &mut row);
     if let Some(reduced) = &position.reduced {
         let (inertia, moment) = if units.coordinate == "rad" { ("kgm2", "Nm") } else { ("kg", "N") };
         row.add(format!("reduced_inertia_{inertia}"), reduced.inertia);
@@ -164,9 +164,8 @@ fn position_row(position: &PositionResult, units: Units) -> Row {
     row
 }
 
-fn rates(position: &PositionResult, row: &mut Row) {
-    let all = [("v", "per_s", &position.velocities), ("a", "per_s2", &position.accelerations)];
-    for (sign, per, rates) in all {
+fn rates([velocities, accelerations]: [&Option<Rates>; 2], row: &mut Row) {
+    for (sign, per, rates) in [("v", "per_s", velocities), ("a", "per_s2", accelerations)] {
         let Some(rates) = rates else { continue };
         let angular = if sign == "v" { "w" } else { "e" };
         for (name, value) in rates.links.iter() {
@@ -192,19 +191,23 @@ fn reactions(analysis: &Analysis, ascii: bool) -> Result<String, CsvError> {
             if let Some(balancing) = position.balancing {
                 row.add(format!("balancing_{}", balancing_unit(analysis)), balancing);
             }
-            for (pair, reaction) in position.reactions.iter().flat_map(Named::iter) {
-                for (link, force) in &reaction.forces {
-                    row.add(format!("{pair}_{link}_fx_N"), force[0]);
-                    row.add(format!("{pair}_{link}_fy_N"), force[1]);
-                }
-                if let Some(moment) = reaction.moment {
-                    row.add(format!("{pair}_moment_Nm"), moment);
-                }
-            }
+            forces(position.reactions.as_ref(), &mut row);
             row
         })
         .collect();
     table(&rows, ascii)
+}
+
+fn forces(reactions: Option<&Named<PairReaction>>, row: &mut Row) {
+    for (pair, reaction) in reactions.into_iter().flat_map(Named::iter) {
+        for (link, force) in &reaction.forces {
+            row.add(format!("{pair}_{link}_fx_N"), force[0]);
+            row.add(format!("{pair}_{link}_fy_N"), force[1]);
+        }
+        if let Some(moment) = reaction.moment {
+            row.add(format!("{pair}_moment_Nm"), moment);
+        }
+    }
 }
 
 fn balancing_unit(analysis: &Analysis) -> &'static str {
@@ -226,6 +229,17 @@ fn trajectory(analysis: &Analysis, ascii: bool) -> Result<String, CsvError> {
             for (name, motion) in sample.links.iter() {
                 row.derivatives(&format!("{name}_angle"), "rad", units, motion);
             }
+            for (name, spot) in sample.points.iter() {
+                row.vector(name, "", "m", spot.pf0);
+            }
+            for (name, motion) in sample.slides.iter() {
+                row.derivatives(&format!("{name}_displacement"), "m", units, motion);
+            }
+            rates([&sample.velocities, &sample.accelerations], &mut row);
+            if let Some(balancing) = sample.balancing {
+                row.add(format!("drive_{}", balancing_unit(analysis)), balancing);
+            }
+            forces(sample.reactions.as_ref(), &mut row);
             row
         })
         .collect();

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::Named;
+use crate::{FlywheelRow, MotorWork, Named, PointReport, RegimeReport, RunnerUp, WheelRow};
 
 /// What was found about the motion under loads and drive; what does not apply is absent.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -49,6 +49,18 @@ pub struct Dynamics {
     /// Flywheel by each method that applies, kg m².
     #[serde(skip_serializing_if = "Named::is_empty")]
     pub flywheel_by_method: Named<f64>,
+    /// The same with formulas and differences from the exact one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub flywheel_methods: Vec<FlywheelRow>,
+    /// The two places of the flywheel.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub flywheel_places: Vec<WheelRow>,
+    /// Course of the regime.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub regime: Option<RegimeReport>,
+    /// The point of the input link to which loads and masses are reduced, too.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduction_point: Option<PointReport>,
 }
 
 /// The motor that drives.
@@ -71,6 +83,21 @@ pub struct MotorReport {
     /// Moment of inertia of the rotor, kg m².
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inertia: Option<f64>,
+    /// Mass of the motor, kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
+    /// Length, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// Diameter of the housing, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diameter: Option<f64>,
+    /// How it works in the regime.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub work: Option<MotorWork>,
+    /// Other motors that would do, the best first; only where it was chosen.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub runners_up: Vec<RunnerUp>,
     /// What to look at: values that the source does not print, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,

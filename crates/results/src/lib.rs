@@ -4,6 +4,7 @@
 //! touch no file. Everything is SI, angles in rad; only the text report converts (degrees, millimeters).
 
 mod analysis;
+mod course;
 pub mod csv;
 mod cycle;
 mod dynamics;
@@ -11,15 +12,20 @@ mod fold;
 pub mod json;
 mod named;
 mod position;
+mod regime;
 mod structure;
 pub mod text;
 
-pub use analysis::{Analysis, CheckRow, Failure, InputReport, Trajectory};
+pub use analysis::{Analysis, CheckRow, Failure, InputReport};
+pub use course::{Energy, EventRow, Instant, Integration, Spot, Trajectory};
 pub use cycle::{ByCause, Cycle, PositionPlans};
 pub use dynamics::{Dynamics, MotorReport};
 pub use fold::to_ascii;
 pub use named::Named;
 pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
+pub use regime::{
+    CourseRow, FlywheelRow, MotorWork, PointReport, RegimeReport, RunnerUp, TrialRow, TurnRow, WheelRow,
+};
 pub use structure::{GroupReport, StructureReport};
 
 #[cfg(test)]

@@ -53,6 +53,9 @@ fn analysis(angle: f64) -> Analysis {
         failures: Vec::new(),
         trajectory: Vec::new(),
         dynamics: None,
+        integration: None,
+        no_motion: None,
+        notes: Vec::new(),
         cycle: crate::Cycle::default(),
         checks: Vec::new(),
     }

@@ -35,7 +35,16 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         }
     }
     tell_failures(&analysis.failures, style);
-    Ok(if analysis.failures.is_empty() { added } else { Status::Failed })
+    tell_no_motion(analysis.no_motion.as_deref(), style);
+    let found = analysis.failures.is_empty() && analysis.no_motion.is_none();
+    Ok(if found { added } else { Status::Failed })
+}
+
+/// The motion that was asked for and is not found goes to standard error.
+pub(crate) fn tell_no_motion(no_motion: Option<&str>, style: Style) {
+    if let Some(message) = no_motion {
+        style.tell(&format!("error: {message}"));
+    }
 }
 
 /// Positions without a solution go to standard error, the first ones in full.

@@ -17,6 +17,7 @@ pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     }
     let failures = study.failures();
     analyze::tell_failures(&failures, style);
-    let holds = failures.is_empty() && checks.iter().all(|check| check.ok);
+    analyze::tell_no_motion(study.no_motion.as_deref(), style);
+    let holds = failures.is_empty() && study.no_motion.is_none() && checks.iter().all(|check| check.ok);
     Ok(if holds { Status::Done } else { Status::Failed })
 }

@@ -34,7 +34,8 @@ fn working(args: &ExplainArgs, mechanism: Mechanism, index: usize, style: Style)
     let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
     let wants_forces = !found && (mechanism.motion.is_some() || mechanism.has_loads());
     let wants_forces = wants_forces && linkage.range.is_some();
-    let loads = if wants_forces { Some(Loads::compile(&linkage).map_err(|error| fault(&error))?) } else { None };
+    let loads =
+        if wants_forces { Some(Loads::compile(&linkage).map_err(|error| fault(&error))?) } else { None };
     if found {
         style.tell(
             "note: the working shows places and transfer functions; the speed of this scene follows from the equation of \

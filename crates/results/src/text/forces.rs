@@ -26,6 +26,7 @@ fn reduction(source: &Source<'_>, page: &mut Page) {
         column(source, "Q", units[2], |p| Some(p.reduced?.moment)),
     ];
     page.table(&keys(source), vec![columns]);
+    super::point::write(source, page);
 }
 
 /// Force of a pair on one of its links in one position.

@@ -5,11 +5,14 @@
 mod causes;
 mod condition;
 mod contact;
+mod course;
+mod drive;
 mod forces;
 mod geometry;
 mod layout;
 mod motion;
 mod number;
+mod point;
 mod structure;
 mod units;
 
@@ -38,10 +41,18 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
     structure::write(&source, &mut page);
     geometry::write(&source, &mut page);
     motion::write(&source, &mut page);
+    course::write(&source, &mut page);
+    drive::write(&source, &mut page);
     forces::write(&source, &mut page);
     causes::write(&source, &mut page);
     contact::write(&source, &mut page);
     condition::write(&source, &mut page);
+    if !analysis.notes.is_empty() {
+        page.section("Notes");
+        for note in &analysis.notes {
+            page.paragraph(note);
+        }
+    }
     if !analysis.failures.is_empty() {
         page.section("Positions without a solution");
         for failure in &analysis.failures {

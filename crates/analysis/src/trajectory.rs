@@ -1,0 +1,90 @@
+//! The course over time: every sample of a transient motion, one cycle of a steady one.
+
+use assur_force::State;
+use assur_group::Order;
+use assur_results::{Named, Spot, Trajectory};
+
+use crate::angles::Angles;
+use crate::forces::Forces;
+use crate::names::Names;
+use crate::{Course, Study, motions};
+
+/// Rows over one cycle of a steady regime, the end included.
+const ROWS: u32 = 360;
+
+impl Study {
+    /// The states that a trajectory goes through, in order of time; empty with a prescribed motion.
+    pub(crate) fn states(&self) -> Vec<State> {
+        match &self.course {
+            Course::Prescribed => Vec::new(),
+            Course::Transient(found) => {
+                let each = found.trajectory.samples.iter().map(|sample| State {
+                    coordinate: sample.coordinate,
+                    speed: sample.speed,
+                    acceleration: sample.acceleration,
+                    time: sample.time,
+                });
+                each.collect()
+            }
+            Course::Steady(found) => {
+                let input = &self.linkage.mechanism.input;
+                let cycle = input.sign() * input.period().unwrap_or(0.0);
+                let end = found.regime.cycle_time;
+                let each = (0..=ROWS).map(|i| {
+                    let state = self.state(input.from + cycle * (f64::from(i) / f64::from(ROWS)));
+                    // The end of the cycle is its start, one cycle later.
+                    if i == ROWS { State { time: end, ..state } } else { state }
+                });
+                each.collect()
+            }
+        }
+    }
+
+    /// The course over time; with forces for a transient motion, whose positions have none.
+    pub(crate) fn trajectory(&self) -> Vec<Trajectory> {
+        let (linkage, plan) = (&self.linkage, &self.plan);
+        let names = Names::of(&linkage.mechanism);
+        let mut angles = Angles::new(linkage);
+        let mut position = linkage.position();
+        let transient = matches!(self.course, Course::Transient(_));
+        let mut forces = match (&self.loads, self.analyzer) {
+            (Some(loads), Some(analyzer)) if transient => Some(Forces::new(linkage, loads, analyzer)),
+            _ => None,
+        };
+        let mut rows = Vec::new();
+        for state in self.states() {
+            if linkage.solve(state.coordinate, Order::Second, &mut position).is_err() {
+                continue;
+            }
+            let followed = angles.follow(linkage, &position);
+            let links = motions::links(linkage, &plan.wanted, &names, &position, followed);
+            let mut row = Trajectory {
+                time: state.time,
+                coordinate: state.coordinate,
+                speed: state.speed,
+                acceleration: state.acceleration,
+                links,
+                ..Trajectory::default()
+            };
+            if transient {
+                let points = motions::points(linkage, &plan.wanted, &names, &position);
+                let slides = motions::slides(linkage, &plan.wanted, &names, &position);
+                let all = (&row.links, &points, &slides);
+                row.velocities = Some(motions::rates(all, state.speed, state.acceleration, false));
+                row.accelerations = Some(motions::rates(all, state.speed, state.acceleration, true));
+                let spots = points.0.into_iter().map(|(name, point)| (name, Spot { pf0: point.pf0 }));
+                row.points = Named(spots.collect());
+                row.slides = slides;
+            }
+            if let Some(forces) = &mut forces {
+                // In a singular position no reaction is determined: the motion goes through, the row has none.
+                if let Ok((reactions, balancing)) = forces.solve(&state, &position, &plan.wanted, &names) {
+                    row.reactions = reactions;
+                    row.balancing = Some(balancing);
+                }
+            }
+            rows.push(row);
+        }
+        rows
+    }
+}
