@@ -49,12 +49,11 @@ impl Study {
         // At rest the plans are those for unit speed.
         let moves = state.speed != 0.0 || state.acceleration != 0.0;
         let own;
-        let loads = match &self.loads {
-            Some(loads) => loads,
-            None => {
-                own = Loads::compile(&self.linkage)?;
-                &own
-            }
+        let loads = if let Some(loads) = &self.loads {
+            loads
+        } else {
+            own = Loads::compile(&self.linkage)?;
+            &own
         };
         sheet(&self.linkage, loads, state, moves, self.reaction_analyzer()?)
     }
@@ -86,7 +85,7 @@ impl Study {
         let Some(loads) = &self.loads else { return Ok(()) };
         let instance = self.reaction_analyzer()?.instance;
         let mut solved = self.linkage.position();
-        for position in analysis.positions.iter_mut() {
+        for position in &mut analysis.positions {
             let Some(reactions) = &position.reactions else { continue };
             let state = self.state_of(position);
             self.linkage.solve_index(position.index, Order::Second, &mut solved)?;
