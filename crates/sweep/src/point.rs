@@ -12,14 +12,17 @@ use crate::{Status, measure};
 pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) -> Row {
     let study = match Study::of(mechanism, options) {
         Ok(study) => study,
-        Err(error) => return Row::without(Status::Error, &error.to_string(), None),
+        Err(error) => {
+            let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
+            return Row::without(status, &error.to_string(), None);
+        }
     };
     let analysis = study.analyze();
     if let Some(first) = analysis.failures.first() {
         return Row::without(status(&study, first), &first.message, Some(failed(&analysis.failures)));
     }
-    if analysis.failed() {
-        return Row::without(Status::NoSolution, "the motion that the scene asks for is not found", Some(0));
+    if let Some(message) = &analysis.no_motion {
+        return Row::without(Status::NoSolution, message, Some(0));
     }
     let groups = study.plan.groups_needed.iter().filter(|needed| **needed).count();
     let transient = matches!(study.linkage.mechanism.motion, Some(Motion::Transient { .. }));

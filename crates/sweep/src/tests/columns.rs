@@ -92,3 +92,59 @@ fn a_column_that_only_some_points_have_stands_in_the_table() {
     assert_eq!(table.cell(2, greatest), Cell::Number(2.0 * 9.81 * 0.5));
     assert_eq!(numbers(&table, "C_x_max_m"), [0.5; 3]);
 }
+
+/// A crank without mass under 0-40-0 N m over a turn and the constant resistance that balances it: the excess work is
+/// 10 pi J, so the flywheel is 10 pi / (w² delta).
+const ENGINE: &str = r#"[ground]
+points = { A = [0, 0] }
+[link.AB]
+points = { A = 0, B = 0.1 }
+[[moment]]
+link = "AB"
+value = { over = "angle", table = [[0, 0], ["180 deg", 40], ["360 deg", 0]] }
+[input]
+link = "AB"
+positions = 24
+[motion]
+kind = "steady"
+mean_speed = 100
+unevenness = 0.02
+[drive]
+torque = "balance"
+flywheel = "solve"
+"#;
+
+#[test]
+fn a_flywheel_follows_its_formula() {
+    let table = run(ENGINE, &["motion.unevenness=0.001..0.002:2", "motion.mean_speed=50..100 rad/s:2"], 2);
+    let flywheels = numbers(&table, "flywheel_kgm2");
+    assert_eq!(table.header()[1], "motion.mean_speed_rad_per_s");
+    for (row, (delta, speed)) in
+        [(0.001, 50.0), (0.001, 100.0), (0.002, 50.0), (0.002, 100.0)].into_iter().enumerate()
+    {
+        let known = 10.0 * std::f64::consts::PI / (delta * speed * speed);
+        // The formula holds where the unevenness is small: the next term is of the order of delta.
+        assert!((flywheels[row] / known - 1.0).abs() < delta, "{} is not {known}", flywheels[row]);
+        assert!((numbers(&table, "unevenness")[row] / delta - 1.0).abs() < 1e-6);
+        assert!((numbers(&table, "torque_Nm")[row] + 20.0).abs() < 1e-9);
+        assert!((numbers(&table, "excess_work_J")[row] / 10.0 / std::f64::consts::PI - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn a_run_up_ends_where_the_work_says() {
+    // Work of 2 pi n turns at M: J w² / 2 = M 2 pi n.
+    let scene = "[ground]\npoints = { A = 0 }\n[link.AB]\npoints = { A = 0 }\ninertia = 0.1\n\
+                 [[moment]]\nlink = \"AB\"\nvalue = 20\n[input]\nlink = \"AB\"\n\
+                 [motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"5 rev\"\n";
+    let table = run(scene, &["motion.until=5..10 rev:2", "link.AB.inertia=0.1..0.2:2"], 2);
+    assert_eq!(table.header()[..2], ["motion.until_rad", "link.AB.inertia_kgm2"]);
+    for (row, (turns, inertia)) in [(5.0, 0.1), (5.0, 0.2), (10.0, 0.1), (10.0, 0.2)].into_iter().enumerate()
+    {
+        let speed = (2.0 * 20.0 * TAU * turns / inertia).sqrt();
+        let at = |name: &str| numbers(&table, name)[row];
+        assert!((at("end_speed_rad_per_s") / speed - 1.0).abs() < 1e-8, "{}", at("end_speed_rad_per_s"));
+        close(at("end_coordinate_rad"), TAU * turns);
+        assert!((at("end_time_s") / (inertia * speed / 20.0) - 1.0).abs() < 1e-8);
+    }
+}
