@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use assur_force::{AnalyzerPlugin, Loads, State};
+use assur_force::{AnalyzerPlugin, Loads};
 use assur_group::Order;
-use assur_mechanism::{Motion, PairId};
+use assur_mechanism::PairId;
 use assur_plans::{
     Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, enveloping, extremes,
     hodograph, sheet, sign_changes, split,
 };
-use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionPlans, PositionResult};
+use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 
 use crate::{DEFAULT_ANALYZER, Study};
 
@@ -17,7 +17,8 @@ use crate::{DEFAULT_ANALYZER, Study};
 const LEAST_FORCE: f64 = 1e-9;
 
 impl Study {
-    /// All plans of a position in the prescribed motion (at rest without one).
+    /// All plans of a position in its motion: prescribed, or of the steady regime. In a transient motion, and where no regime
+    /// is found, forces do not belong to the positions and theirs are left out.
     ///
     /// Needs the whole mechanism: see [`Plan::is_partial`](assur_plan::Plan::is_partial).
     ///
@@ -25,27 +26,9 @@ impl Study {
     ///
     /// [`PlansError`] where the position can't be assembled, or has no reactions.
     pub fn sheet(&self, index: usize) -> Result<Sheet, PlansError> {
-        let mechanism = &self.linkage.mechanism;
-        self.sheet_at(index, &State::prescribed(mechanism, mechanism.input.coordinate(index)))
-    }
-
-    /// [`sheet`](Self::sheet) with the speed and acceleration that were found for the position.
-    ///
-    /// # Errors
-    ///
-    /// As [`sheet`](Self::sheet).
-    pub fn sheet_of(&self, analysis: &Analysis, index: usize) -> Result<PositionPlans, PlansError> {
-        let found = analysis.positions.iter().find(|position| position.index == index);
-        let sheet = match found {
-            Some(position) => self.sheet_at(index, &self.state_of(position))?,
-            None => self.sheet(index)?,
-        };
-        Ok(PositionPlans { index, sheet })
-    }
-
-    fn sheet_at(&self, index: usize, state: &State) -> Result<Sheet, PlansError> {
         // Told with the number of the position, where it can't be taken.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
+        let state = self.state(self.linkage.mechanism.input.coordinate(index));
         // At rest the plans are those for unit speed.
         let moves = state.speed != 0.0 || state.acceleration != 0.0;
         let own;
@@ -55,7 +38,11 @@ impl Study {
             own = Loads::compile(&self.linkage)?;
             &own
         };
-        sheet(&self.linkage, loads, state, moves, self.reaction_analyzer()?)
+        let found = sheet(&self.linkage, loads, &state, moves, self.reaction_analyzer()?)?;
+        if self.positions_have_forces() {
+            return Ok(found);
+        }
+        Ok(Sheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
     }
 
     /// The analyzer of the study, where it gives reactions; else the default one.
@@ -63,16 +50,6 @@ impl Study {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
             None => Ok(assur_force::find(DEFAULT_ANALYZER)?),
-        }
-    }
-
-    /// The state of motion in a position of the results.
-    fn state_of(&self, position: &PositionResult) -> State {
-        let state = State::prescribed(&self.linkage.mechanism, position.coordinate);
-        State {
-            speed: position.speed.unwrap_or(state.speed),
-            acceleration: position.acceleration.unwrap_or(state.acceleration),
-            ..state
         }
     }
 
@@ -87,7 +64,7 @@ impl Study {
         let mut solved = self.linkage.position();
         for position in &mut analysis.positions {
             let Some(reactions) = &position.reactions else { continue };
-            let state = self.state_of(position);
+            let state = self.state(position.coordinate);
             self.linkage.solve_index(position.index, Order::Second, &mut solved)?;
             let found = split(&self.linkage, &solved, loads, &state, instance)?;
             position.by_cause = Some(by_cause(&found.shares, reactions));
@@ -128,7 +105,7 @@ impl Study {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
             return Named::default();
         };
-        let state_at = |coordinate: f64| self.state_at(positions, coordinate);
+        let state_at = |coordinate: f64| self.state(coordinate);
         let slides = self.plan.wanted.reactions.iter().filter_map(|pair| match pair {
             PairId::Slide(slide) => Some(*slide),
             PairId::Pin(_) => None,
@@ -144,29 +121,6 @@ impl Study {
                 changes.ok().map(|changes| (Arc::from(name), changes))
             })
             .collect()
-    }
-
-    /// The state of motion at any coordinate: prescribed, else between the positions on a straight line.
-    fn state_at(&self, positions: &[PositionResult], coordinate: f64) -> State {
-        let mechanism = &self.linkage.mechanism;
-        let state = State::prescribed(mechanism, coordinate);
-        if matches!(mechanism.motion, None | Some(Motion::Prescribed { .. })) {
-            return state;
-        }
-        let covers = |two: &&[PositionResult]| {
-            (two[0].coordinate - coordinate) * (two[1].coordinate - coordinate) <= 0.0
-        };
-        let Some([a, b]) = positions.windows(2).find(covers) else {
-            // The step that closes the cycle.
-            return positions.last().map_or(state, |last| State { coordinate, ..self.state_of(last) });
-        };
-        let part = (coordinate - a.coordinate) / (b.coordinate - a.coordinate);
-        let (a, b) = (self.state_of(a), self.state_of(b));
-        State {
-            speed: a.speed + part * (b.speed - a.speed),
-            acceleration: a.acceleration + part * (b.acceleration - a.acceleration),
-            ..state
-        }
     }
 }
 

@@ -21,11 +21,12 @@ pub fn text(plan: &Plan) -> String {
     let rows = plan.items.iter().map(|item| {
         let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
         let [x, y] = item.start;
+        let size = beside(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size));
         [
             item.name.clone(),
-            seven(item.size),
+            size(item.size),
             item.unit.clone(),
-            degrees(vector),
+            if size(item.size) == "0" { "-".to_owned() } else { degrees(vector) },
             number(x),
             number(y),
             item.note.clone(),
@@ -78,6 +79,7 @@ pub fn split_text(split: &Split) -> String {
     let shares = || split.shares.iter().chain([&split.whole]);
     let forces = || shares().flat_map(|share| &share.reactions);
     let number = beside(forces().flat_map(|reaction| reaction.force));
+    let balancing = beside(shares().map(|share| share.balancing));
     let mut rows: Vec<[String; 6]> = Vec::new();
     for share in shares() {
         rows.extend(share.reactions.iter().map(|reaction| row(&share.cause, reaction, &number)));
@@ -88,7 +90,7 @@ pub fn split_text(split: &Split) -> String {
             dash(),
             dash(),
             dash(),
-            seven(share.balancing),
+            balancing(share.balancing),
         ]);
     }
     let head = ["cause", "joint", "on", "fx", "fy", "size"].map(str::to_owned);
@@ -163,15 +165,16 @@ fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> String {
 
 /// Seven significant digits.
 fn seven(value: f64) -> String {
-    let size = value.abs();
     if value == 0.0 {
         return "0".to_owned();
     }
-    if !(1e-4..1e7).contains(&size) {
-        return format!("{value:.6e}");
+    // The exponent of the rounded number: 0.99999999 is 1.
+    let scientific = format!("{value:.6e}");
+    match scientific.rsplit_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()) {
+        Some(exponent @ -4..=6) => {
+            let places = usize::try_from(6 - exponent).unwrap_or(0);
+            format!("{value:.places$}")
+        }
+        _ => scientific,
     }
-    let whole = (1..=7).take_while(|digits| size >= 10.0_f64.powi(digits - 1)).count();
-    let lead = (1..=4).take_while(|zeros| size < 10.0_f64.powi(-zeros)).count();
-    let places = if whole > 0 { 7 - whole } else { 7 + lead };
-    format!("{value:.places$}")
 }

@@ -2,7 +2,7 @@
 
 use assur_analysis::Study;
 use assur_plans::sheet_text;
-use assur_results::Analysis;
+use assur_results::{Analysis, PositionPlans};
 use clap::Args;
 
 use super::args::{Format, SceneArgs};
@@ -62,8 +62,8 @@ impl PlanArgs {
         indices.sort_unstable();
         indices.dedup();
         for index in indices {
-            match study.sheet_of(analysis, index) {
-                Ok(plans) => analysis.cycle.plans.push(plans),
+            match study.sheet(index) {
+                Ok(sheet) => analysis.cycle.plans.push(PositionPlans { index, sheet }),
                 Err(error) => {
                     style.tell(&format!("error: plans of position {index}: {error}"));
                     status = Status::Failed;
