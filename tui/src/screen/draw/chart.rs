@@ -83,8 +83,9 @@ impl Chart<'_> {
             let ends = [[0.0, zero], [f64::from(plot.width), zero]];
             raster.line(ends[0], ends[1], Stroke::Dotted(4), look.theme.style(Role::Dim));
         }
-        for (values, style) in &self.curves {
-            curve(&frame, values, *style, &mut raster);
+        for (number, (values, style)) in self.curves.iter().enumerate() {
+            // The first is a line, another one a row of stars: told apart without color.
+            curve(&frame, values, number == 0, *style, &mut raster);
         }
         raster.paint(plot, buffer);
         self.draw_marks(&frame, &raster, plain_style, buffer);
@@ -147,10 +148,10 @@ fn between(values: &[f64], at: f64) -> f64 {
     if part > 0.0 { a + part * (b - a) } else { a }
 }
 
-fn curve(frame: &Frame<'_>, values: &[f64], style: Style, raster: &mut Raster) {
+fn curve(frame: &Frame<'_>, values: &[f64], joined: bool, style: Style, raster: &mut Raster) {
     let at = |i: usize| [frame.column(i as f64), frame.row(values[i])];
     for i in 0..values.len() {
-        if i + 1 < values.len() && values[i + 1].is_finite() && values[i].is_finite() {
+        if joined && i + 1 < values.len() && values[i + 1].is_finite() && values[i].is_finite() {
             raster.line(at(i), at(i + 1), Stroke::Solid, style);
         } else if values[i].is_finite() {
             raster.dot(at(i), '*', style);

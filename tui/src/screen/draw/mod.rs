@@ -5,6 +5,7 @@ pub(crate) mod diagram;
 pub(crate) mod figure;
 pub(crate) mod hodograph;
 pub(crate) mod label;
+pub(crate) mod lines;
 pub(crate) mod plot;
 pub(crate) mod raster;
 pub(crate) mod scale;

@@ -1,43 +1,142 @@
-//! The drive: motor, ratio, flywheel by every method.
+//! The drive: motor, ratio, flywheel by every method; its characteristic and moments; places and runners-up.
 
+use assur_results::Dynamics;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::motion::regime;
-use super::put;
+use super::motion::numbers;
+use super::{put, regime};
 use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
-use crate::screen::state::State;
+use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
 use crate::screen::theme::Role;
 
 /// Second column of the view.
-const RIGHT: u16 = 42;
+const RIGHT: u16 = 46;
+/// Rows that the plots below the numbers need.
+const PLOTS: u16 = 12;
+
+type Row = (Role, String);
 
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &study.found else { return };
     let Some(dynamics) = &found.analysis.dynamics else { return };
-    let mut left = Vec::new();
+    match state.pane {
+        Pane::Table => {
+            let left = motor_and_flywheel(state, dynamics);
+            let rows = short(left.len().max(12)) + 1;
+            write(state, &left, area, 1, buffer);
+            let right: Vec<Row> = numbers(dynamics, found.analysis.input.angular)
+                .into_iter()
+                .map(|line| (Role::Plain, line))
+                .collect();
+            write(state, &right, area, RIGHT, buffer);
+            if area.height > rows + PLOTS {
+                let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
+                draw_plots(state, study, dynamics, below, true, buffer);
+            }
+        }
+        Pane::Curves => draw_plots(state, study, dynamics, area, false, buffer),
+        Pane::Hodograph => write(state, &places_and_motors(state, dynamics), area, 1, buffer),
+    }
+}
+
+fn write(state: &State, rows: &[Row], area: Rect, column: u16, buffer: &mut Buffer) {
+    for (row, (role, line)) in rows.iter().enumerate() {
+        put(buffer, area, column, short(row), line, state.look.theme.style(*role));
+    }
+}
+
+/// Characteristic and moments, side by side or one above the other.
+fn draw_plots(
+    state: &State,
+    study: &Study,
+    dynamics: &Dynamics,
+    area: Rect,
+    beside: bool,
+    buffer: &mut Buffer,
+) {
+    let halves = [Constraint::Ratio(1, 2); 2];
+    let [one, two]: [Rect; 2] =
+        if beside { Layout::horizontal(halves).areas(area) } else { Layout::vertical(halves).areas(area) };
+    regime::draw_characteristic(state, dynamics, one, buffer);
+    if let Some(report) = &dynamics.regime {
+        regime::draw_moments(state, study, report, two, buffer);
+    }
+}
+
+fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Row> {
+    let mut lines = Vec::new();
     if let Some(motor) = &dynamics.motor {
-        let catalogue = motor.catalogue.as_deref().unwrap_or("-");
-        left.push(format!("motor {} ({catalogue})", motor.designation));
-        left.push(format!("  rated power {} W", digits(motor.power, 5)));
-        left.push(format!("  synchronous speed {} rad/s", digits(motor.synchronous_speed, 5)));
-        left.push(format!("  rated speed {} rad/s", digits(motor.rated_speed, 5)));
-        left.extend(motor.max_torque_ratio.map(|x| format!("  breakdown / rated torque {}", digits(x, 4))));
-        left.extend(motor.inertia.map(|x| format!("  rotor inertia {} kg m2", digits(x, 5))));
-        left.extend(motor.warnings.iter().map(|warning| format!("  ! {warning}")));
-    }
-    left.extend(dynamics.ratio.map(|x| format!("ratio {}", digits(x, 6))));
-    left.extend(dynamics.flywheel.map(|x| format!("flywheel {} kg m2", digits(x, 6))));
-    for (method, value) in dynamics.flywheel_by_method.iter() {
-        left.push(format!("  by {method}: {} kg m2", digits(*value, 6)));
-    }
-    let right = regime(dynamics, found.analysis.input.angular);
-    for (column, lines) in [(1, left), (RIGHT, right)] {
-        for (row, line) in lines.iter().enumerate() {
-            put(buffer, area, column, short(row) + 1, line, state.look.theme.style(Role::Plain));
+        let title = match &motor.catalogue {
+            Some(catalogue) => format!("motor {} ({catalogue})", motor.designation),
+            None => state.texts.own_motor.to_owned(),
+        };
+        lines.push((Role::Header, title));
+        let plain = |text: String| (Role::Plain, text);
+        lines.push(plain(format!("  rated power        {} W", digits(motor.power, 5))));
+        lines.push(plain(format!("  synchronous speed  {} rad/s", digits(motor.synchronous_speed, 5))));
+        lines.push(plain(format!("  rated speed        {} rad/s", digits(motor.rated_speed, 5))));
+        lines.extend(motor.max_torque_ratio.map(|x| plain(format!("  breakdown / rated  {}", digits(x, 4)))));
+        lines.extend(motor.inertia.map(|x| plain(format!("  rotor inertia      {} kg m2", digits(x, 5)))));
+        if let Some(work) = &motor.work {
+            let [low, high] = work.speed.map(|speed| digits(speed, 5));
+            lines.push(plain(format!("  works at           {low} .. {high} rad/s")));
+            let [low, high] = work.torque.map(|torque| digits(torque, 4));
+            lines.push(plain(format!("  torque             {low} .. {high} N m")));
+            lines.push(plain(format!("  rms torque         {} N m", digits(work.rms_torque, 4))));
         }
     }
+    lines.extend(dynamics.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
+    lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
+    for row in &dynamics.flywheel_methods {
+        let off = row.difference.map_or_else(String::new, |part| format!("{:+.2} %", 1e2 * part));
+        lines.push((Role::Plain, format!("  {:<25} {:>9} {off:>8}", row.method, digits(row.flywheel, 5))));
+    }
+    if lines.is_empty() {
+        lines.push((Role::Dim, state.texts.no_motor.to_owned()));
+    }
+    lines
+}
+
+/// The two places of the flywheel, warnings, and the runners-up of the catalogue.
+fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Row> {
+    let mut lines = vec![(Role::Header, state.texts.two_places.to_owned())];
+    lines.push((Role::Dim, state.texts.place_columns.to_owned()));
+    for wheel in &dynamics.flywheel_places {
+        let word = if wheel.ok { state.texts.ok } else { state.texts.failed };
+        let [inertia, diameter, width, mass] =
+            [wheel.inertia, 1e3 * wheel.diameter, 1e3 * wheel.width, wheel.mass].map(|x| digits(x, 5));
+        let rim = format!("{} / {}", digits(wheel.rim_speed, 4), digits(wheel.admissible_rim_speed, 4));
+        let row =
+            format!("{:<8}{inertia:>12}{diameter:>12}{width:>10}{mass:>12}{rim:>17} {word}", wheel.shaft);
+        lines.push((Role::Plain, row));
+    }
+    if let Some(motor) = &dynamics.motor {
+        if let (Some(length), Some(diameter)) = (motor.length, motor.diameter) {
+            let size = [1e3 * length, 1e3 * diameter].map(|x| digits(x, 4));
+            let mass = motor.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
+            let name = &motor.designation;
+            lines.push((Role::Plain, format!("motor {name}: {} x {} mm, {mass} kg", size[0], size[1])));
+        }
+        lines.push((Role::Plain, String::new()));
+        if !motor.runners_up.is_empty() {
+            lines.push((Role::Header, state.texts.runners_up.to_owned()));
+            lines.push((Role::Dim, state.texts.runner_columns.to_owned()));
+        }
+        for other in &motor.runners_up {
+            let mass = other.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
+            let [power, speed, ratio] = [other.power, other.rated_speed, other.ratio].map(|x| digits(x, 5));
+            let name = format!("{} ({})", other.designation, other.catalogue);
+            lines.push((Role::Plain, format!("{name:<32}{power:>11}{speed:>12}{ratio:>11}{mass:>10}")));
+        }
+        lines.push((Role::Plain, String::new()));
+        for warning in &motor.warnings {
+            let rows = super::panel::wrapped(warning, 75);
+            lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
+        }
+    }
+    lines
 }

@@ -13,6 +13,7 @@ pub(crate) mod menu;
 pub(crate) mod motion;
 pub(crate) mod panel;
 pub(crate) mod plans;
+pub(crate) mod regime;
 pub(crate) mod structure;
 pub(crate) mod table;
 

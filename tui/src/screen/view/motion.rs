@@ -4,7 +4,7 @@ use assur_results::{Analysis, Dynamics};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{curves, put};
+use super::{curves, put, regime};
 use crate::screen::draw::chart::Chart;
 use crate::screen::draw::raster::short;
 use crate::screen::found::Found;
@@ -21,12 +21,26 @@ const NUMBERS: u16 = 30;
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &study.found else { return };
-    let lines =
-        found.analysis.dynamics.as_ref().map(|d| regime(d, found.analysis.input.angular)).unwrap_or_default();
+    let lines = found
+        .analysis
+        .dynamics
+        .as_ref()
+        .map(|d| numbers(d, found.analysis.input.angular))
+        .unwrap_or_default();
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     for (row, line) in lines.iter().enumerate() {
         put(buffer, numbers, 1, short(row), line, state.look.theme.style(Role::Plain));
+    }
+    let regime = found.analysis.dynamics.as_ref().and_then(|dynamics| dynamics.regime.as_ref());
+    match (regime, state.pane) {
+        (Some(regime), Pane::Curves) => {
+            return regime::draw_course(state, study, regime, charts, buffer);
+        }
+        (Some(regime), Pane::Hodograph) => {
+            return regime::draw_iteration(state, regime, charts, buffer);
+        }
+        _ => {}
     }
     let over_time = state.pane != Pane::Table && !found.analysis.trajectory.is_empty();
     if over_time || found.motion.is_empty() {
@@ -90,7 +104,7 @@ fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buff
 }
 
 /// The numbers of the regime, one a line.
-pub(crate) fn regime(dynamics: &Dynamics, angular: bool) -> Vec<String> {
+pub(crate) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<String> {
     let speed = if angular { "rad/s" } else { "m/s" };
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };

@@ -27,6 +27,11 @@ fn lines(state: &State, study: &Study, area: Rect) -> Vec<(Role, String)> {
         let unit = if study.linkage.angular() { "rad/s" } else { "m/s" };
         lines.push((Role::Plain, format!("{} {} {unit}", texts.speed, digits(speed, 5))));
     }
+    // In a steady regime the speed is an answer, one for each position.
+    let own = study.found.as_ref().and_then(|found| found.series.iter().find(|series| series.short == "w"));
+    if let Some(series) = own.filter(|_| lines.len() == 1) {
+        lines.push((Role::Plain, format!("{} {}", texts.speed, series.show(state.position))));
+    }
     if let Some(found) = &study.found
         && let Some(balancing) = found.reactions.iter().find(|reaction| reaction.pair.is_empty())
     {
