@@ -10,8 +10,6 @@ use crate::{Course, Study};
 
 /// States of a transient motion that are checked at most, equally spaced.
 const MOST_STATES: usize = 96;
-/// Health below which a state of a motion is left out of the force checks: a position on a change point has no reactions.
-const LEAST_HEALTH: f64 = 1e-2;
 
 impl Study {
     /// Every check that applies to the scene; none where the plan leaves groups out.
@@ -63,7 +61,7 @@ impl Study {
     fn is_regular(&self, state: &State) -> bool {
         let mut position = self.linkage.position();
         let solved = self.linkage.solve(state.coordinate, assur_group::Order::Place, &mut position);
-        solved.is_ok() && position.health.iter().all(|health| health.abs() > LEAST_HEALTH)
+        solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
     /// S stage 10: what the force analysis needs at the input is what drive and flywheel give there.
@@ -117,6 +115,7 @@ impl Study {
         let given = |state: &State| machine.torque(state.speed) - found.shaft.inertia * state.acceleration;
         let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
         rows.extend(self.drive_check(given, 1e-9, reason));
+        rows.extend(self.work_check(found));
         rows
     }
 
@@ -128,6 +127,7 @@ impl Study {
             |state: &State| regime.state(state.coordinate).drive - regime.shaft_inertia * state.acceleration;
         rows.extend(self.drive_check(given, 1e-8, reason));
         let last = regime.turns.last().map_or(0.0, |turn| (turn.residual / turn.speed_end).abs());
+        rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
         rows.push(row("periodicity", last, 1e-9, None, "speed over a cycle", reason));
         let Some(Motion::Steady { mean_speed, unevenness }) = self.linkage.mechanism.motion else {
@@ -156,7 +156,14 @@ impl Study {
     }
 }
 
-fn row(name: &str, residual: f64, limit: f64, at: Option<usize>, place: &str, reason: &str) -> CheckRow {
+pub(crate) fn row(
+    name: &str,
+    residual: f64,
+    limit: f64,
+    at: Option<usize>,
+    place: &str,
+    reason: &str,
+) -> CheckRow {
     CheckRow {
         name: name.to_owned(),
         residual,

@@ -1,12 +1,8 @@
-// NOTE TO WHOEVER WRITES THIS FILE (05:15): two of us are doing the same task "motion". I (target-motion) wrote
-// results/src/{course,regime,dynamics,analysis}.rs and now write results/text (motion, drive), csv, plan, checks of energy and
-// regime (analysis/src/proof.rs), tui/src/cli and tests. Please write only analysis/src/{trajectory,dynamics}.rs (trajectory(),
-// dynamics(), integration()) with those types, and take this note out when read (write "seen" to /tmp/motion-note).
 //! How the input moves: as the scene prescribes it, or as the equation of motion has it.
 
-use assur_dynamics::{DynamicsError, Steady, Transient, steady, transient_by};
+use assur_dynamics::{DynamicsError, Steady, Transient, equation, steady, transient_by};
 use assur_force::{Loads, State};
-use assur_integrator::IntegrationError;
+use assur_integrator::{IntegrationError, Motion as _, choose, find, integrators};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 
@@ -83,6 +79,44 @@ fn transient(linkage: &Linkage, loads: &Loads, options: &Options) -> Result<Tran
         }
         other => other,
     }
+}
+
+/// Which case of D the equation of a transient motion is, which integrator is taken and why; `None` for other scenes, and where
+/// no position can be assembled.
+///
+/// # Errors
+///
+/// [`AnalysisError`] where the scene can't be compiled, or the integrator can't treat the equation.
+pub fn explain_motion(mechanism: &Mechanism, options: &Options) -> Result<Option<String>, AnalysisError> {
+    let Some(Motion::Transient { integrator: own, tolerance, .. }) = &mechanism.motion else {
+        return Ok(None);
+    };
+    let linkage = Linkage::compile(mechanism.clone())?;
+    if linkage.range.is_none() {
+        return Ok(None);
+    }
+    let loads = Loads::compile(&linkage)?;
+    let dependence = equation(&linkage, &loads)?.dependence();
+    let named = options.integrator.as_deref().unwrap_or(own);
+    if named != DEFAULT_INTEGRATOR {
+        let plugin = find(named).map_err(DynamicsError::from)?;
+        let supported = (plugin.instance)().supports(&dependence);
+        supported.map_err(|reason| {
+            DynamicsError::from(IntegrationError::Unsupported { integrator: plugin.name, reason })
+        })?;
+        let (case, words) = (dependence.case(), dependence.words());
+        return Ok(Some(format!(
+            "integrator `{named}`, asked for by name: {}; case {case} of D ({words})",
+            plugin.summary
+        )));
+    }
+    let chosen = choose(&dependence, *tolerance, &integrators().map_err(DynamicsError::from)?)
+        .ok_or_else(|| DynamicsError::NoIntegrator { equation: dependence.words() })?;
+    Ok(Some(format!(
+        "integrator `{}`, {}; where an explicit method finds the equation stiff, `{STIFF}`",
+        chosen.name(),
+        chosen.reason
+    )))
 }
 
 /// Whether the scene or the choice of method is at fault, rather than the machine that it describes.

@@ -11,13 +11,15 @@ mod error;
 mod forces;
 mod motions;
 mod names;
+mod notes;
 mod plans;
+mod proof;
 mod run;
 mod structure;
 mod study;
 mod trajectory;
 
-pub use course::Course;
+pub use course::{Course, explain_motion};
 pub use error::AnalysisError;
 pub use study::{DEFAULT_ANALYZER, DEFAULT_INTEGRATOR, Options, Study, methods};
 

@@ -38,6 +38,7 @@ impl Study {
         for index in 0..mechanism.input.positions {
             run.position(index);
         }
+        let (trajectory, lost_samples) = self.trajectory();
         Analysis {
             format: Analysis::FORMAT,
             title: mechanism.title.clone(),
@@ -53,11 +54,11 @@ impl Study {
             cycle: self.cycle(&run.positions),
             positions: run.positions,
             failures: run.failures,
-            trajectory: self.trajectory(),
+            trajectory,
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.clone(),
-            notes: Vec::new(),
+            notes: self.notes(&run.lost, lost_samples),
             checks: Vec::new(),
         }
     }
@@ -73,6 +74,8 @@ struct Run<'a> {
     position: Position,
     positions: Vec<PositionResult>,
     failures: Vec<Failure>,
+    /// Positions at a change point, where forces are not determined.
+    lost: Vec<usize>,
 }
 
 impl<'a> Run<'a> {
@@ -91,6 +94,7 @@ impl<'a> Run<'a> {
             position: linkage.position(),
             positions: Vec::with_capacity(linkage.mechanism.input.positions),
             failures: Vec::new(),
+            lost: Vec::new(),
         }
     }
 
@@ -110,7 +114,13 @@ impl<'a> Run<'a> {
                 moment: found.moment,
             });
         }
+        let lost = linkage.is_at_change_point(&self.position);
         if let (Some(forces), true) = (&mut self.forces, self.study.positions_have_forces()) {
+            if lost {
+                self.lost.push(index);
+                self.positions.push(result);
+                return;
+            }
             match forces.solve(&state, &self.position, &self.study.plan.wanted, &self.names) {
                 Ok((reactions, balancing)) => {
                     result.reactions = reactions;

@@ -37,6 +37,8 @@ pub struct Study {
     pub course: Course,
     /// Why the motion that was asked for is not found; what does not depend on it is calculated nevertheless.
     pub no_motion: Option<String>,
+    /// What of the request has no use in this scene.
+    pub(crate) unused: Vec<String>,
 }
 
 impl Study {
@@ -58,7 +60,8 @@ impl Study {
             Err(error) if error.is_no_solution() => (Course::Prescribed, Some(error.to_string())),
             Err(error) => return Err(error),
         };
-        Ok(Self { linkage, plan, loads, analyzer, course, no_motion })
+        let unused = crate::notes::unused(&linkage.mechanism, options);
+        Ok(Self { linkage, plan, loads, analyzer, course, no_motion, unused })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.

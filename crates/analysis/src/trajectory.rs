@@ -40,8 +40,9 @@ impl Study {
         }
     }
 
-    /// The course over time; with forces for a transient motion, whose positions have none.
-    pub(crate) fn trajectory(&self) -> Vec<Trajectory> {
+    /// The course over time, with forces for a transient motion, whose positions have none; and at how many samples they are
+    /// not determined.
+    pub(crate) fn trajectory(&self) -> (Vec<Trajectory>, usize) {
         let (linkage, plan) = (&self.linkage, &self.plan);
         let names = Names::of(&linkage.mechanism);
         let mut angles = Angles::new(linkage);
@@ -51,7 +52,7 @@ impl Study {
             (Some(loads), Some(analyzer)) if transient => Some(Forces::new(linkage, loads, analyzer)),
             _ => None,
         };
-        let mut rows = Vec::new();
+        let (mut rows, mut lost) = (Vec::new(), 0);
         for state in self.states() {
             if linkage.solve(state.coordinate, Order::Second, &mut position).is_err() {
                 continue;
@@ -78,13 +79,21 @@ impl Study {
             }
             if let Some(forces) = &mut forces {
                 // In a singular position no reaction is determined: the motion goes through, the row has none.
-                if let Ok((reactions, balancing)) = forces.solve(&state, &position, &plan.wanted, &names) {
-                    row.reactions = reactions;
-                    row.balancing = Some(balancing);
+                let found = if linkage.is_at_change_point(&position) {
+                    None
+                } else {
+                    forces.solve(&state, &position, &plan.wanted, &names).ok()
+                };
+                match found {
+                    Some((reactions, balancing)) => {
+                        row.reactions = reactions;
+                        row.balancing = Some(balancing);
+                    }
+                    None => lost += 1,
                 }
             }
             rows.push(row);
         }
-        rows
+        (rows, lost)
     }
 }

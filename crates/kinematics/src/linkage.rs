@@ -138,6 +138,15 @@ impl Linkage {
         self.solve(coordinate, order, position).map_err(|error| PositionError { index: Some(index), ..error })
     }
 
+    /// Whether a solved position lies so near to a change point that forces are not determined there: two ways of a group
+    /// meet, its constraints coincide, and its reactions have the form 0/0.
+    pub fn is_at_change_point(&self, position: &Position) -> bool {
+        /// Distance, rad (or parts of the scale): nearer, the error of the interpolated motion would show in the forces.
+        const NEAR: f64 = 1e-3;
+        self.patches.iter().any(|patch| patch.covers(position.coordinate))
+            && position.health.iter().any(|health| health.abs() < NEAR)
+    }
+
     /// Coordinates at which two ways of a group meet within the walked period, with the group.
     pub fn change_points(&self) -> &[(f64, usize)] {
         self.ways.changes()

@@ -1,7 +1,7 @@
 //! The stages in the order in which data goes through them, each with its reason and method.
 
 use assur_group::Order;
-use assur_mechanism::{Balance, InputPair, Mechanism, Motion};
+use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
 use assur_structure::Structure;
 
 use crate::{Methods, Plan, Stage, needs};
@@ -120,20 +120,74 @@ fn motion(mechanism: &Mechanism, methods: &Methods, plan: &Plan) -> Stage {
             )
         }
         Some(Motion::Steady { .. }) => {
-            run(name, "the periodic regime is wanted", format!("integrator `{}`", methods.integrator))
+            let method = "shooting: the speed over the cycle by collocation of order 15 between all jumps of the loads, a Newton \
+                          step on the speed at the start; no integrator in time";
+            run(name, "the periodic regime is wanted: J w dw/dq + J' w^2/2 = Q + M over one cycle", method)
         }
     }
 }
 
 fn drive(mechanism: &Mechanism) -> Stage {
-    if mechanism.drive.is_some() {
-        return run(
-            "drive and flywheel",
-            "the scene has a `[drive]`",
-            "motor characteristic together with the equation of motion",
-        );
+    if let Some(drive) = &mechanism.drive {
+        let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+        if !found {
+            return left_out(
+                "drive and flywheel",
+                "`[drive]` has no use where the motion is prescribed or absent",
+            );
+        }
+        return run("drive and flywheel", drive_reason(drive), drive_method(drive));
     }
     left_out("drive and flywheel", "no motor, reducer or flywheel is given; add `[drive]`")
+}
+
+/// What of the drive is given and what is wanted.
+fn drive_reason(drive: &Drive) -> String {
+    let mut wanted = Vec::new();
+    if matches!(drive.torque, Torque::Balance) {
+        wanted.push("the constant moment that makes the work of a cycle zero");
+    }
+    if matches!(drive.torque, Torque::Motor { motor: Motor::Auto, .. }) {
+        wanted.push("the motor");
+    }
+    if matches!(drive.torque, Torque::Motor { .. }) && drive.ratio == Solve::Wanted {
+        wanted.push("the gear ratio");
+    }
+    if drive.flywheel == Some(Solve::Wanted) {
+        wanted.push("the flywheel");
+    }
+    if wanted.is_empty() {
+        return "the scene has a `[drive]`, all of it given".to_owned();
+    }
+    format!("the scene has a `[drive]`; wanted: {}", wanted.join(", "))
+}
+
+fn drive_method(drive: &Drive) -> String {
+    let mut methods = Vec::new();
+    match &drive.torque {
+        Torque::Motor { motor, characteristic, .. } => {
+            if *motor == Motor::Auto {
+                methods.push(
+                    "the least rated power that suffices and keeps the greatest motor speed (S stage 5)",
+                );
+            }
+            methods.push(match characteristic {
+                Characteristic::Kloss => "torque over speed by Kloss's formula",
+                Characteristic::Linear => {
+                    "torque over speed as the straight line through synchronous and rated speed"
+                }
+            });
+        }
+        Torque::Constant(_) | Torque::Balance => methods.push("a constant moment on the input link"),
+        Torque::None => methods.push("no torque"),
+    }
+    if drive.ratio == Solve::Wanted || drive.flywheel == Some(Solve::Wanted) {
+        methods.push(
+            "ratio and flywheel by a Newton search in which every trial has its own periodic regime (S stage 6); beside it the \
+             flywheel by E eqs. 9 and 10, Mertsalov and the energy-mass diagram",
+        );
+    }
+    methods.join("; ")
 }
 
 fn inertia(mechanism: &Mechanism, plan: &Plan) -> Stage {

@@ -34,6 +34,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             output::print_or_write(&text, target)?;
         }
     }
+    for note in &analysis.notes {
+        style.tell(&format!("note: {note}"));
+    }
     tell_failures(&analysis.failures, style);
     tell_no_motion(analysis.no_motion.as_deref(), style);
     let found = analysis.failures.is_empty() && analysis.no_motion.is_none();

@@ -21,7 +21,13 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     }
     let fault = |error: &dyn std::fmt::Display| scene::in_file(&args.scene.scene, &error.to_string());
     let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
-    let plan = Plan::of(&mechanism, &structure, &methods(&mechanism, &options));
+    let mut plan = Plan::of(&mechanism, &structure, &methods(&mechanism, &options));
+    if let Some(method) =
+        assur_analysis::explain_motion(&mechanism, &options).map_err(|error| fault(&error))?
+    {
+        let stage = plan.stages.iter_mut().find(|stage| stage.name == "equation of motion");
+        stage.into_iter().for_each(|stage| stage.method.clone_from(&method));
+    }
     output::print(&style.text(&explain(&mechanism, &structure, &plan)))?;
     Ok(Status::Done)
 }

@@ -94,7 +94,7 @@ fn course(source: &Source<'_>, page: &mut Page) {
         column(&rows, "speed", units.rates[0], |row| Some(row.speed)),
         column(&rows, "acceleration", units.rates[1], |row| Some(row.acceleration)),
     ];
-    if all.iter().any(|row| row.balancing.is_some()) {
+    if source.mechanism.drive.is_some() && all.iter().any(|row| row.balancing.is_some()) {
         columns.push(column(&rows, "drive", units.reduced[2], |row| row.balancing));
     }
     let part = if rows.len() < all.len() {

@@ -6,6 +6,8 @@ use super::number::{short, single};
 use super::units::Unit;
 use crate::{CourseRow, Dynamics, MotorReport, RegimeReport};
 
+/// Rows of the course over a cycle, without the first.
+const ROWS: usize = 48;
 /// Radians a second in a revolution a minute.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
@@ -106,7 +108,9 @@ fn digits(value: f64) -> String {
 
 fn course(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     let units = &source.units;
-    let rows = &regime.course;
+    // Every so many rows, both ends among them; JSON has all.
+    let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
+    let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
     let column = |head: &str, unit: Unit, value: &dyn Fn(&CourseRow) -> Option<f64>| Column {
         head: head.to_owned(),
         unit: unit.name.to_owned(),
