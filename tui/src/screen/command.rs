@@ -4,7 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use super::key::{Key, char, code, ctrl};
 use super::state::{State, View};
-use super::{act, prompt};
+use super::{accuracy, act, prompt};
 
 /// Groups of the help screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,9 +52,9 @@ const fn command(
 }
 
 use Group::{Choose, Look, Move, Program, Views};
-use View::{Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table};
+use View::{Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table};
 
-const SCENE: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
+const SCENE: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
 const DRAWN: &[View] = &[Mechanism, Structure];
 
 /// All commands, in the order of the help screen.
@@ -91,6 +91,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("next-check", Choose, &[code(KeyCode::Down), char('j')], &[Checks], |s| act::check(s, 1)),
     command("previous-check", Choose, &[code(KeyCode::Up), char('k')], &[Checks], |s| act::check(s, -1)),
     command("worst", Choose, &[code(KeyCode::Enter)], &[Checks], act::worst),
+    command("measure", Choose, &[char('b'), code(KeyCode::Enter)], &[Accuracy], accuracy::measure),
+    command("next-line", Choose, &[code(KeyCode::Down), char('j')], &[Accuracy], |s| accuracy::scroll(s, 1)),
+    command("previous-line", Choose, &[code(KeyCode::Up), char('k')], &[Accuracy], |s| {
+        accuracy::scroll(s, -1)
+    }),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
     command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| {
         act::column(s, -1);
@@ -110,6 +115,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("motion", Views, &[char('5')], SCENE, |s| s.show(Motion)),
     command("drive", Views, &[char('6')], SCENE, |s| s.show(Drive)),
     command("checks", Views, &[char('7')], SCENE, |s| s.show(Checks)),
+    command("accuracy", Views, &[char('8')], SCENE, |s| s.show(Accuracy)),
     command("structure", Views, &[char('9')], SCENE, |s| s.show(Structure)),
     command("table", Views, &[char('t')], SCENE, |s| s.show(Table)),
     command("menu", Views, &[char('o')], SCENE, act::menu),
@@ -132,7 +138,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("write", Program, &[char('w')], SCENE, super::writing::write),
     command("redraw", Program, &[ctrl('l')], &[], |s| s.wishes.push(super::state::Wish::Redraw)),
     command("suspend", Program, &[ctrl('z')], &[], |s| s.wishes.push(super::state::Wish::Suspend)),
-    command("close", Program, &[code(KeyCode::Esc)], &[], |_| ()),
+    command("close", Program, &[code(KeyCode::Esc)], &[], accuracy::stop),
     command("quit", Program, &[char('q'), ctrl('c')], &[], |s| s.wishes.push(super::state::Wish::Quit)),
 ];
 

@@ -4,6 +4,7 @@
 //! state, views are pure functions from it to a frame, the session waits for events and draws only after one that
 //! changed something. Nothing here calculates; reading and calculating run in a thread beside.
 
+mod accuracy;
 mod act;
 mod asking;
 mod command;

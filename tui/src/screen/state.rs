@@ -1,5 +1,6 @@
 //! Everything a frame depends on. Commands change it, views read it.
 
+use super::accuracy::Accuracy;
 use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
 use super::menu::Menu;
@@ -21,6 +22,7 @@ pub(crate) enum View {
     Motion,
     Drive,
     Checks,
+    Accuracy,
     Structure,
     Table,
 }
@@ -111,6 +113,8 @@ pub(crate) struct Chosen {
     pub(crate) step: usize,
     /// First quantity of the motion view.
     pub(crate) motion: usize,
+    /// First line of the accuracy view.
+    pub(crate) line: usize,
     /// Column of the table.
     pub(crate) column: usize,
 }
@@ -120,6 +124,7 @@ pub(crate) struct Chosen {
 pub(crate) struct State {
     pub(crate) texts: &'static Texts,
     pub(crate) study: Option<Study>,
+    pub(crate) accuracy: Accuracy,
     pub(crate) menu: Menu,
     pub(crate) view: View,
     pub(crate) position: usize,
@@ -160,6 +165,7 @@ impl State {
         Self {
             texts: &ENGLISH,
             study,
+            accuracy: Accuracy::default(),
             menu: Menu::default(),
             view,
             position,
@@ -230,6 +236,8 @@ impl State {
             Report::Opened(Ok(study)) => self.open(*study),
             Report::Opened(Err(text)) => self.fault = Some(text),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
+            Report::Progress { generation, count } => return self.take_progress(generation, count),
+            Report::Measured { generation, lines } => return self.take_measured(generation, lines),
             Report::Analyzed { generation, other, found } => {
                 return self.take_found(generation, other, found);
             }
@@ -254,6 +262,8 @@ impl State {
         self.chosen = Chosen { transfer, group, column, ..Chosen::default() };
         self.fault = None;
         self.study = Some(study);
+        super::accuracy::stop(self);
+        self.accuracy = Accuracy::default();
         self.generation += 1;
         self.analyze(false);
         if again {

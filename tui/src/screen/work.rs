@@ -9,6 +9,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_results::CheckRow;
 
+use super::accuracy::{self, Measurement};
 use super::found::Found;
 use super::menu::SCENES;
 use super::session::Event;
@@ -25,6 +26,8 @@ pub(crate) enum Job {
     Preview(usize),
     /// Calculate all that a scene asks for.
     Analyze(Request),
+    /// Measure the methods.
+    Measure(Measurement),
 }
 
 /// Which analysis.
@@ -46,6 +49,10 @@ pub(crate) enum Report {
     Opened(Result<Box<Study>, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Study>, String>),
+    /// How far a measurement is.
+    Progress { generation: usize, count: String },
+    /// What was measured, a line each.
+    Measured { generation: usize, lines: Result<Vec<String>, String> },
     /// An analysis, or why there is none.
     Analyzed { generation: usize, other: bool, found: Result<Box<Found>, String> },
 }
@@ -53,7 +60,10 @@ pub(crate) enum Report {
 /// Starts a job; the report comes as an event.
 pub(crate) fn start(job: Job, sender: Sender<Event>) {
     let beside = thread::Builder::new().name(WORKER.into()).spawn(move || {
-        let report = catch_unwind(AssertUnwindSafe(|| run(&job))).unwrap_or_else(|panic| {
+        let report = catch_unwind(AssertUnwindSafe(|| {
+            run_telling(&job, &|report| drop(sender.send(Event::Work(report))))
+        }))
+        .unwrap_or_else(|panic| {
             let what = panic.downcast_ref::<String>().map_or("", String::as_str);
             let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
             failed(&job, fill(ENGLISH.worker_failed, &[&what]))
@@ -68,20 +78,32 @@ fn failed(job: &Job, text: String) -> Report {
     match job {
         Job::Open(_) => Report::Opened(Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
+        Job::Measure(wanted) => Report::Measured { generation: wanted.generation, lines: Err(text) },
         Job::Analyze(request) => {
             Report::Analyzed { generation: request.generation, other: request.other, found: Err(text) }
         }
     }
 }
 
-/// Does a job.
+/// Does a job and tells nobody how far it is.
+#[cfg(test)]
 pub(crate) fn run(job: &Job) -> Report {
+    run_telling(job, &|_| ())
+}
+
+/// Does a job; what it reports on the way goes to `tell`.
+fn run_telling(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
         Job::Preview(index) => {
             let study = SCENES.get(*index).ok_or_else(String::new);
             let study = study.and_then(|(name, text)| Study::read(Source::Shipped(name), text));
             Report::Preview(*index, study.map(Box::new))
+        }
+        Job::Measure(wanted) => {
+            let generation = wanted.generation;
+            let lines = accuracy::run(wanted, &|count| tell(Report::Progress { generation, count }));
+            Report::Measured { generation, lines: Ok(lines) }
         }
         Job::Analyze(request) => Report::Analyzed {
             generation: request.generation,

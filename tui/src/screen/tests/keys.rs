@@ -16,7 +16,7 @@ fn fingerprint(state: &State) -> String {
 #[test]
 fn every_key_in_every_view_is_survived() {
     let mut state = opened("shaper.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         for code in (' '..='~').map(KeyCode::Char).chain([
             KeyCode::Enter,
             KeyCode::Esc,
@@ -50,7 +50,9 @@ fn every_key_in_every_view_is_survived() {
 fn every_command_does_something() {
     for command in COMMANDS.iter().filter(|command| command.name != "close") {
         let mut acts = false;
-        for view in super::VIEWS.into_iter().chain([View::Menu]).filter(|view| command.fits(*view)) {
+        for view in
+            super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]).filter(|view| command.fits(*view))
+        {
             let mut state = opened("shaper.toml");
             state.view = view;
             (state.position, state.zoom.factor) = (7, 2.0);
@@ -67,7 +69,7 @@ fn every_command_does_something() {
 
 #[test]
 fn no_key_means_two_things_in_a_view() {
-    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         let fit: Vec<_> = COMMANDS.iter().filter(|command| command.fits(view)).collect();
         for (i, one) in fit.iter().enumerate() {
             for two in &fit[i + 1..] {

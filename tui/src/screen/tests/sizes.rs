@@ -13,7 +13,7 @@ fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
 #[test]
 fn every_size_is_drawn_in_every_view() {
     let mut state = opened("slider-crank.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         state.view = view;
         for width in 0..=100 {
             for height in 0..=40 {
@@ -30,7 +30,7 @@ fn every_size_is_drawn_in_every_view() {
 #[test]
 fn every_view_survives_any_area() {
     let mut state = opened("slider-crank.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu]) {
+    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         state.view = view;
         all_panes(&mut state, |state| {
             for width in [0, 1, 2, 5, 11, 12, 13, 26, 27, 40] {

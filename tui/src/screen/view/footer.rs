@@ -72,7 +72,7 @@ fn keys_of_hint(command: &Command, key: &str) -> String {
     match command.name {
         "next-position" => "Left/Right".to_owned(),
         "next-row" | "next-item" | "next-group" | "next-scene" | "next-reaction" | "next-motion"
-        | "next-check" | "next-step" => "Up/Down".to_owned(),
+        | "next-check" | "next-line" | "next-step" => "Up/Down".to_owned(),
         _ => key.to_owned(),
     }
 }

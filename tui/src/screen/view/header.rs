@@ -25,6 +25,7 @@ pub(crate) fn name(state: &State, view: View) -> &'static str {
         View::Motion => state.texts.motion,
         View::Drive => state.texts.drive,
         View::Checks => state.texts.checks,
+        View::Accuracy => state.texts.accuracy,
         View::Structure => state.texts.structure,
         View::Table => state.texts.table,
     }
@@ -38,6 +39,7 @@ const TABS: &[(&str, View)] = &[
     ("motion", View::Motion),
     ("drive", View::Drive),
     ("checks", View::Checks),
+    ("accuracy", View::Accuracy),
     ("structure", View::Structure),
     ("table", View::Table),
 ];

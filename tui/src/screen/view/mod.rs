@@ -1,5 +1,6 @@
 //! Views: pure functions from the state to a frame.
 
+pub(crate) mod accuracy;
 pub(crate) mod ascii;
 pub(crate) mod checks;
 pub(crate) mod curves;
@@ -67,6 +68,7 @@ pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
         (View::Motion, Some(study)) => motion::draw(state, study, area, buffer),
         (View::Drive, Some(study)) => drive::draw(state, study, area, buffer),
         (View::Checks, Some(study)) => checks::draw(state, study, area, buffer),
+        (View::Accuracy, Some(_)) => accuracy::draw(state, area, buffer),
         (View::Structure, Some(study)) => structure::draw(state, study, area, buffer),
         (View::Table, Some(study)) => table::draw(state, study, area, buffer),
         (View::Menu, _) | (_, None) => menu::draw(state, area, buffer),
