@@ -112,3 +112,6 @@ impl Balance {
         worst
     }
 }
+
+#[cfg(test)]
+mod tests;
