@@ -65,7 +65,7 @@ pub(crate) fn stop(state: &mut State) {
 
 /// Scrolls the report.
 pub(crate) fn scroll(state: &mut State, by: isize) {
-    let last = state.accuracy.lines.len().max(2) - 1;
+    let last = state.accuracy.lines.len().saturating_sub(1);
     state.chosen.line = state.chosen.line.saturating_add_signed(by).min(last);
 }
 

@@ -55,7 +55,8 @@ fn every_command_does_something() {
         {
             let mut state = opened("shaper.toml");
             state.view = view;
-            (state.position, state.zoom.factor) = (7, 2.0);
+            (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
+            state.accuracy.lines = vec![String::new(); 9];
             let before = fingerprint(&state);
             (command.run)(&mut state);
             acts |= fingerprint(&state) != before;

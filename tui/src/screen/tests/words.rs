@@ -70,3 +70,32 @@ fn two_analyzers_agree_on_the_screen() {
     press(&mut state, "d f");
     assert!(!text(&state, 80, 24).contains("force analyzer: groups"));
 }
+
+#[test]
+fn the_drive_shows_motor_moments_flywheels_and_places() {
+    let mut state = opened("shaper-drive.toml");
+    press(&mut state, "6");
+    let study = state.study.as_ref().unwrap();
+    let dynamics = study.found.as_ref().unwrap().analysis.dynamics.clone().unwrap();
+    let frame = text(&state, 80, 24);
+    let shown: f64 = frame
+        .split("unevenness ")
+        .nth(1)
+        .and_then(|rest| rest.split_whitespace().next()?.parse().ok())
+        .unwrap();
+    let unevenness = dynamics.unevenness.unwrap();
+    assert!((shown - unevenness).abs() <= 1e-4 * unevenness, "{frame}");
+    for (row, word) in dynamics.flywheel_methods.iter().zip(["kg m2"].iter().cycle()) {
+        assert!(frame.contains(row.method) && frame.contains(word), "{frame}");
+    }
+    press(&mut state, "Tab");
+    let frame = text(&state, 80, 24);
+    assert!(
+        ["working section", "1 motor", "2 resistance", "3 mean"].iter().all(|w| frame.contains(w)),
+        "{frame}"
+    );
+    press(&mut state, "Tab");
+    assert!(text(&state, 80, 24).contains("on the motor shaft"));
+    press(&mut state, "5");
+    assert!(text(&state, 80, 24).contains("iteration to the periodic regime"));
+}

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::put;
+use super::{panel, put};
 use crate::screen::draw::raster::short;
 use crate::screen::state::State;
 use crate::screen::theme::Role;
@@ -27,8 +27,16 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 1, 1, state.texts.measure_hint, theme.style(Role::Plain));
     }
     let height = usize::from(area.height.saturating_sub(top));
-    let skip = state.chosen.line.min(found.lines.len().saturating_sub(height));
-    for (row, line) in found.lines.iter().skip(skip).take(height).enumerate() {
+    let lines: Vec<String> = found.lines.iter().flat_map(|line| fitted(line, area.width)).collect();
+    let skip = state.chosen.line.min(lines.len().saturating_sub(height));
+    for (row, line) in lines.iter().skip(skip).take(height).enumerate() {
         put(buffer, area, 1, short(row) + top, line, theme.style(Role::Plain));
     }
+}
+
+/// A sentence in as many lines as it needs; a row of a table as it is.
+fn fitted(line: &str, width: u16) -> Vec<String> {
+    let width = usize::from(width.max(12)) - 2;
+    let sentence = !line.trim_start().contains("  ") && !line.contains('│') && !line.contains('|');
+    if sentence && line.chars().count() > width { panel::wrapped(line, width) } else { vec![line.to_owned()] }
 }
