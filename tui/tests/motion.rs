@@ -254,10 +254,13 @@ fn a_stiff_motion_goes_to_the_implicit_method() {
     assert!(err(&explicit).contains("radau5"), "{}", err(&explicit));
 }
 
+/// A shipped scene, what is replaced in it by what, and a word of the answer.
+type Case<'a> = (&'a str, &'a [(&'a str, &'a str)], &'a str);
+
 #[test]
 fn what_has_no_solution_ends_with_1_and_words() {
     let given = [("ratio = \"solve\"", "ratio = 3"), ("flywheel = \"solve\"", "flywheel = 5")];
-    let cases: [(&str, &[(&str, &str)], &str); 4] = [
+    let cases: [Case<'_>; 4] = [
         ("shaper-drive", &given, "comes to rest"),
         ("shaper-drive", &[("1500]", "15000]")], "too weak"),
         ("flywheel", &[("torque = \"balance\"", "torque = 5")], "no steady regime"),

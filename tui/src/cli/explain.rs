@@ -25,8 +25,9 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     if let Some(method) =
         assur_analysis::explain_motion(&mechanism, &options).map_err(|error| fault(&error))?
     {
-        let stage = plan.stages.iter_mut().find(|stage| stage.name == "equation of motion");
-        stage.into_iter().for_each(|stage| stage.method.clone_from(&method));
+        if let Some(stage) = plan.stages.iter_mut().find(|stage| stage.name == "equation of motion") {
+            stage.method = method;
+        }
     }
     output::print(&style.text(&explain(&mechanism, &structure, &plan)))?;
     Ok(Status::Done)

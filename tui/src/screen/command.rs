@@ -94,7 +94,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("measure", Choose, &[char('b'), code(KeyCode::Enter)], &[Accuracy], accuracy::measure),
     command("next-line", Choose, &[code(KeyCode::Down), char('j')], &[Accuracy], |s| accuracy::scroll(s, 1)),
     command("previous-line", Choose, &[code(KeyCode::Up), char('k')], &[Accuracy], |s| {
-        accuracy::scroll(s, -1)
+        accuracy::scroll(s, -1);
     }),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
     command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| {

@@ -24,7 +24,7 @@ pub(crate) type Line<'a> = (&'a str, Vec<[f64; 2]>);
 pub(crate) struct Lines<'a> {
     pub(crate) title: &'a str,
     /// At most three.
-    pub(crate) lines: Vec<Line<'a>>,
+    pub(crate) curves: Vec<Line<'a>>,
     /// What the horizontal axis is, with its unit.
     pub(crate) axis: &'a str,
     /// Where the cursor is on the horizontal axis.
@@ -44,7 +44,7 @@ impl Lines<'_> {
             width: area.width - LABELS - 1,
             height: area.height - 3,
         };
-        let points = || self.lines.iter().flat_map(|line| &line.1).filter(|at| at[1].is_finite());
+        let points = || self.curves.iter().flat_map(|line| &line.1).filter(|at| at[1].is_finite());
         let (Some([left, right]), Some([low, high])) =
             (range(points().map(|at| at[0])), range(points().map(|at| at[1])))
         else {
@@ -62,13 +62,13 @@ impl Lines<'_> {
             let ends = [cell([at, low]), cell([at, high])];
             raster.line(ends[0], ends[1], Stroke::Dotted(2), look.theme.style(Role::Dim));
         }
-        for (number, ((_, points), (stroke, role))) in self.lines.iter().zip(STYLES).enumerate() {
+        for (number, ((_, points), (stroke, role))) in self.curves.iter().zip(STYLES).enumerate() {
             let cells: Vec<[f64; 2]> =
                 points.iter().filter(|at| at[1].is_finite()).map(|at| cell(*at)).collect();
             raster.polyline(&cells, stroke, look.theme.style(role));
             // Each number at its own part of the curve, so that curves that meet still show theirs.
-            if let Some(at) = cells.get((2 * number + 1) * cells.len() / (2 * self.lines.len()).max(1))
-                && self.lines.len() > 1
+            if let Some(at) = cells.get((2 * number + 1) * cells.len() / (2 * self.curves.len()).max(1))
+                && self.curves.len() > 1
             {
                 labels.put(*at, ["1", "2", "3"][number], look.theme.style(Role::Header));
             }
@@ -80,8 +80,8 @@ impl Lines<'_> {
 
     /// `moments, N m: 1 drive  2 resistance`.
     fn heading(&self) -> String {
-        let names = self.lines.iter().enumerate().map(|(i, line)| format!("{} {}", i + 1, line.0));
-        match self.lines.len() {
+        let names = self.curves.iter().enumerate().map(|(i, line)| format!("{} {}", i + 1, line.0));
+        match self.curves.len() {
             0 | 1 => self.title.to_owned(),
             _ => format!("{}: {}", self.title, names.collect::<Vec<_>>().join("  ")),
         }

@@ -44,7 +44,8 @@ fn draw_speed(state: &State, study: &Study, regime: &RegimeReport, area: Rect, b
     if regime.course.iter().any(|row| row.first_turn.is_some()) {
         lines.push((state.texts.first_turn, over(study, regime, |row| row.first_turn.unwrap_or(f64::NAN))));
     }
-    Lines { title: state.texts.speeds, lines, axis: &axis, cursor: Some(at) }.draw(area, state.look, buffer);
+    Lines { title: state.texts.speeds, curves: lines, axis: &axis, cursor: Some(at) }
+        .draw(area, state.look, buffer);
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
@@ -63,7 +64,8 @@ pub(crate) fn draw_moments(
         (state.texts.resistance, over(study, regime, |row| -sense * row.load)),
         (state.texts.mean_resistance, over(study, regime, |_| regime.mean_resistance)),
     ];
-    Lines { title: state.texts.moments, lines, axis: &axis, cursor: Some(at) }.draw(area, state.look, buffer);
+    Lines { title: state.texts.moments, curves: lines, axis: &axis, cursor: Some(at) }
+        .draw(area, state.look, buffer);
 }
 
 /// The motor's characteristic, with its working section.
@@ -77,7 +79,7 @@ pub(crate) fn draw_characteristic(state: &State, dynamics: &Dynamics, area: Rect
         (state.texts.working_section, work.working_section.clone()),
     ];
     let cursor = Some(0.5 * (work.speed[0] + work.speed[1]));
-    Lines { title: state.texts.motor_torque, lines, axis: state.texts.motor_speed, cursor }
+    Lines { title: state.texts.motor_torque, curves: lines, axis: state.texts.motor_speed, cursor }
         .draw(area, state.look, buffer);
 }
 
