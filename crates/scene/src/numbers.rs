@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use crate::text::{did_you_mean, shown};
-use crate::units::{Dimension, UnitError, is_bare, quantity};
+use crate::units::{Dimension, MOST, UnitError, is_bare, quantity};
 use crate::walk::{Entry, Section};
 
 /// What a number must be besides finite.
@@ -88,6 +88,11 @@ impl Entry<'_> {
             _ => None,
         };
         let finite = value.filter(|value: &f64| value.is_finite());
+        if finite.is_some_and(|value| value.abs() > MOST) {
+            let message = format!("`{}` is too large: {}", shown(&self.name), self.written());
+            self.fault(message, "numbers beyond 1e30 are refused: with them nothing can be calculated");
+            return None;
+        }
         if finite.is_none() {
             let message = format!("`{}` wants a finite number, got {}", shown(&self.name), self.written());
             self.fault(message, "nan, inf and numbers beyond 1.8e308 are refused");

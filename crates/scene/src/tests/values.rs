@@ -226,3 +226,15 @@ fn a_slide_leads_the_first_point_of_its_link() {
     let text = text.replace("angle = \"90 deg\"\n", "angle = \"90 deg\"\npoint = \"B\"\nthrough = \"C\"\n");
     assert_eq!((good(&text).slides[0].point, good(&text).slides[0].through), ([0.0, 0.0], [0.0, -0.4]));
 }
+
+#[test]
+fn numbers_beyond_all_measure_are_refused() {
+    for (given, words) in
+        [("1e308", "`mass` is too large: 1e308"), ("\"1e31 kg\"", "`mass` is too large: `1e31 kg`")]
+    {
+        let text = BASE.replacen("\"3 kg\"", given, 1);
+        let shown = crate::read("huge.toml", &text).unwrap_err().to_string();
+        assert!(shown.contains(words), "{shown}");
+    }
+    assert!(crate::read("large.toml", &BASE.replacen("\"3 kg\"", "1e30", 1)).is_ok());
+}

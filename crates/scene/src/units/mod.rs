@@ -28,7 +28,7 @@ pub enum UnitError {
         /// The text.
         text: String,
     },
-    /// The number is beyond the range of double precision.
+    /// The number is beyond [`MOST`].
     #[error("is too large: `{}`", shown(text))]
     TooLarge {
         /// The text.
@@ -56,6 +56,10 @@ pub enum UnitError {
     },
 }
 
+/// The greatest size of a number of a scene, SI: beyond it products of masses, lengths and squared speeds stop being
+/// numbers.
+pub(crate) const MOST: f64 = 1e30;
+
 /// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number alone is SI already.
 ///
 /// # Errors
@@ -74,7 +78,7 @@ pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. And pi
     // comes last: 60 rpm is 2 pi rad/s to the last bit.
     let value = number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns);
-    if value.is_finite() { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
+    if value.abs() <= MOST { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
 }
 
 /// Whether a text is a number without a unit.
