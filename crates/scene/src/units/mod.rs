@@ -28,7 +28,7 @@ pub enum UnitError {
         /// The text.
         text: String,
     },
-    /// The number is beyond [`MOST`].
+    /// The number is beyond 1e30.
     #[error("is too large: `{}`", shown(text))]
     TooLarge {
         /// The text.
