@@ -73,6 +73,7 @@ impl Study {
         let names = crate::names::Names::of(&self.linkage.mechanism);
         let mut forces = crate::forces::Forces::new(&self.linkage, loads, analyzer);
         let mut position = self.linkage.position();
+        let mut compared = false;
         let (mut worst, mut at, mut largest) = (0.0_f64, None, 0.0_f64);
         for (index, state) in self.checked_states().iter().enumerate() {
             if self.linkage.solve(state.coordinate, assur_group::Order::Second, &mut position).is_err() {
@@ -87,10 +88,13 @@ impl Study {
             let terms = [balancing, found.moment, inertia, centrifugal].map(f64::abs);
             largest = terms.into_iter().fold(largest, f64::max);
             let miss = (balancing - given(state)).abs();
-            if miss > worst {
+            compared = true;
+            // A miss that is no number must show, and a comparison with it would hide it.
+            if miss > worst || miss.is_nan() {
                 (worst, at) = (miss, Some(index));
             }
         }
+        compared.then_some(())?;
         let scale = if largest > 0.0 { largest } else { 1.0 };
         Some(row("drive against force analysis", worst / scale, limit, at, "input link", reason))
     }
@@ -126,10 +130,13 @@ impl Study {
         let given =
             |state: &State| regime.state(state.coordinate).drive - regime.shaft_inertia * state.acceleration;
         rows.extend(self.drive_check(given, 1e-8, reason));
-        let last = regime.turns.last().map_or(0.0, |turn| (turn.residual / turn.speed_end).abs());
         rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
-        rows.push(row("periodicity", last, 1e-9, None, "speed over a cycle", reason));
+        // Without turns (the machine stalls in its first one from the mean speed) the cycle in time alone is told.
+        if let Some(turn) = regime.turns.last() {
+            let left = (turn.residual / turn.speed_end).abs();
+            rows.push(row("periodicity", left, 1e-9, None, "speed over a cycle", reason));
+        }
         let Some(Motion::Steady { mean_speed, unevenness }) = self.linkage.mechanism.motion else {
             return rows;
         };
