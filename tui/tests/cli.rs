@@ -116,6 +116,57 @@ fn faults_of_usage_end_with_2_and_help_with_0() {
 }
 
 #[test]
+fn words_in_the_wrong_place_are_told_apart() {
+    let folder = folder(SHORT);
+    for (arguments, message) in [
+        (
+            &["analyse", "a.toml"][..],
+            "neither a command nor a scene file `analyse`; did you mean `assur analyze`?",
+        ),
+        (&["chek"], "did you mean the command `assur check`?"),
+        (&["--analyzer", "groups", "check", "a.toml"], "write it behind: `assur check ... --analyzer NAME`"),
+        (&["--fps", "5", "check", "a.toml"], "`--fps` is for the terminal UI"),
+        (&["a.toml", "check", "a.toml"], "`a.toml` stands before the command `check`"),
+    ] {
+        let output = assur(folder.path(), arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(err(&output).contains(message), "{arguments:?}: {}", err(&output));
+    }
+    let before = assur(folder.path(), &["--ascii", "explain", "a.toml"]);
+    assert_eq!((code(&before), err(&before).as_str()), (0, ""));
+}
+
+#[test]
+fn a_fault_of_mobility_is_told_at_its_link() {
+    let loose = format!("{SHORT}[link.tail]\npoints = {{ A = 0, T = \"10 mm\" }}\n");
+    let folder = folder(&loose);
+    let line = loose.lines().position(|line| line.contains("link.tail")).unwrap() + 1;
+    for command in ["analyze", "check", "explain", "chart", "stability"] {
+        let output = assur(folder.path(), &[command, "a.toml"]);
+        assert_eq!(code(&output), 2, "{command}");
+        assert!(
+            err(&output).contains(&format!("a.toml, line {line}, column 7")),
+            "{command}: {}",
+            err(&output)
+        );
+        assert!(err(&output).contains("`tail` can still move"), "{command}: {}", err(&output));
+    }
+}
+
+#[test]
+fn a_crank_without_length_is_noted() {
+    let folder = folder(
+        "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0 }\n\
+                         [link.arm]\npoints = { A = 0, B = \"9 mm\" }\n\
+                         [link.rocker]\npoints = { B = 0, O = \"9 mm\" }\n[input]\nlink = \"crank\"\n",
+    );
+    let output = assur(folder.path(), &["analyze", "a.toml"]);
+    let note = "`crank` moves nothing: `A` lies on its axis `O`; give `crank` a length";
+    let shown = out(&output).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(shown.contains(note), "{shown} {}", err(&output));
+}
+
+#[test]
 fn what_can_be_calculated_is_shown_though_positions_are_missing() {
     // Assembles for cos q >= 1/3: of 0, 60, ... 300 degrees only at 0, 60, 300.
     let folder = folder(SHORT);

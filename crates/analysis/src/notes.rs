@@ -1,6 +1,6 @@
 //! What had to be left out, and what of a request has no use.
 
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{InputPair, Mechanism, Motion};
 
 use crate::{Options, Study};
 
@@ -27,7 +27,7 @@ impl Study {
 pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<String> {
     let transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = idle_crank(mechanism).into_iter().collect();
     if mechanism.drive.is_some() && !transient && !steady {
         notes.push(
             "`[drive]` is not used: the motion is prescribed or absent; take `kind = \"steady\"` or \"transient\"."
@@ -43,4 +43,27 @@ pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<String> {
         notes.push(format!("Integrator `{name}` is not used: {why}."));
     }
     notes
+}
+
+/// An input link whose pairs all lie on its axis moves nothing; a length was probably forgotten.
+fn idle_crank(mechanism: &Mechanism) -> Option<String> {
+    let InputPair::Pin(axis) = mechanism.input.pair else { return None };
+    let crank = mechanism.input.link;
+    if mechanism.slides.iter().any(|slide| slide.link == crank || slide.on == crank) {
+        return None;
+    }
+    let at =
+        |point: usize| mechanism.points[point].places.iter().find(|place| place.link == crank).map(|p| p.at);
+    let center = at(axis)?;
+    let pins: Vec<usize> = (0..mechanism.points.len())
+        .filter(|id| *id != axis && mechanism.points[*id].is_pin() && at(*id).is_some())
+        .collect();
+    let idle = !pins.is_empty() && pins.iter().all(|id| at(*id) == Some(center));
+    idle.then(|| {
+        let (name, point) = (&mechanism.links[crank].name, &mechanism.points[pins[0]].name);
+        format!(
+            "The input link `{name}` moves nothing: `{point}` lies on its axis `{}`; give `{name}` a length.",
+            mechanism.points[axis].name
+        )
+    })
 }

@@ -85,7 +85,10 @@ fn is_closed(linkage: &Linkage) -> bool {
     matches!(linkage.mechanism.input.range, Range::Cycle(_))
 }
 
-/// Greatest modulus and root mean square of every reaction over the positions.
+/// Moduli that differ by less, relative, count as equally great.
+const TIE: f64 = 1e-9;
+
+/// Greatest modulus, the first position that has it, and root mean square of every reaction over the positions.
 ///
 /// Over a whole cycle of equal steps the mean of the squares is that of the positions; over a range it is by trapezoids.
 pub fn extremes(linkage: &Linkage, samples: &[Sample]) -> Vec<Extreme> {
@@ -94,16 +97,17 @@ pub fn extremes(linkage: &Linkage, samples: &[Sample]) -> Vec<Extreme> {
     names
         .map(|(id, reaction)| {
             let size = |sample: &Sample| length(sample.reactions[id].force);
-            let greatest =
-                samples.iter().fold(first, |best, one| if size(one) > size(best) { one } else { best });
+            let greatest = samples.iter().map(size).fold(0.0, f64::max);
+            // A cycle often has two alike; which of them is greater by rounding says nothing.
+            let at = samples.iter().find(|one| size(one) >= greatest * (1.0 - TIE)).unwrap_or(first);
             let squares: Vec<[f64; 2]> =
                 samples.iter().map(|one| [one.coordinate, size(one) * size(one)]).collect();
             Extreme {
                 joint: reaction.joint.clone(),
                 on: reaction.on.clone(),
-                greatest: size(greatest),
-                index: greatest.index,
-                coordinate: greatest.coordinate,
+                greatest,
+                index: at.index,
+                coordinate: at.coordinate,
                 rms: mean(&squares, is_closed(linkage)).sqrt(),
             }
         })

@@ -30,6 +30,7 @@ use toml::de::DeTable;
 use context::Context;
 use error::{Fault, Faults};
 use names::LoadNames;
+use text::shown;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -66,12 +67,32 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     let (document, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         for error in syntax.iter().take(SYNTAX_FAULTS) {
-            faults.push(Fault::new(error.span().unwrap_or(0..0), format!("not TOML: {}", error.message())));
+            let span = error.span().unwrap_or(0..0);
+            faults.push(Fault::new(span.clone(), syntax_words(error.message(), text.get(span))));
         }
         return faults.into_result(nothing(), file_name, text);
     }
     let mechanism = scene(document.get_ref(), &faults);
     faults.into_result(mechanism, file_name, text)
+}
+
+/// What the parser says, with the key that it does not name.
+fn syntax_words(message: &str, piece: Option<&str>) -> String {
+    match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
+        Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),
+        None => format!("not TOML: {message}"),
+    }
+}
+
+/// A fault of the scene as a whole, told at the table of the link that it concerns; `None` where there is none of that
+/// name. `file_name` is only repeated.
+pub fn fault_at_link(file_name: &str, text: &str, link: &str, message: &str) -> Option<SceneErrors> {
+    let (document, _) = DeTable::parse_recoverable(text);
+    let links = document.get_ref().get("link")?.get_ref().as_table()?;
+    let (key, _) = links.get_key_value(link)?;
+    let faults = Faults::default();
+    faults.push(Fault::new(key.span(), message));
+    faults.into_result((), file_name, text).err()
 }
 
 /// Reads what TOML has read. Where faults were noted, the mechanism is not sound.

@@ -103,9 +103,16 @@ impl Entry<'_> {
     /// A whole number between two limits.
     pub(crate) fn count(&self, least: usize, most: usize) -> Option<usize> {
         let wanted = format!("a whole number from {least} to {most}");
-        let DeValue::Integer(number) = self.value else {
-            self.wrong(&wanted, "");
-            return None;
+        let number = match self.value {
+            DeValue::Integer(number) => number,
+            DeValue::Float(_) => {
+                self.fault(format!("`{}` wants {wanted}, got {}", shown(&self.name), self.written()), "");
+                return None;
+            }
+            _ => {
+                self.wrong(&wanted, "");
+                return None;
+            }
         };
         let value = usize::from_str_radix(number.as_str(), number.radix()).ok();
         let value = value.filter(|value| (least..=most).contains(value));

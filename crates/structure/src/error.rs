@@ -72,6 +72,18 @@ pub enum StructureError {
     Registry(#[from] RegistryError),
 }
 
+impl StructureError {
+    /// The first link at fault, where links are.
+    pub fn link(&self) -> Option<&str> {
+        match self {
+            Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {
+                links.first().map(String::as_str)
+            }
+            Self::Build { .. } | Self::Registry(_) => None,
+        }
+    }
+}
+
 fn listed(one: &str, many: &str, names: &[String]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
     format!("{} {}", if names.len() == 1 { one } else { many }, quoted.join(", "))

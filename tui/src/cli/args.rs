@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Planar linkages by Assur groups: positions, transfer functions, reactions, with checks.
 #[derive(Debug, Parser)]
-#[command(name = "assur", version, args_conflicts_with_subcommands = true, max_term_width = 100)]
+#[command(name = "assur", version, max_term_width = 100)]
 #[command(
     after_help = "Exit status: 0 done; 1 no assembly, no solution, or a check that fails; 2 bad scene or usage."
 )]
@@ -64,6 +64,25 @@ pub(crate) enum Command {
     /// Print the manual page
     #[command(display_order = 101)]
     Man,
+}
+
+impl Command {
+    /// Its name on the command line.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Analyze(_) => "analyze",
+            Self::Check(_) => "check",
+            Self::Explain(_) => "explain",
+            Self::Chart(_) => "chart",
+            Self::Stability(_) => "stability",
+            Self::Sweep(_) => "sweep",
+            Self::Plugins => "plugins",
+            Self::Motors(_) => "motors",
+            Self::New { .. } => "new",
+            Self::Completions { .. } => "completions",
+            Self::Man => "man",
+        }
+    }
 }
 
 /// Methods by name.

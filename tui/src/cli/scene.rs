@@ -6,6 +6,7 @@ use std::path::Path;
 use assur_analysis::{Options, Study};
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
+use assur_structure::{Structure, StructureError};
 
 use super::args::{MethodArgs, SceneArgs};
 use super::fault::Fault;
@@ -14,7 +15,17 @@ use super::style::Style;
 /// Reads a scene file.
 pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
     let text = text_of(path)?;
-    assur_scene::read(&path.display().to_string(), &text).map_err(|errors| faults(&errors, style))
+    let name = path.display().to_string();
+    let mechanism = assur_scene::read(&name, &text).map_err(|errors| faults(&errors, style))?;
+    match Structure::of(&mechanism).err().and_then(|error| located(&name, &text, &error)) {
+        Some(errors) => Err(faults(&errors, style)),
+        None => Ok(mechanism),
+    }
+}
+
+/// A fault of the structure at its line of the scene, where it concerns a link.
+pub(crate) fn located(name: &str, text: &str, error: &StructureError) -> Option<SceneErrors> {
+    assur_scene::fault_at_link(name, text, error.link()?, &error.to_string())
 }
 
 /// The faults of a scene, as they are printed.
@@ -64,7 +75,10 @@ pub(crate) fn text_of(path: &Path) -> Result<String, Fault> {
     }
     let bytes = fs::read(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => {
-            fault("there is no such file (`assur new FILE` writes a scene to begin with)".to_owned())
+            let offer = path.to_str().and_then(super::usage::nearest_command);
+            let offer =
+                offer.map_or_else(String::new, |name| format!("; did you mean the command `assur {name}`?"));
+            fault(format!("there is no such file (`assur new FILE` writes a scene to begin with){offer}"))
         }
         _ => fault(format!("can't be read: {error}")),
     })?;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_group::{GroupError, Order};
-use assur_kinematics::{Linkage, Position, PositionError};
+use assur_kinematics::{CompileError, Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, Range};
 
 use super::draw::scale::Bounds;
@@ -72,7 +72,13 @@ impl Study {
     pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
-        let linkage = Linkage::compile(mechanism).map_err(|error| format!("error: {error}\n  {name}\n"))?;
+        let linkage = Linkage::compile(mechanism).map_err(|error| {
+            let located = match &error {
+                CompileError::Structure(error) => crate::cli::located(&name, text, error),
+                _ => None,
+            };
+            located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
+        })?;
         Ok(Self::of(source, Arc::new(linkage)))
     }
 

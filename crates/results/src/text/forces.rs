@@ -1,5 +1,7 @@
 //! Reduction, reactions, and the balancing load.
 
+use assur_mechanism::{Balance, Place};
+
 use super::Source;
 use super::layout::{Column, Page};
 use super::motion::{column, keys};
@@ -130,10 +132,9 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
     let (name, sign, unit): (_, _, Unit) =
         if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
     page.section(&format!("Balancing {name}"));
+    page.caption(&bears(source, name));
     page.table(&keys(source), vec![vec![column(source, sign, unit, size)]]);
-    let by_size = |p: &&PositionResult| p.balancing.map_or(0.0, f64::abs);
-    let found = source.analysis.positions.iter().max_by(|a, b| by_size(a).total_cmp(&by_size(b)));
-    if let Some(position) = found {
+    if let Some(position) = greatest_of(source.analysis.positions.iter(), size) {
         let [index, coordinate] = [0, 1].map(|i| place(source, position)[i].clone());
         page.caption(&format!(
             "Greatest: {} {} in position {index} ({coordinate} {})",
@@ -142,4 +143,28 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
             source.units.coordinate.name
         ));
     }
+}
+
+/// Which link bears the balancing load.
+fn bears(source: &Source<'_>, name: &str) -> String {
+    let link = match source.mechanism.balance {
+        Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => id,
+        None => source.mechanism.input.link,
+    };
+    format!("The {name} on `{}` that keeps the mechanism in its motion", source.mechanism.links[link].name)
+}
+
+/// The position with the greatest modulus, the first of those that are alike but for rounding: a cycle often has two.
+fn greatest_of<'p>(
+    positions: impl Iterator<Item = &'p PositionResult>,
+    size: impl Fn(&PositionResult) -> Option<f64>,
+) -> Option<&'p PositionResult> {
+    let mut best: Option<(&PositionResult, f64)> = None;
+    for position in positions {
+        let Some(modulus) = size(position).map(f64::abs) else { continue };
+        if best.is_none_or(|(_, most)| modulus > most * (1.0 + 1e-9)) {
+            best = Some((position, modulus));
+        }
+    }
+    best.map(|(position, _)| position)
 }
