@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use assur_force::{AnalyzerPlugin, Loads};
-use assur_group::Order;
+use assur_force::{AnalyzerPlugin, Construction, Loads};
+use assur_group::{Order, Wrench};
 use assur_mechanism::PairId;
 use assur_plans::{
-    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, enveloping, extremes,
-    hodograph, sheet, sign_changes, split,
+    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, constructions,
+    enveloping, extremes, hodograph, sheet, sign_changes, split,
 };
 use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 
@@ -43,6 +43,24 @@ impl Study {
             return Ok(found);
         }
         Ok(Sheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
+    }
+
+    /// The constructions on paper of the force analyzers at a position, step by step; none where forces do not belong to it.
+    ///
+    /// # Errors
+    ///
+    /// [`PlansError`] where the position can't be assembled.
+    pub fn constructions(&self, index: usize) -> Result<Vec<Construction>, PlansError> {
+        let mut position = self.linkage.position();
+        self.linkage.solve_index(index, Order::Second, &mut position)?;
+        let Some(loads) = self.loads.as_ref().filter(|_| self.positions_have_forces()) else {
+            return Ok(Vec::new());
+        };
+        let state = self.state(position.coordinate);
+        let mut wrenches = vec![Wrench::ZERO; self.linkage.structure.links];
+        loads.apply(&state, &position.bodies, &mut wrenches);
+        loads.inertia(&state, &position.bodies, &mut wrenches);
+        constructions(&self.linkage, &position, &wrenches)
     }
 
     /// The analyzer of the study, where it gives reactions; else the default one.

@@ -35,7 +35,7 @@ pub use error::PlansError;
 pub use joint::{JointForce, joint_forces};
 pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
-pub use sheet::{Sheet, sheet};
+pub use sheet::{Sheet, constructions, sheet};
 pub use sign::{SignChange, sign_changes};
 pub use split::{Share, Split, split};
 pub use text::{extremes_text, sheet_text, split_text, text};

@@ -1,6 +1,6 @@
 //! All plans of one position.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State, analyzers};
+use assur_force::{AnalyzerPlugin, Construction, Loads, Reactions, State, analyzers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use serde::Serialize;
@@ -53,7 +53,8 @@ pub fn sheet(
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.apply(state, &position.bodies, &mut wrenches);
         loads.inertia(state, &position.bodies, &mut wrenches);
-        constructions = drawn(linkage, &position, &wrenches)?;
+        let drawn = self::constructions(linkage, &position, &wrenches)?;
+        constructions = drawn.iter().flat_map(construction_plans).collect();
         let mut out = Reactions::new(linkage);
         analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out)?;
         polygons = force_polygons(linkage, &position, &list, &out);
@@ -71,19 +72,26 @@ pub fn sheet(
     })
 }
 
-/// The constructions of all analyzers; two forms of one method draw the same and are told once.
-fn drawn(linkage: &Linkage, position: &Position, wrenches: &[Wrench<f64>]) -> Result<Vec<Plan>, PlansError> {
-    let mut titles = Vec::new();
-    let mut plans = Vec::new();
+/// The constructions of all analyzers that have one and can treat the mechanism, step by step; two forms of one method draw the
+/// same and are told once. One that fails here is left out.
+///
+/// # Errors
+///
+/// [`PlansError::Registry`] where the analyzers are not in order.
+pub fn constructions(
+    linkage: &Linkage,
+    position: &Position,
+    wrenches: &[Wrench<f64>],
+) -> Result<Vec<Construction>, PlansError> {
+    let mut found: Vec<Construction> = Vec::new();
     for plugin in analyzers()? {
         if plugin.instance.supports(linkage).is_err() {
             continue;
         }
-        let Ok(Some(found)) = plugin.instance.construction(linkage, position, wrenches) else { continue };
-        if !titles.contains(&found.title) {
-            plans.extend(construction_plans(&found));
-            titles.push(found.title);
+        let Ok(Some(drawn)) = plugin.instance.construction(linkage, position, wrenches) else { continue };
+        if found.iter().all(|other| other.title != drawn.title) {
+            found.push(drawn);
         }
     }
-    Ok(plans)
+    Ok(found)
 }

@@ -211,10 +211,16 @@ pub(crate) fn worst(state: &mut State) {
 /// The next part of the view.
 pub(crate) fn pane(state: &mut State) {
     state.pane = match state.pane {
-        Pane::Table => Pane::Curves,
+        Pane::Table if state.view == View::Forces => Pane::Causes,
+        Pane::Table | Pane::Causes => Pane::Curves,
         Pane::Curves => Pane::Hodograph,
         Pane::Hodograph => Pane::Table,
     };
+}
+
+/// Reactions by cause, or the table of all again.
+pub(crate) fn causes(state: &mut State) {
+    state.pane = if state.pane == Pane::Causes { Pane::Table } else { Pane::Causes };
 }
 
 /// The next registered force analyzer that can treat the open scene.
@@ -255,13 +261,12 @@ pub(crate) fn difference(state: &mut State) {
 
 /// The next or previous polygon, or step of the construction.
 pub(crate) fn step(state: &mut State, by: isize) {
-    let plan = found(state).and_then(|found| found.plans.get(state.position));
-    let Some(plan) = plan else { return };
+    let Some(plans) = found(state).map(|found| found.plans.at(state.position)) else { return };
     if state.plan == PlanKind::Construction {
-        let count = plan.construction.as_ref().map_or(0, |construction| construction.steps.len());
-        state.chosen.step = round(state.chosen.step, by, count);
+        state.chosen.step = round(state.chosen.step, by, super::view::plans::step_count(&plans));
     } else {
-        state.chosen.polygon = round(state.chosen.polygon, by, plan.polygons.len());
+        let count = plans.sheet.as_ref().map_or(0, |sheet| sheet.polygons.len());
+        state.chosen.polygon = round(state.chosen.polygon, by, count);
     }
 }
 

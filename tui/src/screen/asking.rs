@@ -1,7 +1,7 @@
 //! The analysis of the open scene: asked for, taken, and which views it fills.
 
 use super::found::Found;
-use super::state::{State, View, Wish};
+use super::state::{Pane, State, View, Wish};
 use super::text::fill;
 use super::theme::Role;
 use super::work::{Job, Request};
@@ -64,6 +64,9 @@ impl State {
     pub(crate) fn show(&mut self, view: View) {
         if self.has(view) {
             self.view = view;
+            if view != View::Forces && self.pane == Pane::Causes {
+                self.pane = Pane::Table;
+            }
             return;
         }
         let study = self.study.as_ref();

@@ -82,6 +82,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     }),
     command("analyzer", Choose, &[char('f')], &[Forces, Plans], act::analyzer),
     command("difference", Choose, &[char('d')], &[Forces], act::difference),
+    command("causes", Choose, &[char('b')], &[Forces], act::causes),
     command("pane", Choose, &[code(KeyCode::Tab)], &[Forces, Motion, Drive], act::pane),
     command("next-step", Choose, &[code(KeyCode::Down), char('j')], &[Plans], |s| act::step(s, 1)),
     command("previous-step", Choose, &[code(KeyCode::Up), char('k')], &[Plans], |s| act::step(s, -1)),

@@ -2,8 +2,9 @@
 
 use assur_results::{Analysis, CheckRow, PositionResult};
 
-use super::plans::Plan;
+use super::plans::Planner;
 use super::series::Series;
+use super::text::{ENGLISH, fill};
 
 /// The results of one analysis, with the series made of them.
 #[derive(Debug)]
@@ -16,8 +17,10 @@ pub(crate) struct Found {
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
-    /// Plans by position.
-    pub(crate) plans: Vec<Plan>,
+    /// Plans of any position.
+    pub(crate) plans: Planner,
+    /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` where the positions have none.
+    pub(crate) fastest: Option<[f64; 2]>,
     /// Indices in `series` of what the motion view shows.
     pub(crate) motion: Vec<usize>,
 }
@@ -37,10 +40,16 @@ pub(crate) struct Reaction {
 
 impl Found {
     /// Gathers the series of an analysis.
-    pub(crate) fn of(analyzer: String, analysis: Analysis, checks: Vec<CheckRow>, plans: Vec<Plan>) -> Self {
-        let positions = plans.len();
+    pub(crate) fn of(
+        analyzer: String,
+        analysis: Analysis,
+        checks: Vec<CheckRow>,
+        plans: Planner,
+        positions: usize,
+    ) -> Self {
         let (series, reactions, motion) = (Vec::new(), Vec::new(), Vec::new());
-        let mut found = Self { analyzer, analysis, checks, series, reactions, plans, motion };
+        let fastest = fastest(&analysis);
+        let mut found = Self { analyzer, analysis, checks, series, reactions, plans, fastest, motion };
         let gather = Gather { positions };
         gather.motion(&mut found);
         gather.rates(&mut found);
@@ -59,6 +68,12 @@ impl Found {
         for index in forces {
             self.series[index].floor = 1e-13 * most;
         }
+    }
+
+    /// The results of a position; `None` where it does not exist.
+    pub(crate) fn position(&self, index: usize) -> Option<&PositionResult> {
+        let positions = &self.analysis.positions;
+        positions.binary_search_by_key(&index, |position| position.index).ok().map(|at| &positions[at])
     }
 
     /// Whether there are forces to show.
@@ -94,12 +109,13 @@ impl Gather {
         let [speed, acceleration] = if angular { ["rad/s", "rad/s2"] } else { ["m/s", "m/s2"] };
         let [inertia, derivative] = if angular { ["kg m2", "kg m2/rad"] } else { ["kg", "kg/m"] };
         let moment = if angular { "N m" } else { "N" };
+        let t = &ENGLISH;
         let all: [(&str, &str, &str, Read<'_>); 5] = [
-            ("input speed", "w", speed, &|p| p.speed),
-            ("input acceleration", "e", acceleration, &|p| p.acceleration),
-            ("reduced inertia J", "J", inertia, &|p| p.reduced.map(|r| r.inertia)),
-            ("derivative J'", "J'", derivative, &|p| p.reduced.map(|r| r.inertia_derivative)),
-            ("reduced moment Q", "Q", moment, &|p| p.reduced.map(|r| r.moment)),
+            (t.input_speed, "w", speed, &|p| p.speed),
+            (t.input_acceleration, "e", acceleration, &|p| p.acceleration),
+            (t.reduced_inertia, "J", inertia, &|p| p.reduced.map(|r| r.inertia)),
+            (t.inertia_derivative, "J'", derivative, &|p| p.reduced.map(|r| r.inertia_derivative)),
+            (t.reduced_moment, "Q", moment, &|p| p.reduced.map(|r| r.moment)),
         ];
         for (of, short, unit, read) in all {
             let index = self.add(found, of.into(), short.into(), unit, read);
@@ -125,14 +141,15 @@ impl Gather {
             let Some((links, points)) = names(order) else { continue };
             for point in points {
                 for (axis, letter) in ["x", "y"].into_iter().enumerate() {
-                    let of = format!("point {point} {}{letter}", linear.0);
+                    let of = format!("{} {}{letter}", fill(ENGLISH.point_of, &[&point]), linear.0);
                     let short = format!("{point}.{}{letter}", linear.0);
                     let read = |p: &PositionResult| rates_of(p, order)?.points.get(&point).map(|v| v[axis]);
                     let _ = self.add(found, of, short, linear.1, &read);
                 }
             }
             for link in links {
-                let (of, short) = (format!("link {link} {}", angular.0), format!("{link}.{}", angular.0));
+                let of = format!("{} {}", fill(ENGLISH.link_of, &[&link]), angular.0);
+                let short = format!("{link}.{}", angular.0);
                 let read = |p: &PositionResult| rates_of(p, order)?.links.get(&link).copied();
                 let _ = self.add(found, of, short, angular.1, &read);
             }
@@ -145,7 +162,7 @@ impl Gather {
                 let forces = &p.reactions.as_ref()?.get(&pair)?.forces;
                 forces.iter().find(|(name, _)| **name == *link).map(|(_, force)| *force)
             };
-            let of = |what: &str| format!("{pair} on {link} {what}");
+            let of = |what: &str| format!("{} {what}", fill(ENGLISH.pair_on, &[&pair, &link]));
             let short = |what: &str| format!("{pair}>{link}.{what}");
             let mut series = Vec::new();
             series.extend(self.add(found, of("Fx"), short("Fx"), "N", &|p| force(p).map(|f| f[0])));
@@ -158,7 +175,7 @@ impl Gather {
             }
         }
         let unit = if found.analysis.input.balancing_is_moment { "N m" } else { "N" };
-        let balancing = self.add(found, "balancing load".into(), "balancing".into(), unit, &|p| p.balancing);
+        let balancing = self.add(found, ENGLISH.balancing.into(), "balancing".into(), unit, &|p| p.balancing);
         if let Some(index) = balancing {
             let (pair, link) = (String::new(), String::new());
             found.reactions.push(Reaction { pair, link, series: vec![index], moment: None });
@@ -166,8 +183,18 @@ impl Gather {
     }
 }
 
-fn rates_of(position: &PositionResult, order: usize) -> Option<&assur_results::Rates> {
+pub(crate) fn rates_of(position: &PositionResult, order: usize) -> Option<&assur_results::Rates> {
     if order == 1 { position.velocities.as_ref() } else { position.accelerations.as_ref() }
+}
+
+/// Greatest velocity and acceleration of a point.
+fn fastest(analysis: &Analysis) -> Option<[f64; 2]> {
+    let most = |order: usize| {
+        let rates = analysis.positions.iter().filter_map(|position| rates_of(position, order));
+        let sizes = rates.flat_map(|rates| rates.points.iter().map(|(_, v)| v[0].hypot(v[1])));
+        sizes.filter(|size| size.is_finite()).reduce(f64::max)
+    };
+    Some([most(1)?, most(2)?])
 }
 
 /// Pairs and links: of a pair of two links one, since the other force is the opposite one; of a multiple joint all.

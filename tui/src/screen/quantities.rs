@@ -3,6 +3,7 @@
 use assur_kinematics::{Linkage, Position, continuous_angle};
 
 use super::series::{Key, Series, Transfer};
+use super::text::{ENGLISH, fill};
 
 /// What is this small beside the size of the mechanism is rounding.
 const ROUNDING: f64 = 1e-13;
@@ -32,7 +33,7 @@ pub(crate) fn of(linkage: &Linkage, poses: &[Option<Position>]) -> (Vec<Series>,
 fn coordinate(linkage: &Linkage, positions: usize) -> Series {
     let (unit, factor) = coordinate_unit(linkage);
     let values = (0..positions).map(|i| factor * linkage.mechanism.input.coordinate(i)).collect();
-    Series { of: "coordinate".into(), short: "q".into(), unit: unit.into(), values, floor: 0.0 }
+    Series { of: ENGLISH.coordinate.into(), short: "q".into(), unit: unit.into(), values, floor: 0.0 }
 }
 
 /// Unit in which the coordinate is shown, and how many of it are one SI unit.
@@ -51,7 +52,10 @@ fn points(linkage: &Linkage, poses: &[Option<Position>], unit: &str, out: &mut G
                 [1e3 * motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
             });
             let units = ["mm".into(), format!("m/{unit}"), format!("m/{unit}2")];
-            let names = (format!("point {} {letter}", point.name), format!("{}.{letter}", point.name));
+            let names = (
+                format!("{} {letter}", fill(ENGLISH.point_of, &[&point.name])),
+                format!("{}.{letter}", point.name),
+            );
             out.add(names, Key::Point(id), units, values);
         }
     }
@@ -67,7 +71,7 @@ fn links(linkage: &Linkage, poses: &[Option<Position>], unit: &str, out: &mut Ga
             [angle.to_degrees(), motion.pf1, motion.pf2]
         });
         let units = ["deg".into(), format!("rad/{unit}"), format!("rad/{unit}2")];
-        out.add((format!("link {}", link.name), link.name.clone()), Key::Link(id), units, values);
+        out.add((fill(ENGLISH.link_of, &[&link.name]), link.name.clone()), Key::Link(id), units, values);
     }
 }
 
@@ -78,7 +82,7 @@ fn slides(linkage: &Linkage, poses: &[Option<Position>], unit: &str, out: &mut G
             [1e3 * motion.pf0, motion.pf1, motion.pf2]
         });
         let units = ["mm".into(), format!("m/{unit}"), format!("m/{unit}2")];
-        out.add((format!("slide {}", slide.name), slide.name.clone()), Key::Slide(id), units, values);
+        out.add((fill(ENGLISH.slide_of, &[&slide.name]), slide.name.clone()), Key::Slide(id), units, values);
     }
 }
 

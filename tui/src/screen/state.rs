@@ -70,6 +70,8 @@ pub(crate) enum PlanKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pane {
     Table,
+    /// Of the forces alone.
+    Causes,
     Curves,
     Hodograph,
 }

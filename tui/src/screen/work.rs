@@ -7,11 +7,11 @@ use std::thread;
 
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
-use assur_results::CheckRow;
 
 use super::accuracy::{self, Measurement};
 use super::found::Found;
 use super::menu::SCENES;
+use super::plans::Planner;
 use super::session::Event;
 use super::study::{Source, Study};
 use super::terminal::WORKER;
@@ -122,16 +122,15 @@ fn analyze(request: &Request) -> Result<Found, String> {
     };
     let study = assur_analysis::Study::of(mechanism.clone(), &options).map_err(|error| error.to_string())?;
     let analysis = study.analyze();
-    // The whole mechanism is checked, whatever the scene asks for; as `assur check` does.
-    let checks = if request.other { Vec::new() } else { checks(mechanism, &options) };
     let analyzer = study.analyzer.map_or("", |plugin| plugin.name).to_owned();
-    let plans = super::plans::of(&study, &analysis);
-    Ok(Found::of(analyzer, analysis, checks, plans))
-}
-
-fn checks(mechanism: &Mechanism, options: &assur_analysis::Options) -> Vec<CheckRow> {
-    let whole = Mechanism { output: None, ..mechanism.clone() };
-    assur_analysis::Study::of(whole, options).map(|study| study.checks()).unwrap_or_default()
+    // The whole mechanism is checked and has plans, whatever the scene asks for.
+    let whole = mechanism.output.as_ref().and_then(|_| {
+        let whole = Mechanism { output: None, ..mechanism.clone() };
+        assur_analysis::Study::of(whole, &options).ok()
+    });
+    let whole = whole.unwrap_or(study);
+    let checks = if request.other { Vec::new() } else { whole.checks() };
+    Ok(Found::of(analyzer, analysis, checks, Planner::new(whole), mechanism.input.positions))
 }
 
 /// Reads a scene from where it is.

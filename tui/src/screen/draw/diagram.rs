@@ -25,13 +25,13 @@ pub(crate) struct Arrow {
 
 /// Vectors that are drawn together.
 #[derive(Debug)]
-pub(crate) struct Diagram {
+pub(crate) struct Diagram<'a> {
     pub(crate) arrows: Vec<Arrow>,
     /// Unit of the scale.
-    pub(crate) unit: &'static str,
+    pub(crate) unit: &'a str,
 }
 
-impl Diagram {
+impl Diagram<'_> {
     /// Draws all to one scale that fits.
     pub(crate) fn draw(&self, look: Look, area: Rect, buffer: &mut Buffer) {
         if self.arrows.is_empty() || area.width < 12 || area.height < 4 {

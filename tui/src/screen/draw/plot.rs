@@ -129,7 +129,7 @@ fn hatch_cell(pen: &mut Pen<'_>, at: [f64; 2], style: Style) {
 }
 
 /// An arrow from a place along a vector; `unit` is the length of one of it in widths of a cell.
-pub(crate) fn arrow(pen: &mut Pen<'_>, at: [f64; 2], v: [f64; 2], unit: f64, style: Style) {
+pub(crate) fn arrow(pen: &mut Pen<'_>, at: [f64; 2], v: [f64; 2], unit: f64, stroke: Stroke, style: Style) {
     let length = v[0].hypot(v[1]) * unit;
     if !(length.is_finite() && length >= 1.0) {
         return;
@@ -138,7 +138,7 @@ pub(crate) fn arrow(pen: &mut Pen<'_>, at: [f64; 2], v: [f64; 2], unit: f64, sty
     let along = [v[0] * unit / length, v[1] * unit / length];
     let arm = pen.scale.arm(along, length);
     let to = [from[0] + arm[0], from[1] + arm[1]];
-    pen.raster.line(from, to, Stroke::Solid, style);
+    pen.raster.line(from, to, stroke, style);
     pen.labels.put(to, head(along), style);
 }
 

@@ -51,6 +51,19 @@ fn every_view_of_the_press() {
 }
 
 #[test]
+fn every_view_of_the_shaper_with_its_drive() {
+    snapshots("shaper-drive.toml");
+}
+
+#[test]
+fn reactions_by_cause() {
+    let mut state = opened("shaper.toml");
+    state.position = 5;
+    press(&mut state, "3 b Down");
+    insta::assert_snapshot!(without_rounding(&text(&state, 80, 24), View::Forces));
+}
+
+#[test]
 fn styles_of_the_structure_view() {
     let mut state = opened("shaper.toml");
     state.view = View::Structure;

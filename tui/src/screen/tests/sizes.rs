@@ -4,7 +4,7 @@ use super::{View, frame, opened, text};
 use crate::screen::state::{Pane, State};
 
 fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
-    for pane in [Pane::Table, Pane::Curves, Pane::Hodograph] {
+    for pane in [Pane::Table, Pane::Causes, Pane::Curves, Pane::Hodograph] {
         state.pane = pane;
         check(state);
     }

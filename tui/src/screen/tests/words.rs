@@ -50,28 +50,6 @@ fn an_answer_to_an_older_scene_is_dropped() {
 }
 
 #[test]
-fn every_pair_of_the_results_is_in_the_table_of_forces() {
-    let mut state = opened("shaper.toml");
-    press(&mut state, "3");
-    let frame = text(&state, 80, 40);
-    let study = state.study.as_ref().unwrap();
-    let positions = &study.found.as_ref().unwrap().analysis.positions;
-    for (pair, _) in positions[0].reactions.as_ref().unwrap().iter() {
-        assert!(frame.contains(&format!("{pair} on ")), "{pair}: {frame}");
-    }
-}
-
-#[test]
-fn two_analyzers_agree_on_the_screen() {
-    let mut state = opened("shaper.toml");
-    press(&mut state, "3 d");
-    let frame = text(&state, 80, 24);
-    assert!(frame.contains("difference to"), "{frame}");
-    press(&mut state, "d f");
-    assert!(!text(&state, 80, 24).contains("force analyzer: groups"));
-}
-
-#[test]
 fn the_drive_shows_motor_moments_flywheels_and_places() {
     let mut state = opened("shaper-drive.toml");
     press(&mut state, "6");

@@ -1,6 +1,6 @@
 //! The drive: motor, ratio, flywheel by every method; its characteristic and moments; places and runners-up.
 
-use assur_results::Dynamics;
+use assur_results::{Dynamics, MotorReport};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -10,6 +10,7 @@ use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
 use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
+use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
 /// Second column of the view.
@@ -24,11 +25,11 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     let Some(found) = &study.found else { return };
     let Some(dynamics) = &found.analysis.dynamics else { return };
     match state.pane {
-        Pane::Table => {
+        Pane::Table | Pane::Causes => {
             let left = motor_and_flywheel(state, dynamics);
             let rows = short(left.len().max(12)) + 1;
             write(state, &left, area, 1, buffer);
-            let right: Vec<Row> = numbers(dynamics, found.analysis.input.angular)
+            let right: Vec<Row> = numbers(state.texts, dynamics, found.analysis.input.angular)
                 .into_iter()
                 .map(|line| (Role::Plain, line))
                 .collect();
@@ -68,35 +69,43 @@ fn draw_plots(
 }
 
 fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Row> {
-    let mut lines = Vec::new();
-    if let Some(motor) = &dynamics.motor {
-        let title = match &motor.catalogue {
-            Some(catalogue) => format!("motor {} ({catalogue})", motor.designation),
-            None => state.texts.own_motor.to_owned(),
-        };
-        lines.push((Role::Header, title));
-        let plain = |text: String| (Role::Plain, text);
-        lines.push(plain(format!("  rated power        {} W", digits(motor.power, 5))));
-        lines.push(plain(format!("  synchronous speed  {} rad/s", digits(motor.synchronous_speed, 5))));
-        lines.push(plain(format!("  rated speed        {} rad/s", digits(motor.rated_speed, 5))));
-        lines.extend(motor.max_torque_ratio.map(|x| plain(format!("  breakdown / rated  {}", digits(x, 4)))));
-        lines.extend(motor.inertia.map(|x| plain(format!("  rotor inertia      {} kg m2", digits(x, 5)))));
-        if let Some(work) = &motor.work {
-            let [low, high] = work.speed.map(|speed| digits(speed, 5));
-            lines.push(plain(format!("  works at           {low} .. {high} rad/s")));
-            let [low, high] = work.torque.map(|torque| digits(torque, 4));
-            lines.push(plain(format!("  torque             {low} .. {high} N m")));
-            lines.push(plain(format!("  rms torque         {} N m", digits(work.rms_torque, 4))));
-        }
-    }
-    lines.extend(dynamics.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
-    lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
+    let texts = state.texts;
+    let mut lines = dynamics.motor.as_ref().map(|motor| motor_rows(texts, motor)).unwrap_or_default();
+    lines.extend(dynamics.ratio.map(|x| (Role::Header, fill(texts.ratio_of, &[&digits(x, 6)]))));
+    lines.extend(dynamics.flywheel.map(|x| (Role::Header, fill(texts.flywheel_of, &[&digits(x, 6)]))));
     for row in &dynamics.flywheel_methods {
         let off = row.difference.map_or_else(String::new, |part| format!("{:+.2} %", 1e2 * part));
         lines.push((Role::Plain, format!("  {:<25} {:>9} {off:>8}", row.method, digits(row.flywheel, 5))));
     }
     if lines.is_empty() {
-        lines.push((Role::Dim, state.texts.no_motor.to_owned()));
+        lines.push((Role::Dim, texts.no_motor.to_owned()));
+    }
+    lines
+}
+
+/// Rated data, and how the motor works.
+fn motor_rows(texts: &Texts, motor: &MotorReport) -> Vec<Row> {
+    let title = match &motor.catalogue {
+        Some(catalogue) => fill(texts.motor_of, &[&motor.designation, catalogue]),
+        None => texts.own_motor.to_owned(),
+    };
+    let mut lines = vec![(Role::Header, title)];
+    let mut add = |name: &str, value: String| lines.push((Role::Plain, format!("  {name:<18} {value}")));
+    add(texts.rated_power, format!("{} W", digits(motor.power, 5)));
+    add(texts.synchronous_speed, format!("{} rad/s", digits(motor.synchronous_speed, 5)));
+    add(texts.rated_speed, format!("{} rad/s", digits(motor.rated_speed, 5)));
+    if let Some(ratio) = motor.max_torque_ratio {
+        add(texts.breakdown, digits(ratio, 4));
+    }
+    if let Some(inertia) = motor.inertia {
+        add(texts.rotor_inertia, format!("{} kg m2", digits(inertia, 5)));
+    }
+    if let Some(work) = &motor.work {
+        let [low, high] = work.speed.map(|speed| digits(speed, 5));
+        add(texts.works_at, format!("{low} .. {high} rad/s"));
+        let [low, high] = work.torque.map(|torque| digits(torque, 4));
+        add(texts.motor_moment, format!("{low} .. {high} N m"));
+        add(texts.rms_torque, format!("{} N m", digits(work.rms_torque, 4)));
     }
     lines
 }
@@ -119,7 +128,8 @@ fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Row> {
             let size = [1e3 * length, 1e3 * diameter].map(|x| digits(x, 4));
             let mass = motor.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
             let name = &motor.designation;
-            lines.push((Role::Plain, format!("motor {name}: {} x {} mm, {mass} kg", size[0], size[1])));
+            let text = fill(state.texts.motor_size, &[name, &size[0], &size[1], &mass]);
+            lines.push((Role::Plain, text));
         }
         lines.push((Role::Plain, String::new()));
         if !motor.runners_up.is_empty() {

@@ -12,6 +12,9 @@ use crate::screen::state::State;
 use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
+/// A command of at most so many views is their own.
+const OWN: usize = 3;
+
 /// Help and hint of a command.
 pub(crate) fn texts_of(texts: &Texts, name: &str) -> (&'static str, &'static str) {
     texts.commands.iter().find(|(known, ..)| *known == name).map_or(("", ""), |(_, help, hint)| (help, hint))
@@ -52,7 +55,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let mut column = 1;
     let more = state.texts.keys_more;
     let room = area.width.saturating_sub(short(more.width()) + 2);
-    for command in COMMANDS.iter().filter(|command| command.fits(state.view)) {
+    for command in hinted(state) {
         let (_, hint) = texts_of(state.texts, command.name);
         let Some(key) = command.keys.first().filter(|_| !hint.is_empty()) else { continue };
         let key = keys_of_hint(command, &key.name());
@@ -65,6 +68,17 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
         column += width;
     }
     put(buffer, area, room, 1, more, theme.style(Role::Plain));
+}
+
+/// Commands of the view, what belongs to it alone before what all views have; stepping comes first.
+fn hinted(state: &State) -> Vec<&'static Command> {
+    let mut fit: Vec<_> = COMMANDS.iter().filter(|command| command.fits(state.view)).collect();
+    fit.sort_by_key(|command| match command.name {
+        "next-position" => 0,
+        _ if !command.views.is_empty() && command.views.len() <= OWN => 1,
+        _ => 2,
+    });
+    fit
 }
 
 /// Pairs of opposite keys stand together: `Left/Right step`.

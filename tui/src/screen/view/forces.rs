@@ -5,7 +5,7 @@ use std::fmt::Write;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{curves, put};
+use super::{causes, curves, put};
 use crate::screen::draw::chart::Chart;
 use crate::screen::draw::hodograph;
 use crate::screen::draw::raster::short;
@@ -39,6 +39,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
             draw_curves(state, study, found, left, &[usize::MAX], buffer);
             draw_hodograph(state, found, right, buffer);
         }
+        Pane::Causes => causes::draw(state, study, found, rest, buffer),
         Pane::Curves => draw_curves(state, study, found, rest, &[0, 1, 2], buffer),
         Pane::Hodograph => draw_hodograph(state, found, rest, buffer),
     }
@@ -58,7 +59,7 @@ fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
 }
 
 /// Name of a reaction: `A on crank`, `balancing load`.
-fn name(state: &State, reaction: &Reaction) -> String {
+pub(crate) fn name(state: &State, reaction: &Reaction) -> String {
     if reaction.pair.is_empty() {
         state.texts.balancing.to_owned()
     } else {
@@ -69,47 +70,52 @@ fn name(state: &State, reaction: &Reaction) -> String {
 fn draw_table(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let moment = if study.other.is_some() { state.texts.difference } else { state.texts.moment };
-    let header = ["Fx, N", "Fy, N", "F, N", state.texts.direction, moment];
-    for (text, end) in header.into_iter().zip(ENDS) {
-        put(buffer, area, end.saturating_sub(short(text.chars().count())), 0, text, theme.style(Role::Dim));
-    }
-    put(buffer, area, 1, 0, state.texts.reaction_of, theme.style(Role::Dim));
+    let header = [state.texts.reaction_of, "Fx, N", "Fy, N", "F, N", state.texts.direction, moment];
+    put(buffer, area, 0, 0, &table_row(' ', header.map(str::to_owned)), theme.style(Role::Dim));
     let height = usize::from(area.height.saturating_sub(1));
     let skip = (state.chosen.reaction + 1).saturating_sub(height);
     for (row, (index, reaction)) in found.reactions.iter().enumerate().skip(skip).take(height).enumerate() {
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
-        let mut text = format!("{}{}", if chosen { '>' } else { ' ' }, name(state, reaction));
-        for (cell, end) in cells(state, study, found, reaction).into_iter().zip(ENDS) {
-            let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
-            let _ = write!(text, "{cell:>width$}");
-        }
+        let [fx, fy, modulus, direction, last] = cells(state, study, found, reaction);
+        let row_cells = [name(state, reaction), fx, fy, modulus, direction, last];
+        let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
         put(buffer, area, 0, short(row) + 1, &text, style);
     }
 }
 
-fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> Vec<String> {
+/// A row of a table of forces: a sign, the name at the left, the other cells at the right of their columns.
+pub(crate) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
+    let mut text = format!("{sign}{name}");
+    for (cell, end) in cells.into_iter().zip(ENDS) {
+        let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
+        let _ = write!(text, "{cell:>width$}");
+    }
+    text
+}
+
+fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> [String; 5] {
     let value = |index: usize| found.series[index].values.get(state.position).copied().unwrap_or(f64::NAN);
     let bare = |index: usize| found.series[index].bare(state.position);
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
         let unit = series.show(state.position);
-        return vec![
-            String::new(),
-            String::new(),
-            unit,
-            String::new(),
-            difference(state, study, found, reaction),
-        ];
+        let none = String::new;
+        return [none(), none(), unit, none(), difference(state, study, found, reaction)];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
-    let direction = if modulus > 0.0 { format!("{:.2} deg", direction(fx, fy)) } else { "-".into() };
+    let direction = if modulus > 0.0 { direction_text(fx, fy) } else { "-".into() };
     let last = if study.other.is_some() {
         difference(state, study, found, reaction)
     } else {
         reaction.moment.map_or_else(String::new, bare)
     };
-    vec![bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
+    [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
+}
+
+/// Direction of a force in words; a dash where there is none.
+pub(crate) fn direction_text(fx: f64, fy: f64) -> String {
+    if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
 }
 
 /// Direction of a force in (-180, 180], degrees; rounding beside the modulus turns nothing.
@@ -131,7 +137,7 @@ fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) 
 }
 
 /// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
-fn draw_curves(
+pub(crate) fn draw_curves(
     state: &State,
     study: &Study,
     found: &Found,

@@ -4,21 +4,19 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::panel;
+use super::{arrows, panel};
 use crate::screen::draw::label::Labels;
-use crate::screen::draw::plot::{Pen, arrow, draw_figure, draw_ground, names};
+use crate::screen::draw::plot::{Pen, draw_figure, draw_ground, names};
 use crate::screen::draw::raster::{Raster, Stroke, whole};
 use crate::screen::draw::scale::Scale;
 use crate::screen::number::plain;
 use crate::screen::series::Key;
-use crate::screen::state::{Arrows, State, Traces};
+use crate::screen::state::{State, Traces};
 use crate::screen::study::Study;
 use crate::screen::theme::Role;
 
 /// Columns of the numbers beside the drawing.
 const PANEL: u16 = 26;
-/// Longest arrow, in parts of the smaller side of the drawing.
-const LONGEST: f64 = 0.3;
 
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
@@ -44,7 +42,7 @@ pub(crate) fn picture(
     let mut pen = Pen { scale: &scale, raster: &mut raster, labels: &mut labels, look: state.look };
     if let Some(pose) = pose {
         draw_figure(&mut pen, study, pose, marked);
-        arrows(state, study, pose, area, &mut pen);
+        arrows::draw(state, study, pose, position, area, &mut pen);
         names(&mut pen, study, pose);
     } else {
         draw_ground(&mut pen, study);
@@ -76,37 +74,6 @@ pub(crate) fn chosen_point(state: &State, study: &Study) -> Option<usize> {
         Key::Point(id) => Some(id),
         _ => None,
     }
-}
-
-fn arrows(state: &State, study: &Study, pose: &assur_kinematics::Position, area: Rect, pen: &mut Pen<'_>) {
-    let theme = state.look.theme;
-    let of = |velocity: bool| match state.arrows {
-        Arrows::None => false,
-        Arrows::Velocity => velocity,
-        Arrows::Acceleration => !velocity,
-        Arrows::Both => true,
-    };
-    for (wanted, order, role) in [(of(true), 1, Role::Velocity), (of(false), 2, Role::Acceleration)] {
-        let Some(unit) = arrow_unit(state, study, area, order).filter(|_| wanted) else { continue };
-        for id in 0..study.linkage.mechanism.points.len() {
-            let motion = study.linkage.point_motion(id, pose);
-            let v = if order == 1 { motion.pf1 } else { motion.pf2 };
-            arrow(pen, motion.pf0, v, unit, theme.style(role));
-        }
-    }
-}
-
-/// Cells (widths) that an arrow of 1 m/rad (m/rad²) is long; the same in all positions, so that lengths compare.
-pub(crate) fn arrow_unit(state: &State, study: &Study, area: Rect, order: usize) -> Option<f64> {
-    let most = study
-        .transfers
-        .iter()
-        .filter(|transfer| matches!(transfer.key, Key::Point(_)))
-        .flat_map(|transfer| &study.series[transfer.orders[order]].values)
-        .filter(|value| value.is_finite())
-        .fold(0.0_f64, |most, value| most.max(value.abs()));
-    let side = f64::from(area.width).min(f64::from(area.height) * state.look.ratio);
-    (most > 0.0).then(|| LONGEST * side / most)
 }
 
 /// `|----| 100 mm` in the lower left corner.

@@ -1,7 +1,9 @@
 //! Views: pure functions from the state to a frame.
 
 pub(crate) mod accuracy;
+pub(crate) mod arrows;
 pub(crate) mod ascii;
+pub(crate) mod causes;
 pub(crate) mod checks;
 pub(crate) mod curves;
 pub(crate) mod drive;

@@ -11,6 +11,7 @@ use crate::screen::found::Found;
 use crate::screen::number::{digits, number, plain};
 use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
+use crate::screen::text::Texts;
 use crate::screen::theme::Role;
 
 /// Rows that a chart needs to be read.
@@ -25,7 +26,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         .analysis
         .dynamics
         .as_ref()
-        .map(|d| numbers(d, found.analysis.input.angular))
+        .map(|d| numbers(state.texts, d, found.analysis.input.angular))
         .unwrap_or_default();
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
@@ -42,7 +43,8 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         }
         _ => {}
     }
-    let over_time = state.pane != Pane::Table && !found.analysis.trajectory.is_empty();
+    let over_time =
+        matches!(state.pane, Pane::Curves | Pane::Hodograph) && !found.analysis.trajectory.is_empty();
     if over_time || found.motion.is_empty() {
         draw_course(state, &found.analysis, charts, buffer);
     } else {
@@ -104,21 +106,21 @@ fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buff
 }
 
 /// The numbers of the regime, one a line.
-pub(crate) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<String> {
+pub(crate) fn numbers(texts: &Texts, dynamics: &Dynamics, angular: bool) -> Vec<String> {
     let speed = if angular { "rad/s" } else { "m/s" };
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
     let all: [(&str, Option<f64>, &str); 10] = [
-        ("mean speed", dynamics.mean_speed, speed),
-        ("unevenness", dynamics.unevenness, ""),
-        ("least speed", dynamics.speed_min, speed),
-        ("  at", dynamics.coordinate_at_min.map(degrees), place),
-        ("greatest speed", dynamics.speed_max, speed),
-        ("  at", dynamics.coordinate_at_max.map(degrees), place),
-        ("excess work", dynamics.excess_work, "J"),
-        ("dynamic unevenness", dynamics.dynamic_unevenness, ""),
-        ("torque", dynamics.torque, "N m"),
-        ("required power", dynamics.required_power, "W"),
+        (texts.mean_speed, dynamics.mean_speed, speed),
+        (texts.unevenness, dynamics.unevenness, ""),
+        (texts.least_speed, dynamics.speed_min, speed),
+        (texts.at_coordinate, dynamics.coordinate_at_min.map(degrees), place),
+        (texts.greatest_speed, dynamics.speed_max, speed),
+        (texts.at_coordinate, dynamics.coordinate_at_max.map(degrees), place),
+        (texts.excess_work, dynamics.excess_work, "J"),
+        (texts.dynamic_unevenness, dynamics.dynamic_unevenness, ""),
+        (texts.torque, dynamics.torque, "N m"),
+        (texts.required_power, dynamics.required_power, "W"),
     ];
     let lines = all
         .into_iter()

@@ -4,9 +4,9 @@ use assur_mechanism::Motion;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{mechanism, put};
+use super::{arrows, put};
 use crate::screen::draw::raster::short;
-use crate::screen::number::{digits, plain};
+use crate::screen::number::digits;
 use crate::screen::state::State;
 use crate::screen::study::Study;
 use crate::screen::theme::Role;
@@ -84,28 +84,12 @@ fn chosen(state: &State, study: &Study, lines: &mut Vec<(Role, String)>) {
     }
 }
 
-/// What an arrow of a round length means.
+/// What the arrows are and how long they are, at the foot of the panel.
 fn arrow_scale(state: &State, study: &Study, area: Rect, lines: &mut Vec<(Role, String)>) {
-    use crate::screen::state::Arrows;
-    let unit = if study.linkage.angular() { "rad" } else { "m" };
-    let kinds = match state.arrows {
-        Arrows::None => &[][..],
-        Arrows::Velocity => &[(1, Role::Velocity)],
-        Arrows::Acceleration => &[(2, Role::Acceleration)],
-        Arrows::Both => &[(1, Role::Velocity), (2, Role::Acceleration)],
-    };
-    let keep = usize::from(area.height).saturating_sub(kinds.len() + 1);
-    lines.truncate(keep);
-    while lines.len() < keep {
-        lines.push((Role::Plain, String::new()));
-    }
     let drawing = Rect { width: state.size.0.saturating_sub(area.width), ..area };
-    for &(order, role) in kinds {
-        let Some(cells) = mechanism::arrow_unit(state, study, drawing, order) else { continue };
-        let round = mechanism::round_length(8.0 / cells);
-        let dashes = "-".repeat(crate::screen::draw::raster::whole((round * cells).clamp(1.0, 12.0)));
-        let (name, power) =
-            if order == 1 { (state.texts.velocity_by, "") } else { (state.texts.acceleration_by, "2") };
-        lines.push((role, format!("{name} {dashes}> {} m/{unit}{power}", plain(round))));
-    }
+    let legend = arrows::legend(state, study, drawing);
+    let keep = usize::from(area.height).saturating_sub(legend.len() + 1);
+    lines.truncate(keep);
+    lines.resize_with(keep, || (Role::Plain, String::new()));
+    lines.extend(legend);
 }

@@ -1,0 +1,85 @@
+//! Reactions, their causes, and the arrows of the drawing.
+
+use super::{opened, press, scene, text};
+
+#[test]
+fn every_pair_of_the_results_is_in_the_table_of_forces() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3");
+    let frame = text(&state, 80, 40);
+    let study = state.study.as_ref().unwrap();
+    let positions = &study.found.as_ref().unwrap().analysis.positions;
+    for (pair, _) in positions[0].reactions.as_ref().unwrap().iter() {
+        assert!(frame.contains(&format!("{pair} on ")), "{pair}: {frame}");
+    }
+}
+
+#[test]
+fn two_analyzers_agree_on_the_screen() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3 d");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("difference to"), "{frame}");
+    press(&mut state, "d f");
+    assert!(!text(&state, 80, 24).contains("force analyzer: groups"));
+}
+
+/// The numbers of the row of a frame that begins with a word.
+fn row(frame: &str, start: &str) -> Vec<f64> {
+    let line = frame.lines().find(|line| line.trim_start().starts_with(start)).unwrap();
+    line.trim_start()[start.len()..].split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn causes_sum_to_the_whole() {
+    for name in ["shaper.toml", "shaper-drive.toml", "press.toml"] {
+        let mut state = opened(name);
+        press(&mut state, "3 b");
+        for position in [0, 5, 11] {
+            state.position = position;
+            press(&mut state, "Down");
+            let frame = text(&state, 80, 24);
+            let found = state.study.as_ref().unwrap().found.as_ref().unwrap();
+            let reaction = &found.reactions[state.chosen.reaction];
+            let most = found.series[*reaction.series.last().unwrap()].values.iter().copied();
+            let most = most.fold(0.0_f64, |most, value| most.max(value.abs()));
+            // The whole is the one of the analysis; the causes were solved one by one.
+            for (shown, series) in row(&frame, "sum").into_iter().zip(&reaction.series) {
+                let whole = found.series[*series].values[position];
+                assert!((shown - whole).abs() <= 1e-5 * most, "{name} {position}: {frame}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_cause_has_a_row() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3 b");
+    let frame = text(&state, 80, 24);
+    for cause in ["1 weight", "2 inertia", "3 cutting", "sum", "whole, by `groups`"] {
+        assert!(frame.contains(cause), "{cause}: {frame}");
+    }
+}
+
+#[test]
+fn arrows_are_velocities_where_there_is_a_motion() {
+    let mut state = opened("shaper.toml");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("velocity") && frame.contains(" m/s\n"), "{frame}");
+    press(&mut state, "v");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("acceleration") && frame.contains(" m/s2\n"), "{frame}");
+}
+
+#[test]
+fn arrows_are_transfer_functions_without_a_motion() {
+    let text_of = include_str!("../../../../fixtures/shaper.toml");
+    let start = text_of.find("[motion]").unwrap();
+    let mut state = scene(&text_of[..start].replace("against_motion = true", "angle = 0"));
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("PF1: for unit speed") && frame.contains(" m/rad\n"), "{frame}");
+    press(&mut state, "v");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("PF2: for unit speed") && frame.contains(" m/rad2\n"), "{frame}");
+}

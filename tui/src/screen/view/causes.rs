@@ -1,0 +1,140 @@
+//! The chosen reaction by cause: what weight, inertia and each load do alone; their sum is the whole.
+
+use assur_plans::{JointForce, Share, Split};
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::{forces, plans, put};
+use crate::screen::draw::diagram::{Arrow, Diagram};
+use crate::screen::draw::raster::short;
+use crate::screen::found::{Found, Reaction};
+use crate::screen::number::number;
+use crate::screen::state::State;
+use crate::screen::study::Study;
+use crate::screen::text::fill;
+use crate::screen::theme::Role;
+
+/// A part this small beside the greatest one is rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// What one cause does to the chosen reaction.
+struct Part {
+    cause: String,
+    /// Projections, N; `None` for the balancing load.
+    force: Option<[f64; 2]>,
+    /// Moment of a slide, or the balancing load.
+    scalar: Option<f64>,
+}
+
+/// Draws the pane.
+pub(crate) fn draw(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
+    let plans = found.plans.at(state.position);
+    let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
+    let Some(split) = split.filter(|_| plans::has_forces(state, found)) else {
+        put(buffer, area, 1, 0, state.texts.no_forces_here, theme.style(Role::Plain));
+        return;
+    };
+    let title = fill(state.texts.by_cause, &[&forces::name(state, reaction)]);
+    put(buffer, area, 1, 0, &title, theme.style(Role::Header));
+    let parts = parts(split, reaction);
+    let rows = short(parts.len()) + 4;
+    let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
+    let [table, below] =
+        Layout::vertical([Constraint::Length(rows.min(below.height)), Constraint::Min(0)]).areas(below);
+    draw_table(state, found, split, reaction, &parts, table, buffer);
+    let side = (below.height * 3).min(below.width / 2);
+    let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
+    forces::draw_curves(state, study, found, left, &[usize::MAX], buffer);
+    draw_sum(state, &parts, right, buffer);
+}
+
+fn parts(split: &Split, reaction: &Reaction) -> Vec<Part> {
+    split.shares.iter().map(|share| part(share, reaction)).collect()
+}
+
+fn part(share: &Share, reaction: &Reaction) -> Part {
+    let cause = share.cause.clone();
+    if reaction.pair.is_empty() {
+        return Part { cause, force: None, scalar: Some(share.balancing) };
+    }
+    let here = |force: &&JointForce| force.joint == reaction.pair && force.on == reaction.link;
+    let found = share.reactions.iter().find(here);
+    Part { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
+}
+
+/// A row a cause, their sum, the whole as the analyzer has it.
+fn draw_table(
+    state: &State,
+    found: &Found,
+    split: &Split,
+    reaction: &Reaction,
+    parts: &[Part],
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let (theme, texts) = (state.look.theme, state.texts);
+    let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
+    let last = if scalar.is_empty() { texts.moment.to_owned() } else { scalar.to_owned() };
+    let header = [texts.cause, "Fx, N", "Fy, N", "F, N", texts.direction, &last].map(str::to_owned);
+    put(buffer, area, 0, 0, &forces::table_row(' ', header), theme.style(Role::Dim));
+    let sum = sum(parts, texts.sum);
+    let whole = part(&split.whole, reaction);
+    let whole = Part { cause: fill(texts.whole_by, &[&found.analyzer]), ..whole };
+    let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
+    for (row, (number, part)) in parts.iter().enumerate().enumerate() {
+        let text = row_of(&format!("{} {}", number + 1, part.cause), part, least);
+        put(buffer, area, 0, short(row) + 1, &text, theme.style(Role::Plain));
+    }
+    let below = short(parts.len()) + 1;
+    put(buffer, area, 0, below, &row_of(&sum.cause, &sum, least), theme.style(Role::Header));
+    put(buffer, area, 0, below + 1, &row_of(&whole.cause, &whole, least), theme.style(Role::Plain));
+}
+
+/// The greatest number of a part.
+fn size(part: &Part) -> f64 {
+    part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
+}
+
+fn sum(parts: &[Part], name: &str) -> Part {
+    let mut sum = Part { cause: name.to_owned(), force: None, scalar: None };
+    for part in parts {
+        if let Some([x, y]) = part.force {
+            let [sx, sy] = sum.force.unwrap_or_default();
+            sum.force = Some([sx + x, sy + y]);
+        }
+        if let Some(scalar) = part.scalar {
+            sum.scalar = Some(sum.scalar.unwrap_or_default() + scalar);
+        }
+    }
+    sum
+}
+
+fn row_of(name: &str, part: &Part, least: f64) -> String {
+    let shown = |value: f64| if value.abs() <= least { "0".to_owned() } else { number(value) };
+    let force = part.force.map(|[x, y]| {
+        let [x, y] = [x, y].map(|v| if v.abs() <= least { 0.0 } else { v });
+        [shown(x), shown(y), shown(x.hypot(y)), forces::direction_text(x, y)]
+    });
+    let [fx, fy, f, direction] = force.unwrap_or_default();
+    let scalar = part.scalar.map(shown).unwrap_or_default();
+    forces::table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
+}
+
+/// The parts laid end to end, and from the first corner to the last one the whole.
+fn draw_sum(state: &State, parts: &[Part], area: Rect, buffer: &mut Buffer) {
+    let mut at = [0.0; 2];
+    let mut arrows = Vec::new();
+    for (number, part) in parts.iter().enumerate() {
+        let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
+        let to = [at[0] + x, at[1] + y];
+        arrows.push(Arrow { from: at, to, name: (number + 1).to_string(), role: Role::Second });
+        at = to;
+    }
+    if arrows.is_empty() {
+        return;
+    }
+    arrows.push(Arrow { from: [0.0; 2], to: at, name: state.texts.sum.to_owned(), role: Role::First });
+    Diagram { arrows, unit: "N" }.draw(state.look, area, buffer);
+}
