@@ -106,9 +106,15 @@ fn faults_of_usage_end_with_2_and_help_with_0() {
         assert_eq!(code(&output), 2, "{arguments:?}");
         assert!(out(&output).is_empty() && !err(&output).is_empty(), "{arguments:?}");
     }
-    for arguments in
-        [&["--help"][..], &["--version"], &["plugins"], &["motors"], &["man"], &["completions", "bash"]]
-    {
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["plugins"],
+        &["motors"],
+        &["man"],
+        &["completions", "bash"],
+        &["config"],
+    ] {
         let output = assur(folder.path(), arguments);
         assert_eq!(code(&output), 0, "{arguments:?}");
         assert!(!out(&output).is_empty() && err(&output).is_empty(), "{arguments:?}");
@@ -318,4 +324,22 @@ fn output_limits_what_is_solved_and_told() {
     assert!(keys("links").is_empty() && keys("slides").is_empty());
     assert!(["reactions", "balancing", "reduced"].iter().all(|key| !first.contains_key(*key)));
     assert!(out(&assur(folder.path(), &["explain", "a.toml"])).contains("1 of 2 groups are needed"));
+}
+
+#[test]
+fn a_configuration_that_is_wrong_spoils_no_result() {
+    let folder = folder(SHORT);
+    let own = folder.path().join("assur");
+    fs::create_dir(&own).unwrap();
+    fs::write(own.join("config.toml"), "fps = 'many'\n").unwrap();
+    let run = |home: &Path| {
+        Command::new(env!("CARGO_BIN_EXE_assur"))
+            .args(["explain", "a.toml"])
+            .current_dir(folder.path())
+            .env("XDG_CONFIG_HOME", home)
+            .output()
+            .unwrap()
+    };
+    let (with, without) = (run(folder.path()), run(Path::new("/nowhere")));
+    assert_eq!((code(&with), out(&with), err(&with)), (0, out(&without), String::new()));
 }

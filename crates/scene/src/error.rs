@@ -24,7 +24,7 @@ pub struct SceneError {
     pub(crate) marked: Range<usize>,
 }
 
-/// All the faults of a scene file in the order of the file; never empty.
+/// All the faults of a scene, or of another file, in the order of the file; never empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneErrors {
     /// The name of the file as it was given.
@@ -37,7 +37,7 @@ impl std::error::Error for SceneErrors {}
 
 /// A fault while reading.
 #[derive(Debug, Clone)]
-pub(crate) struct Fault {
+pub struct Fault {
     span: Range<usize>,
     message: String,
     label: String,
@@ -45,16 +45,21 @@ pub(crate) struct Fault {
 }
 
 impl Fault {
-    pub(crate) fn new(span: Range<usize>, message: impl Into<String>) -> Self {
+    /// What is wrong in these bytes of the file, one line.
+    pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
         Self { span, message: message.into(), label: String::new(), help: None }
     }
 
-    pub(crate) fn label(mut self, label: impl Into<String>) -> Self {
+    /// What to write instead, shown beside the place.
+    #[must_use]
+    pub fn label(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
         self
     }
 
-    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
+    /// What is allowed.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
@@ -100,14 +105,11 @@ impl Faults {
         self.0.borrow_mut().push(fault);
     }
 
-    /// `value`, unless there were faults.
-    pub(crate) fn into_result<T>(self, value: T, file: &str, text: &str) -> Result<T, SceneErrors> {
+    /// All of them in the order of the file; empty where there were none.
+    pub(crate) fn into_errors(self, file: &str, text: &str) -> SceneErrors {
         let mut faults = self.0.into_inner();
-        if faults.is_empty() {
-            return Ok(value);
-        }
         faults.sort_by_key(|fault| fault.span.start);
         let errors = faults.into_iter().map(|fault| fault.locate(text)).collect();
-        Err(SceneErrors { file: file.to_owned(), errors })
+        SceneErrors { file: file.to_owned(), errors }
     }
 }

@@ -4,6 +4,7 @@
 //! fault is noted and reading goes on, so that one run shows all that is wrong; see [`SceneErrors`].
 
 mod context;
+pub mod document;
 mod drive;
 mod error;
 mod input;
@@ -30,7 +31,6 @@ use toml::de::DeTable;
 use context::Context;
 use error::{Fault, Faults};
 use names::LoadNames;
-use text::shown;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -43,8 +43,6 @@ const KEYS: &[&str] = &[
     "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
     "contact", "balance", "motion", "drive", "output",
 ];
-/// Faults of syntax that are reported: the parser's recovery after the first few invents more.
-const SYNTAX_FAULTS: usize = 3;
 
 /// Reads a scene. `file_name` is only repeated in errors.
 ///
@@ -63,25 +61,7 @@ const SYNTAX_FAULTS: usize = 3;
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
-    let faults = Faults::default();
-    let (document, syntax) = DeTable::parse_recoverable(text);
-    if !syntax.is_empty() {
-        for error in syntax.iter().take(SYNTAX_FAULTS) {
-            let span = error.span().unwrap_or(0..0);
-            faults.push(Fault::new(span.clone(), syntax_words(error.message(), text.get(span))));
-        }
-        return faults.into_result(nothing(), file_name, text);
-    }
-    let mechanism = scene(document.get_ref(), &faults);
-    faults.into_result(mechanism, file_name, text)
-}
-
-/// What the parser says, with the key that it does not name.
-fn syntax_words(message: &str, piece: Option<&str>) -> String {
-    match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
-        Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),
-        None => format!("not TOML: {message}"),
-    }
+    document::read(file_name, text, "a scene", KEYS, scene)
 }
 
 /// A fault of the scene as a whole, told at the table of the link that it concerns; `None` where there is none of that
@@ -92,31 +72,30 @@ pub fn fault_at_link(file_name: &str, text: &str, link: &str, message: &str) -> 
     let (key, _) = links.get_key_value(link)?;
     let faults = Faults::default();
     faults.push(Fault::new(key.span(), message));
-    faults.into_result((), file_name, text).err()
+    Some(faults.into_errors(file_name, text))
 }
 
 /// Reads what TOML has read. Where faults were noted, the mechanism is not sound.
-fn scene<'a>(document: &'a DeTable<'a>, faults: &'a Faults) -> Mechanism {
-    let root = Section::root(document, KEYS, faults);
+fn scene(root: &Section<'_>) -> Mechanism {
     let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
-    let (mut linkage, firsts) = links::read(&root);
-    slides::read(&root, &mut linkage, &firsts);
-    let input = input::read(&root, &linkage);
+    let (mut linkage, firsts) = links::read(root);
+    slides::read(root, &mut linkage, &firsts);
+    let input = input::read(root, &linkage);
     let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
     let names = &mut LoadNames::default();
-    let motion = motion::read(&root, &context);
+    let motion = motion::read(root, &context);
     let mechanism = Mechanism {
         title,
-        assembly: wishes::assembly(&root, &linkage),
-        gravity: loads::gravity(&root),
-        forces: loads::forces(&root, &context, names),
-        moments: loads::moments(&root, &context, names),
-        springs: joints::springs(&root, &context, names),
-        contacts: joints::contacts(&root, &context, names),
-        balance: wishes::balance(&root, &linkage),
-        drive: drive::read(&root, motion.as_ref(), &context),
+        assembly: wishes::assembly(root, &linkage),
+        gravity: loads::gravity(root),
+        forces: loads::forces(root, &context, names),
+        moments: loads::moments(root, &context, names),
+        springs: joints::springs(root, &context, names),
+        contacts: joints::contacts(root, &context, names),
+        balance: wishes::balance(root, &linkage),
+        drive: drive::read(root, motion.as_ref(), &context),
         motion,
-        output: wishes::output(&root, &linkage),
+        output: wishes::output(root, &linkage),
         ..nothing()
     };
     let input = input.unwrap_or(mechanism.input);

@@ -19,7 +19,7 @@ pub(crate) enum Bound {
 
 impl Entry<'_> {
     /// A bare number (SI) or a text with a unit. `None` for the dimension: a fault elsewhere hides it, any will do.
-    pub(crate) fn quantity(&self, wanted: impl Into<Option<Dimension>>) -> Option<f64> {
+    pub fn quantity(&self, wanted: impl Into<Option<Dimension>>) -> Option<f64> {
         let wanted = wanted.into();
         match self.value {
             DeValue::String(text) => match wanted {
@@ -101,7 +101,7 @@ impl Entry<'_> {
     }
 
     /// A whole number between two limits.
-    pub(crate) fn count(&self, least: usize, most: usize) -> Option<usize> {
+    pub fn count(&self, least: usize, most: usize) -> Option<usize> {
         let wanted = format!("a whole number from {least} to {most}");
         let number = match self.value {
             DeValue::Integer(number) => number,

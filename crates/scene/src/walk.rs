@@ -13,7 +13,7 @@ use crate::text::{did_you_mean, nearest, row, shown};
 
 /// A table of the file whose keys are known.
 #[derive(Debug, Clone)]
-pub(crate) struct Section<'a> {
+pub struct Section<'a> {
     table: &'a DeTable<'a>,
     /// What the table is, with an article: "a spring".
     pub(crate) what: &'static str,
@@ -25,21 +25,26 @@ pub(crate) struct Section<'a> {
 
 /// A value of the file.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry<'a> {
+pub struct Entry<'a> {
     /// Its key, or what a message calls it.
-    pub(crate) name: String,
+    pub name: String,
     /// Where the key stands; for an element of a list, where the element stands.
-    pub(crate) key: Range<usize>,
+    pub key: Range<usize>,
     pub(crate) value: &'a DeValue<'a>,
     /// Where the value stands.
-    pub(crate) span: Range<usize>,
+    pub span: Range<usize>,
     pub(crate) faults: &'a Faults,
 }
 
 impl<'a> Section<'a> {
     /// The whole file.
-    pub(crate) fn root(table: &'a DeTable<'a>, known: &'static [&'static str], faults: &'a Faults) -> Self {
-        let section = Self { table, what: "a scene", span: 0..0, known, faults };
+    pub(crate) fn root(
+        table: &'a DeTable<'a>,
+        what: &'static str,
+        known: &'static [&'static str],
+        faults: &'a Faults,
+    ) -> Self {
+        let section = Self { table, what, span: 0..0, known, faults };
         section.refuse_unknown();
         section
     }
@@ -47,16 +52,14 @@ impl<'a> Section<'a> {
     fn refuse_unknown(&self) {
         for entry in self.entries() {
             if !self.known.contains(&entry.name.as_str()) {
-                let near = nearest(&entry.name, self.known.iter().copied());
-                let message = format!("unknown key `{}`", shown(&entry.name));
                 let help = format!("{} knows: {}", self.what, self.known.join(", "));
-                self.faults.push(Fault::new(entry.key, message).label(did_you_mean(near)).help(help));
+                entry.unknown("key", self.known.iter().copied(), help);
             }
         }
     }
 
     /// The value of a key.
-    pub(crate) fn get(&self, key: &str) -> Option<Entry<'a>> {
+    pub fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (name, value) = self.table.get_key_value(key)?;
         Some(Entry::new(name.get_ref().to_string(), name.span(), value, self.faults))
     }
@@ -101,8 +104,25 @@ impl<'a> Entry<'a> {
     }
 
     /// Notes a fault of the value.
-    pub(crate) fn fault(&self, message: impl Into<String>, label: impl Into<String>) {
+    pub fn fault(&self, message: impl Into<String>, label: impl Into<String>) {
         self.faults.push(Fault::new(self.span.clone(), message).label(label));
+    }
+
+    /// Notes a fault that is made elsewhere.
+    pub fn note(&self, fault: Fault) {
+        self.faults.push(fault);
+    }
+
+    /// Notes that nobody knows the key, which is a `what`, and the known one that is spelled nearly so.
+    pub fn unknown<'k>(&self, what: &str, known: impl IntoIterator<Item = &'k str>, help: impl Into<String>) {
+        let near = nearest(&self.name, known);
+        let message = format!("unknown {what} `{}`", shown(&self.name));
+        self.faults.push(Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help));
+    }
+
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        self.value.is_array()
     }
 
     /// Notes that the value is of the wrong kind.
@@ -112,7 +132,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A table whose keys are names of the user's.
-    pub(crate) fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
+    pub fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
         if let DeValue::Table(table) = self.value {
             return entries(table, self.faults);
         }
@@ -143,7 +163,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The elements of a list; each bears the name of the list.
-    pub(crate) fn list(&self, wanted: &str) -> Vec<Self> {
+    pub fn list(&self, wanted: &str) -> Vec<Self> {
         let DeValue::Array(array) = self.value else {
             self.wrong(wanted, "");
             return Vec::new();
@@ -168,7 +188,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A text on one line that is not empty.
-    pub(crate) fn text(&self, wanted: &str) -> Option<&'a str> {
+    pub fn text(&self, wanted: &str) -> Option<&'a str> {
         let DeValue::String(text) = self.value else {
             self.wrong(wanted, "in quotes");
             return None;
@@ -192,7 +212,7 @@ impl<'a> Entry<'a> {
     }
 
     /// One of some words.
-    pub(crate) fn choice<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
+    pub fn choice<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
         let list = row(words.iter().map(|word| word.0));
         let text = self.text(&format!("one of: {list}"))?;
         let found = words.iter().find(|word| word.0 == text);
@@ -205,7 +225,7 @@ impl<'a> Entry<'a> {
     }
 
     /// `true` or `false`.
-    pub(crate) fn flag(&self) -> Option<bool> {
+    pub fn flag(&self) -> Option<bool> {
         let flag = self.value.as_bool();
         if flag.is_none() {
             self.wrong("true or false", "");

@@ -55,6 +55,9 @@ pub(crate) enum Command {
         /// File to write; must not exist
         file: PathBuf,
     },
+    /// Print the default configuration of the terminal UI, commented
+    #[command(display_order = 99)]
+    Config,
     /// Print a completion script for a shell
     #[command(display_order = 100)]
     Completions {
@@ -79,6 +82,7 @@ impl Command {
             Self::Plugins => "plugins",
             Self::Motors(_) => "motors",
             Self::New { .. } => "new",
+            Self::Config => "config",
             Self::Completions { .. } => "completions",
             Self::Man => "man",
         }

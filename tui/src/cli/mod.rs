@@ -4,6 +4,7 @@ mod analyze;
 mod args;
 mod chart;
 mod check;
+mod config;
 mod explain;
 mod fault;
 mod lists;
@@ -69,6 +70,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
         Some(Command::New { file }) => starter::run(&file),
+        Some(Command::Config) => config::print(),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),
         None => scene_or_screen(cli, style),
@@ -91,6 +93,8 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
             Ok(Status::Bad)
         }
         scene => {
+            let (config, config_fault) = config::load(style);
+            let fault = config_fault.clone();
             let options = crate::screen::Options {
                 ascii: style.ascii,
                 mouse: cli.mouse,
@@ -98,8 +102,14 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
                 cell_ratio: cli.cell_ratio,
                 analyzer: cli.methods.analyzer,
                 integrator: cli.methods.integrator,
+                config,
+                config_fault,
             };
-            Ok(Status::Code(crate::screen::run(scene, options)?))
+            let code = crate::screen::run(scene, options);
+            if let Some(fault) = fault {
+                style.tell(&fault);
+            }
+            Ok(Status::Code(code?))
         }
     }
 }

@@ -137,6 +137,7 @@ pub(crate) fn help(state: &mut State) {
 
 /// A key while the help is open: letters search, arrows scroll.
 pub(crate) fn press_help(state: &mut State, key: Key) {
+    let meant = state.keys.command(key, state.view).map(|command| command.name);
     let Some(help) = &mut state.help else { return };
     match key.code {
         KeyCode::Down => help.scroll += 1,
@@ -148,7 +149,7 @@ pub(crate) fn press_help(state: &mut State, key: Key) {
             help.filter.pop();
         }
         KeyCode::Esc | KeyCode::Enter => state.help = None,
-        KeyCode::Char('q' | '?') if help.filter.is_empty() => state.help = None,
+        _ if help.filter.is_empty() && matches!(meant, Some("help" | "quit" | "close")) => state.help = None,
         KeyCode::Char(letter) => {
             help.filter.push(letter);
             help.scroll = 0;

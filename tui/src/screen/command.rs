@@ -148,15 +148,11 @@ pub(crate) fn named(name: &str) -> Option<&'static Command> {
     COMMANDS.iter().find(|command| command.name == name)
 }
 
-/// The command of a key in a view.
-pub(crate) fn of_key(key: Key, view: View) -> Option<&'static Command> {
-    COMMANDS.iter().find(|command| command.fits(view) && command.keys.contains(&key))
-}
-
 /// Gives a key to what is open: a question, the `:` line, the help, or else the view.
 pub(crate) fn press(state: &mut State, event: KeyEvent) {
     let key = Key::from(event);
-    let always = of_key(key, state.view).filter(|command| key.control && command.group == Program);
+    let meant = state.keys.command(key, state.view);
+    let always = meant.filter(|command| key.control && command.group == Program);
     if let Some(command) = always {
         (command.run)(state);
         return;
@@ -175,7 +171,7 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
         return;
     }
     state.fault = None;
-    if let Some(command) = of_key(key, state.view) {
+    if let Some(command) = meant {
         (command.run)(state);
     }
 }

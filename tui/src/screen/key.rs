@@ -45,6 +45,7 @@ const NAMES: &[(KeyCode, &str)] = &[
     (KeyCode::BackTab, "S-Tab"),
     (KeyCode::Backspace, "Backspace"),
     (KeyCode::Delete, "Del"),
+    (KeyCode::Insert, "Ins"),
     (KeyCode::Char(' '), "Space"),
 ];
 
@@ -54,13 +55,19 @@ impl Key {
         let name = NAMES.iter().find(|(code, _)| *code == self.code).map(|(_, name)| (*name).to_owned());
         let name = name.unwrap_or_else(|| match self.code {
             KeyCode::Char(c) => c.to_string(),
+            KeyCode::F(number) => format!("F{number}"),
             other => format!("{other:?}"),
         });
         if self.control { format!("C-{name}") } else { name }
     }
 
+    /// The names of keys that are no characters.
+    pub(crate) fn names() -> String {
+        let names: Vec<&str> = NAMES.iter().map(|(_, name)| *name).collect();
+        format!("{}, F1 ... F12", names.join(", "))
+    }
+
     /// The key of a name.
-    #[cfg(test)]
     pub(crate) fn parse(name: &str) -> Option<Self> {
         let (control, name) = match name.strip_prefix("C-") {
             Some(rest) if !rest.is_empty() => (true, rest),
@@ -71,7 +78,7 @@ impl Key {
         let code = match (code, letters.next(), letters.next()) {
             (Some(code), ..) => code,
             (None, Some(letter), None) => KeyCode::Char(letter),
-            _ => return None,
+            _ => KeyCode::F(name.strip_prefix(['F', 'f'])?.parse().ok().filter(|n| (1..=12).contains(n))?),
         };
         Some(Self { code, control })
     }
@@ -87,6 +94,8 @@ mod tests {
         for key in COMMANDS.iter().flat_map(|command| command.keys) {
             assert_eq!(Key::parse(&key.name()), Some(*key), "{}", key.name());
         }
+        assert_eq!(Key::parse("F12").map(Key::name).as_deref(), Some("F12"));
+        assert_eq!(Key::parse("F13"), None);
         assert_eq!(Key::parse("nonsense"), None);
         assert_eq!(Key::parse(""), None);
     }

@@ -3,7 +3,7 @@
 use super::command::{self, COMMANDS};
 use super::draw::raster::Marker;
 use super::series::Key;
-use super::state::State;
+use super::state::{Look, State};
 use super::text::fill;
 use super::theme::{Role, Theme};
 
@@ -37,7 +37,7 @@ fn settings() -> Vec<(&'static str, Vec<String>)> {
     let list = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect();
     vec![
         ("theme", Theme::ALL.iter().map(|theme| theme.name().to_owned()).collect()),
-        ("marker", list(&["braille", "half-block", "ascii"])),
+        ("marker", Marker::ALL.iter().map(|marker| marker.name().to_owned()).collect()),
         ("ascii", list(&["on", "off"])),
         ("fps", list(&["1", "5", "10", "20", "30"])),
         ("cell", list(&["2.0"])),
@@ -129,11 +129,13 @@ fn set(state: &mut State, rest: &str) {
         "theme" => {
             Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| state.look.theme = *theme)
         }
-        "marker" => marker(value).map(|marker| state.look.marker = marker),
+        "marker" => {
+            Marker::ALL.iter().find(|marker| marker.name() == value).map(|marker| state.look.marker = *marker)
+        }
         "ascii" => switch(value).map(|ascii| state.look.ascii = ascii),
-        "fps" => value.parse().ok().filter(|fps| (1..=60).contains(fps)).map(|fps| state.look.fps = fps),
+        "fps" => value.parse().ok().filter(|fps| Look::FPS.contains(fps)).map(|fps| state.look.fps = fps),
         "cell" => {
-            value.parse().ok().filter(|r| (0.5..=5.0).contains(r)).map(|ratio| state.look.ratio = ratio)
+            value.parse().ok().filter(|r| Look::RATIO.contains(r)).map(|ratio| state.look.ratio = ratio)
         }
         _ => None,
     };
@@ -145,15 +147,6 @@ fn set(state: &mut State, rest: &str) {
             }
             None => unknown(state, &format!("set {name}")),
         }
-    }
-}
-
-fn marker(name: &str) -> Option<Marker> {
-    match name {
-        "braille" => Some(Marker::Braille),
-        "half-block" => Some(Marker::HalfBlock),
-        "ascii" => Some(Marker::Ascii),
-        _ => None,
     }
 }
 

@@ -8,10 +8,12 @@ mod accuracy;
 mod act;
 mod asking;
 mod command;
+mod config;
 mod csv;
 mod draw;
 mod found;
 mod key;
+mod keymap;
 mod line;
 mod locale;
 mod menu;
@@ -37,6 +39,8 @@ mod tests;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
+pub use config::Config;
+pub(crate) use config::default_text;
 use state::{Look, State};
 use study::Source;
 use theme::Theme;
@@ -48,14 +52,18 @@ pub struct Options {
     pub ascii: bool,
     /// Capture the mouse, for choosing a position on a chart.
     pub mouse: bool,
-    /// Frames a second of the animation; `None`: 10.
+    /// Frames a second of the animation; `None`: as configured.
     pub fps: Option<u8>,
-    /// Height of a character cell in its widths; `None`: 2.
+    /// Height of a character cell in its widths; `None`: as configured.
     pub cell_ratio: Option<f64>,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
     pub integrator: Option<String>,
+    /// The configuration, which what is above goes before.
+    pub config: Config,
+    /// Why the configuration of the user was not taken; the text is complete.
+    pub config_fault: Option<String>,
 }
 
 /// Why the terminal UI could not open.
@@ -88,26 +96,28 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
         return Err(ScreenError::NoTerminal);
     }
     let mut state = State::new(study, look(&options));
+    state.keys = options.config.keys.clone();
+    state.fault = options.config_fault.clone().map(|fault| (state.texts.config_title, fault));
     state.size = crossterm::terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     state.analyze(false);
     act::preview_menu(&mut state);
-    session::run(state, options.mouse)?;
+    session::run(state, options.mouse || options.config.mouse)?;
     Ok(0)
 }
 
-/// How to draw, from options, locale and `NO_COLOR`.
+/// How to draw, from options, configuration, locale and `NO_COLOR`.
 fn look(options: &Options) -> Look {
     let variable = |name: &str| std::env::var(name).ok();
     let colorless = variable("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let ascii = options.ascii || !locale::is_utf8(variable);
-    let default = Look::default();
+    let configured = options.config.look;
+    let ascii = options.ascii || configured.ascii || !locale::is_utf8(variable);
     Look {
         ascii,
-        marker: if ascii { draw::raster::Marker::Ascii } else { default.marker },
-        theme: if colorless { Theme::Mono } else { default.theme },
-        ratio: options.cell_ratio.filter(|ratio| (0.5..=5.0).contains(ratio)).unwrap_or(default.ratio),
-        fps: options.fps.filter(|fps| (1..=60).contains(fps)).unwrap_or(default.fps),
+        marker: if ascii { draw::raster::Marker::Ascii } else { configured.marker },
+        theme: if colorless { Theme::Mono } else { configured.theme },
+        ratio: options.cell_ratio.filter(|ratio| Look::RATIO.contains(ratio)).unwrap_or(configured.ratio),
+        fps: options.fps.filter(|fps| Look::FPS.contains(fps)).unwrap_or(configured.fps),
     }
 }

@@ -1,8 +1,11 @@
 //! Everything a frame depends on. Commands change it, views read it.
 
+use std::ops::RangeInclusive;
+
 use super::accuracy::Accuracy;
 use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
+use super::keymap::Keymap;
 use super::menu::Menu;
 use super::prompt::Prompt;
 use super::study::Study;
@@ -27,6 +30,23 @@ pub(crate) enum View {
     Table,
 }
 
+impl View {
+    /// All.
+    pub(crate) const ALL: [Self; 11] = [
+        Self::Menu,
+        Self::Mechanism,
+        Self::Curves,
+        Self::Forces,
+        Self::Plans,
+        Self::Motion,
+        Self::Drive,
+        Self::Checks,
+        Self::Accuracy,
+        Self::Structure,
+        Self::Table,
+    ];
+}
+
 /// What a command wants that it can't do itself.
 #[derive(Debug)]
 pub(crate) enum Wish {
@@ -49,6 +69,13 @@ pub(crate) struct Look {
     pub(crate) ratio: f64,
     /// Frames a second of the animation.
     pub(crate) fps: u8,
+}
+
+impl Look {
+    /// Frames a second that the animation may have.
+    pub(crate) const FPS: RangeInclusive<u8> = 1..=60;
+    /// Heights of a cell in its widths that fonts have.
+    pub(crate) const RATIO: RangeInclusive<f64> = 0.5..=5.0;
 }
 
 impl Default for Look {
@@ -125,6 +152,7 @@ pub(crate) struct Chosen {
 #[derive(Debug)]
 pub(crate) struct State {
     pub(crate) texts: &'static Texts,
+    pub(crate) keys: Keymap,
     pub(crate) study: Option<Study>,
     pub(crate) accuracy: Accuracy,
     pub(crate) menu: Menu,
@@ -152,8 +180,8 @@ pub(crate) struct State {
     pub(crate) question: Option<OutputFile>,
     /// One line until the next key.
     pub(crate) message: Option<(Role, String)>,
-    /// Faults of a scene that was read again, over the old result.
-    pub(crate) fault: Option<String>,
+    /// Faults of a file that was not taken, under a title, until the next key.
+    pub(crate) fault: Option<(&'static str, String)>,
     pub(crate) size: (u16, u16),
     pub(crate) wishes: Vec<Wish>,
     pub(crate) leaving: bool,
@@ -166,6 +194,7 @@ impl State {
         let view = if study.is_some() { View::Mechanism } else { View::Menu };
         Self {
             texts: &ENGLISH,
+            keys: Keymap::default(),
             study,
             accuracy: Accuracy::default(),
             menu: Menu::default(),
@@ -236,7 +265,7 @@ impl State {
     pub(crate) fn take_report(&mut self, report: Report) -> bool {
         match report {
             Report::Opened(Ok(study)) => self.open(*study),
-            Report::Opened(Err(text)) => self.fault = Some(text),
+            Report::Opened(Err(text)) => self.fault = Some((self.texts.fault_title, text)),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
             Report::Progress { generation, count } => return self.take_progress(generation, count),
             Report::Measured { generation, lines } => return self.take_measured(generation, lines),

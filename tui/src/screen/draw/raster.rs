@@ -16,6 +16,18 @@ pub(crate) enum Marker {
 }
 
 impl Marker {
+    /// All, in the order of the key that changes them.
+    pub(crate) const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
+
+    /// As `:set marker` and the configuration name it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Braille => "braille",
+            Self::HalfBlock => "half-block",
+            Self::Ascii => "ascii",
+        }
+    }
+
     /// The next one, for the key that changes it.
     pub(crate) fn next(self) -> Self {
         match self {

@@ -4,6 +4,8 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
+use crate::screen::key::Key;
+use crate::screen::keymap::Keymap;
 use crate::screen::state::{Look, State, Wish};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
@@ -70,15 +72,52 @@ fn every_command_does_something() {
 
 #[test]
 fn no_key_means_two_things_in_a_view() {
-    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
-        let fit: Vec<_> = COMMANDS.iter().filter(|command| command.fits(view)).collect();
-        for (i, one) in fit.iter().enumerate() {
-            for two in &fit[i + 1..] {
-                let shared = one.keys.iter().find(|key| two.keys.contains(key));
-                assert!(shared.is_none(), "{view:?}: `{}` and `{}` share {shared:?}", one.name, two.name);
-            }
-        }
+    let clashes = Keymap::default().clashes();
+    let names: Vec<_> = clashes.iter().map(|(key, view, both)| (key, view, both.map(|c| c.name))).collect();
+    assert!(names.is_empty(), "{names:?}");
+    // The search for clashes sees one that is there.
+    let mut keys = Keymap::default();
+    keys.bind(command::named("play").unwrap(), vec![Key::parse("q").unwrap()]);
+    assert_eq!(keys.clashes().len(), 1);
+}
+
+#[test]
+fn other_keys_are_what_counts_and_what_is_shown() {
+    let mut state = opened("shaper.toml");
+    for (name, key) in [("next-position", "n"), ("previous-position", "p"), ("help", "F1"), ("curves", "C-e")]
+    {
+        state.keys.bind(command::named(name).unwrap(), vec![Key::parse(key).unwrap()]);
     }
+    let last = |state: &State| text(state, 80, 24).lines().last().unwrap().to_owned();
+    assert!(
+        last(&state).starts_with(" p/n step") && last(&state).ends_with("F1 all keys"),
+        "{}",
+        last(&state)
+    );
+    assert!(text(&state, 80, 24).contains("C-e Curves"));
+    press(&mut state, "n n Right p");
+    assert_eq!(state.position, 1);
+    press(&mut state, "C-e");
+    assert_eq!(state.view, View::Curves);
+    press(&mut state, "F1");
+    let help = text(&state, 80, 24);
+    assert!(help.lines().any(|line| line.contains(" n ") && line.contains("next-position")), "{help}");
+    press(&mut state, "F1");
+    assert!(state.help.is_none());
+}
+
+#[test]
+fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
+    let mut state = opened("shaper.toml");
+    state.fault = Some((state.texts.config_title, "error: two\n  config.toml, line 2, column 1".to_owned()));
+    let frame = text(&state, 80, 24);
+    assert!(
+        frame.contains("The configuration was not taken") && frame.contains("line 2, column 1"),
+        "{frame}"
+    );
+    press(&mut state, "Right");
+    assert!(!text(&state, 80, 24).contains("configuration"));
+    assert_eq!(state.position, 1);
 }
 
 #[test]

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::{panel, put};
 use crate::screen::draw::raster::short;
 use crate::screen::state::State;
+use crate::screen::text::fill;
 use crate::screen::theme::Role;
 
 /// Draws the view.
@@ -19,12 +20,13 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             area,
             1,
             0,
-            &format!("{progress}   {}", state.texts.cancel_hint),
+            &format!("{progress}   {}", fill(state.texts.cancel_hint, &[&state.keys.first("close")])),
             theme.style(Role::Header),
         );
         top = 1;
     } else if found.lines.is_empty() {
-        put(buffer, area, 1, 1, state.texts.measure_hint, theme.style(Role::Plain));
+        let hint = fill(state.texts.measure_hint, &[&state.keys.first("measure")]);
+        put(buffer, area, 1, 1, &hint, theme.style(Role::Plain));
     }
     let height = usize::from(area.height.saturating_sub(top));
     let lines: Vec<String> = found.lines.iter().flat_map(|line| fitted(line, area.width)).collect();

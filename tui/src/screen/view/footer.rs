@@ -1,12 +1,13 @@
 //! The last two rows: a message or the `:` line, and the keys of this view.
 
+use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use super::put;
-use crate::screen::command::{COMMANDS, Command};
+use crate::screen::command::{COMMANDS, Command, named};
 use crate::screen::draw::raster::short;
 use crate::screen::state::State;
 use crate::screen::text::{Texts, fill};
@@ -53,12 +54,14 @@ fn failure(state: &State) -> Option<String> {
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let mut column = 1;
-    let more = state.texts.keys_more;
+    let more = fill(state.texts.keys_more, &[&state.keys.first("help")]);
     let room = area.width.saturating_sub(short(more.width()) + 2);
     for command in hinted(state) {
         let (_, hint) = texts_of(state.texts, command.name);
-        let Some(key) = command.keys.first().filter(|_| !hint.is_empty()) else { continue };
-        let key = keys_of_hint(command, &key.name());
+        if hint.is_empty() || state.keys.of(command).is_empty() {
+            continue;
+        }
+        let key = keys_of_hint(state, command);
         let width = short(key.width() + hint.width() + 3);
         if column + width > room {
             break;
@@ -67,7 +70,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, column + short(key.width()) + 1, 1, hint, theme.style(Role::Plain));
         column += width;
     }
-    put(buffer, area, room, 1, more, theme.style(Role::Plain));
+    put(buffer, area, room, 1, &more, theme.style(Role::Plain));
 }
 
 /// Commands of the view, what belongs to it alone before what all views have; stepping comes first.
@@ -82,22 +85,24 @@ fn hinted(state: &State) -> Vec<&'static Command> {
 }
 
 /// Pairs of opposite keys stand together: `Left/Right step`.
-fn keys_of_hint(command: &Command, key: &str) -> String {
-    match command.name {
-        "next-position" => "Left/Right".to_owned(),
-        "next-row" | "next-item" | "next-group" | "next-scene" | "next-reaction" | "next-motion"
-        | "next-check" | "next-line" | "next-step" => "Up/Down".to_owned(),
-        _ => key.to_owned(),
+fn keys_of_hint(state: &State, command: &'static Command) -> String {
+    let key = state.keys.first(command.name);
+    let opposite = command.name.strip_prefix("next-").and_then(|what| named(&format!("previous-{what}")));
+    let opposite = opposite.and_then(|opposite| state.keys.of(opposite).first());
+    // Tab goes back with Shift everywhere; that needs no room.
+    match opposite.filter(|key| key.code != KeyCode::BackTab) {
+        Some(opposite) => format!("{}/{key}", opposite.name()),
+        None => key,
     }
 }
 
-/// The faults of a scene that was not taken.
-pub(crate) fn draw_fault(state: &State, fault: &str, area: Rect, buffer: &mut Buffer) {
+/// The faults of a file that was not taken.
+pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, buffer: &mut Buffer) {
     let lines = short(fault.lines().count());
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
     Clear.render(place, buffer);
-    let block = Block::bordered().title(state.texts.fault_title).style(state.look.theme.style(Role::Plain));
+    let block = Block::bordered().title(title).style(state.look.theme.style(Role::Plain));
     let inner = block.inner(place);
     block.render(place, buffer);
     for (row, line) in fault.lines().enumerate() {

@@ -5,29 +5,33 @@ use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use super::put;
-use crate::screen::command::{COMMANDS, Group};
 use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
 use crate::screen::quantities::coordinate_unit;
 use crate::screen::state::{State, View};
 use crate::screen::study::Study;
-use crate::screen::text::fill;
+use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
 /// Name of a view.
 pub(crate) fn name(state: &State, view: View) -> &'static str {
+    name_in(state.texts, view)
+}
+
+/// Name of a view in a language.
+pub(crate) fn name_in(texts: &Texts, view: View) -> &'static str {
     match view {
-        View::Menu => state.texts.menu,
-        View::Mechanism => state.texts.mechanism,
-        View::Curves => state.texts.curves,
-        View::Forces => state.texts.forces,
-        View::Plans => state.texts.plans,
-        View::Motion => state.texts.motion,
-        View::Drive => state.texts.drive,
-        View::Checks => state.texts.checks,
-        View::Accuracy => state.texts.accuracy,
-        View::Structure => state.texts.structure,
-        View::Table => state.texts.table,
+        View::Menu => texts.menu,
+        View::Mechanism => texts.mechanism,
+        View::Curves => texts.curves,
+        View::Forces => texts.forces,
+        View::Plans => texts.plans,
+        View::Motion => texts.motion,
+        View::Drive => texts.drive,
+        View::Checks => texts.checks,
+        View::Accuracy => texts.accuracy,
+        View::Structure => texts.structure,
+        View::Table => texts.table,
     }
 }
 
@@ -71,8 +75,7 @@ fn place(state: &State, study: &Study) -> String {
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let mut column = 0;
     for (command, view) in TABS.iter().filter(|(_, view)| state.has(*view)) {
-        let key = COMMANDS.iter().find(|c| c.name == *command && c.group == Group::Views);
-        let key = key.and_then(|c| c.keys.first()).map(|key| key.name()).unwrap_or_default();
+        let key = state.keys.first(command);
         let text = format!("{key} {}", name(state, *view));
         let role = if *view == state.view { Role::Tab } else { Role::Dim };
         put(buffer, area, column, 1, &text, state.look.theme.style(role));

@@ -9,6 +9,7 @@ use super::put;
 use crate::screen::command::{COMMANDS, Command, Group};
 use crate::screen::draw::raster::short;
 use crate::screen::state::{Help, State};
+use crate::screen::text::Texts;
 use crate::screen::theme::Role;
 
 const KEYS_AT: u16 = 2;
@@ -41,7 +42,7 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             Row::Text(text) => put(buffer, inner, 0, line, text, theme.style(Role::Plain)),
             Row::Empty => {}
             Row::Command(command) => {
-                put(buffer, inner, KEYS_AT, line, &keys(command), theme.style(Role::Key));
+                put(buffer, inner, KEYS_AT, line, &keys(state, command), theme.style(Role::Key));
                 put(buffer, inner, NAME_AT, line, command.name, theme.style(Role::Plain));
                 put(
                     buffer,
@@ -69,18 +70,18 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Keys of a command: `Right l`.
-fn keys(command: &Command) -> String {
-    command.keys.iter().map(|key| key.name()).collect::<Vec<_>>().join(" ")
+fn keys(state: &State, command: &'static Command) -> String {
+    state.keys.of(command).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ")
 }
 
 fn rows(state: &State, help: &Help) -> Vec<Row> {
     let wanted = help.filter.to_lowercase();
-    let fits = |command: &&Command| {
+    let fits = |command: &&'static Command| {
         let (text, _) = texts_of(state.texts, command.name);
         wanted.is_empty()
             || command.name.contains(&wanted)
             || text.to_lowercase().contains(&wanted)
-            || keys(command).to_lowercase().contains(&wanted)
+            || keys(state, command).to_lowercase().contains(&wanted)
     };
     let mut rows = Vec::new();
     for group in Group::ALL {
@@ -89,7 +90,7 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
         if of_group.is_empty() {
             continue;
         }
-        rows.push(Row::Title(title(state, group)));
+        rows.push(Row::Title(title(state.texts, group)));
         rows.extend(of_group.into_iter().map(Row::Command));
         rows.push(Row::Empty);
     }
@@ -97,13 +98,14 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
     rows
 }
 
-fn title(state: &State, group: Group) -> &'static str {
+/// Title of a group of commands.
+pub(crate) fn title(texts: &Texts, group: Group) -> &'static str {
     match group {
-        Group::Move => state.texts.group_move,
-        Group::Choose => state.texts.group_choose,
-        Group::Views => state.texts.group_view,
-        Group::Look => state.texts.group_look,
-        Group::Program => state.texts.group_program,
+        Group::Move => texts.group_move,
+        Group::Choose => texts.group_choose,
+        Group::Views => texts.group_view,
+        Group::Look => texts.group_look,
+        Group::Program => texts.group_program,
     }
 }
 

@@ -18,7 +18,9 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let [title, rest] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
     let [list, picture] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(rest);
     let theme = state.look.theme;
-    put(buffer, title, 1, 0, state.texts.menu_title, theme.style(Role::Header));
+    let [open, help, quit] = ["open-scene", "help", "quit"].map(|name| state.keys.first(name));
+    let heading = fill(state.texts.menu_title, &[&open, &help, &quit]);
+    put(buffer, title, 1, 0, &heading, theme.style(Role::Header));
     let height = usize::from(list.height);
     let skip = (state.menu.chosen + 1).saturating_sub(height);
     for (row, (index, (name, _))) in SCENES.iter().enumerate().skip(skip).take(height).enumerate() {

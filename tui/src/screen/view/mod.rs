@@ -46,8 +46,8 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
         footer::draw(state, footer, buffer);
         if state.help.is_some() {
             help::draw(state, body, buffer);
-        } else if let Some(fault) = &state.fault {
-            footer::draw_fault(state, fault, body, buffer);
+        } else if let Some((title, fault)) = &state.fault {
+            footer::draw_fault(state, title, fault, body, buffer);
         }
     }
     if state.look.ascii {

@@ -176,7 +176,8 @@ fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
         wrapped(&construction.title, width).into_iter().map(|line| (Role::Header, line)).collect();
-    rows.push((Role::Plain, fill(state.texts.step, &[&(last + 1), &construction.steps.len()])));
+    let next = state.keys.first("next-step");
+    rows.push((Role::Plain, fill(state.texts.step, &[&(last + 1), &construction.steps.len(), &next])));
     let Some(step) = construction.steps.get(last) else { return };
     let size = digits(step.vector[0].hypot(step.vector[1]), 5);
     rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind.word(), step.unit)));

@@ -1,0 +1,64 @@
+//! TOML files with faults that point at the place. A scene is read this way; so may be other files beside it.
+
+use toml::de::DeTable;
+
+pub use crate::error::Fault;
+pub use crate::walk::{Entry, Section};
+
+use crate::SceneErrors;
+use crate::error::Faults;
+use crate::text::shown;
+
+/// Faults of syntax that are reported: the parser's recovery after the first few invents more.
+const SYNTAX_FAULTS: usize = 3;
+
+/// Reads a TOML file: `what` it is, with an article ("a scene"), the keys that it knows, and how its tables become a
+/// value. `file_name` is only repeated in errors.
+///
+/// # Errors
+///
+/// [`SceneErrors`] with every fault: of the syntax, or else those that were noted while reading. Then the value, made
+/// from what was left, is thrown away.
+///
+/// # Examples
+///
+/// ```
+/// use assur_scene::document;
+///
+/// let count = |text| {
+///     document::read("a.toml", text, "a file", &["count"], |root| root.get("count").and_then(|entry| entry.count(1, 9)))
+/// };
+/// assert_eq!(count("count = 3"), Ok(Some(3)));
+/// let errors = count("coutn = 3").unwrap_err();
+/// assert_eq!(errors.errors[0].message, "unknown key `coutn`");
+/// assert_eq!(errors.errors[0].label, "did you mean `count`?");
+/// ```
+pub fn read<T>(
+    file_name: &str,
+    text: &str,
+    what: &'static str,
+    known: &'static [&'static str],
+    make: impl FnOnce(&Section<'_>) -> T,
+) -> Result<T, SceneErrors> {
+    let faults = Faults::default();
+    let (document, syntax) = DeTable::parse_recoverable(text);
+    let value = if syntax.is_empty() {
+        Some(make(&Section::root(document.get_ref(), what, known, &faults)))
+    } else {
+        for error in syntax.iter().take(SYNTAX_FAULTS) {
+            let span = error.span().unwrap_or(0..0);
+            faults.push(Fault::new(span.clone(), syntax_words(error.message(), text.get(span))));
+        }
+        None
+    };
+    let errors = faults.into_errors(file_name, text);
+    value.filter(|_| errors.errors.is_empty()).ok_or(errors)
+}
+
+/// What the parser says, with the key that it does not name.
+fn syntax_words(message: &str, piece: Option<&str>) -> String {
+    match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
+        Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),
+        None => format!("not TOML: {message}"),
+    }
+}
