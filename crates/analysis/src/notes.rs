@@ -4,6 +4,9 @@ use assur_mechanism::{InputPair, Mechanism, Motion};
 
 use crate::{Options, Study};
 
+/// Change points of several groups nearer than this are one, rad or m.
+const SAME: f64 = 1e-6;
+
 /// Where no forces are told, in words.
 const LOST: &str = "the mechanism stands at a change point (nearer than 0.001 rad, or parts of its size): constraints of a \
                     group coincide there and its reactions are not determined";
@@ -12,6 +15,7 @@ impl Study {
     /// Notes for the results; `positions` and number of `samples` of a motion at which forces are not determined.
     pub(crate) fn notes(&self, positions: &[usize], samples: usize) -> Vec<String> {
         let mut notes = self.unused.clone();
+        notes.extend(self.change_points());
         if !positions.is_empty() {
             let numbers: Vec<_> = positions.iter().map(ToString::to_string).collect();
             notes.push(format!("No forces in positions {}: {LOST}.", numbers.join(", ")));
@@ -20,6 +24,55 @@ impl Study {
             notes.push(format!("No forces at {samples} samples of the motion: {LOST}."));
         }
         notes
+    }
+}
+
+impl Study {
+    /// Where ways of assembly meet, which the motion goes through without a sign in the numbers but a great condition.
+    fn change_points(&self) -> Option<String> {
+        let linkage = &self.linkage;
+        let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
+        for &(coordinate, group) in linkage.change_points() {
+            match places.iter_mut().find(|(at, _)| (*at - coordinate).abs() < SAME) {
+                Some((_, groups)) => groups.push(group),
+                None => places.push((coordinate, vec![group])),
+            }
+        }
+        let words: Vec<String> = places.iter().map(|(at, groups)| self.change_point(*at, groups)).collect();
+        let input = &linkage.mechanism.input;
+        let across = |index: &usize| linkage.across(input.coordinate(*index)).is_some();
+        let positions: Vec<_> = (0..input.positions).filter(across).map(|index| index.to_string()).collect();
+        let interpolated = match &positions[..] {
+            [] => String::new(),
+            numbers => format!(
+                " In positions {} the equations of the group say nothing or little (0/0): their motion is interpolated \
+                 from both sides.",
+                numbers.join(", ")
+            ),
+        };
+        (!words.is_empty()).then(|| {
+            format!(
+                "Change points, where two ways of assembly meet: {}. A real mechanism may go on in either way there; \
+                 calculated is the smooth motion.{interpolated}",
+                words.join("; ")
+            )
+        })
+    }
+
+    fn change_point(&self, coordinate: f64, groups: &[usize]) -> String {
+        let linkage = &self.linkage;
+        let place = if linkage.angular() {
+            // A place within rounding of a whole turn is 0.
+            let degrees = coordinate.rem_euclid(std::f64::consts::TAU).to_degrees();
+            format!("{:.4} deg", if degrees > 359.999_95 { 0.0 } else { degrees })
+        } else {
+            format!("{:.4} mm", coordinate * 1e3)
+        };
+        let group = linkage.structure.group_name(&linkage.mechanism, groups[0]);
+        match groups.len() {
+            1 => format!("{place} ({group})"),
+            count => format!("{place} ({group} and {} more)", count - 1),
+        }
     }
 }
 

@@ -123,3 +123,20 @@ fn an_unknown_analyzer_is_refused() {
     let options = Options { analyzer: Some("magic".to_owned()), integrator: None };
     assert!(matches!(Study::of(mechanism, &options), Err(AnalysisError::Analyzer(_))));
 }
+
+#[test]
+fn a_position_on_a_change_point_is_told() {
+    let scene = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n\
+        [link.coupler]\npoints = { A = 0, B = 3 }\n[link.rocker]\npoints = { C = 0, B = 1 }\n\
+        [input]\nlink = \"crank\"\nfrom = \"30 deg\"\npositions = 12\n[assembly]\nB = [3.9, 0.5]\n";
+    let notes = analyzed(scene).notes;
+    assert_eq!(notes.len(), 1);
+    // 30 deg apart from 30 deg: position 5 at 180 deg, position 11 at 360 deg.
+    for part in
+        ["180.0000 deg (group 1 (RRR coupler, rocker))", "0.0000 deg (group", "In positions 5, 11 the"]
+    {
+        assert!(notes[0].contains(part), "{part}: {}", notes[0]);
+    }
+    let between = analyzed(&scene.replace("30 deg", "40 deg")).notes;
+    assert!(between[0].contains("Change points") && !between[0].contains("positions"), "{between:?}");
+}

@@ -14,6 +14,7 @@ mod error;
 mod first;
 mod linkage;
 mod patch;
+mod patches;
 mod rank;
 mod read;
 mod seeds;
@@ -23,6 +24,7 @@ pub use assembly::{Range, Ways};
 pub use chain::{Chain, ChainError, Input};
 pub use error::{CompileError, PositionError};
 pub use linkage::{Linkage, Position};
+pub use patch::Across;
 pub use rank::{Rank, rank_of};
 pub use read::{LinkMotion, PointMotion, SlideMotion, continuous_angle};
 

@@ -5,7 +5,7 @@ use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
 use crate::assembly::Ways;
-use crate::patch::Patch;
+use crate::patch::{Across, Patch};
 use crate::seeds::Seeds;
 use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
 
@@ -145,6 +145,12 @@ impl Linkage {
         const NEAR: f64 = 1e-3;
         self.patches.iter().any(|patch| patch.covers(position.coordinate))
             && position.health.iter().any(|health| health.abs() < NEAR)
+    }
+
+    /// The change point across which the motion is interpolated at a coordinate; `None` where the groups' own equations
+    /// are used.
+    pub fn across(&self, coordinate: f64) -> Option<Across> {
+        self.patches.iter().find_map(|patch| patch.across(coordinate))
     }
 
     /// Coordinates at which two ways of a group meet within the walked period, with the group.

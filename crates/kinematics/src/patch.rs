@@ -2,96 +2,228 @@
 //!
 //! At a change point J is singular though the motion goes through it smoothly: PF1 and PF2 are of the form 0/0, and
 //! close to it the closed forms lose digits with the inverse of the distance, its square and its cube. The motion is
-//! therefore interpolated there by a polynomial through nodes on both sides.
+//! therefore interpolated there by a polynomial through nodes on both sides. The nodes are solved in 32 digits, so that
+//! what the closed forms lose close to the change point is not missed.
+
+use std::f64::consts::{PI, TAU};
 
 use assur_group::Body;
+use assur_number::{Dd, Real};
 
-/// Nodes on each side.
-const NODES: usize = 6;
+/// Farthest reach to each side, rad (or parts of the scale for a sliding input): beyond, PF2 by the closed forms keeps
+/// about 10 digits.
+const REACH: f64 = 0.0125;
 
-/// Distance between nodes, rad (or parts of the scale for a sliding input): close enough that a polynomial of degree 11
-/// is exact to some 1e-12, far enough that PF2 at the innermost node keeps about 10 digits.
-const STEP: f64 = 0.0125;
+/// All nodes lie beyond the reach, up to so many times as far: lengths that are rounded are no exact change point, and the
+/// closer a node, the more it shows.
+const SPREAD: f64 = 6.0;
+
+/// Numbers of nodes on each side that are tried.
+const NODES: [usize; 4] = [6, 10, 16, 24];
+
+/// How often the reach is halved where the motion changes too fast for so many nodes.
+const HALVINGS: usize = 9;
+
+/// Places, in parts of the reach, at which an interpolation is tried.
+const TRIALS: [f64; 4] = [-0.98, -0.83, 0.79, 0.95];
+
+/// Deviation at the trials that is rounding, in parts of the largest number of its order.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// What the closed forms lose of PF0, PF1, PF2 at the reach, in eps over health to the power 1, 2, 3: no more is asked.
+const LOST: f64 = 4.0 * f64::EPSILON;
+
+/// 2 pi less its nearest f64.
+const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
 /// All bodies around one change point.
 #[derive(Debug, Clone)]
 pub(crate) struct Patch {
-    center: f64,
-    period: Option<f64>,
-    step: f64,
-    /// Bodies at center - NODES step ... - step, + step ... + NODES step.
-    nodes: Vec<Vec<Body<f64>>>,
+    /// The change point, of all turns the one closest to zero, and what its f64 leaves over.
+    center: [f64; 2],
+    /// Turns after which the motion repeats, for a pinned input.
+    turns: Option<f64>,
+    reach: f64,
+    nodes: Vec<Node>,
+    /// |health| of each group at a distance of the reach: of a group whose ways meet it falls to zero with the distance.
+    health: Vec<Health>,
 }
 
-/// Place of node `i` in steps from the center.
-fn offset(i: usize) -> f64 {
-    let i = i as f64 - NODES as f64;
-    if i < 0.0 { i } else { i + 1.0 }
+/// Where the motion is interpolated across a change point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Across {
+    /// The change point, rad or m, in the turn of the coordinate that was asked for.
+    pub center: f64,
+    /// How far it reaches to each side, rad or m.
+    pub reach: f64,
 }
+
+/// The motion at one node.
+#[derive(Debug, Clone)]
+struct Node {
+    /// Place in parts of the reach.
+    x: f64,
+    /// Weight of the barycentric formula.
+    weight: f64,
+    bodies: Vec<Body<f64>>,
+}
+
+/// What is known of a group's determinant.
+#[derive(Debug, Clone, Copy)]
+struct Health {
+    beside: f64,
+    meets: bool,
+}
+
+/// Bodies and determinants at one place, in 32 digits.
+pub(crate) type Solved = (Vec<Body<Dd>>, Vec<Dd>);
 
 impl Patch {
-    /// Samples the motion around a change point; `None` where a node can't be solved.
+    /// Samples the motion around a change point of some groups; `None` where it can't be solved beside.
+    ///
+    /// `turns`: after how many turns it repeats.
     pub(crate) fn sample(
-        center: f64,
-        period: Option<f64>,
+        (center, meeting): (f64, &[usize]),
+        turns: Option<f64>,
         unit: f64,
-        mut solve: impl FnMut(f64) -> Option<Vec<Body<f64>>>,
+        mut solve: impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
-        let step = STEP * unit;
-        let nodes = (0..2 * NODES).map(|i| solve(center + offset(i) * step)).collect::<Option<Vec<_>>>()?;
-        Some(Self { center, period, step, nodes })
-    }
-
-    fn distance(&self, coordinate: f64) -> f64 {
-        let d = coordinate - self.center;
-        match self.period {
-            Some(period) => d - period * (d / period).round(),
-            None => d,
+        let mut reach = REACH * unit;
+        let mut best: Option<(f64, Self)> = None;
+        for _ in 0..=HALVINGS {
+            for count in NODES {
+                let patch = Self::through(count, (center, meeting), turns, reach, &mut solve);
+                let Some((patch, miss)) = patch.and_then(|patch| patch.miss(center, &mut solve)) else {
+                    break;
+                };
+                if miss[0] <= ROUNDING {
+                    return Some(patch);
+                }
+                if best.as_ref().is_none_or(|(least, _)| miss[1] < *least) {
+                    best = Some((miss[1], patch));
+                }
+            }
+            if best.as_ref().is_some_and(|(least, _)| *least <= 1.0) {
+                break;
+            }
+            reach *= 0.5;
         }
+        best.map(|(_, patch)| patch)
     }
 
-    /// Whether the coordinate lies between the innermost nodes.
-    pub(crate) fn covers(&self, coordinate: f64) -> bool {
-        self.distance(coordinate).abs() < self.step
+    /// With so many nodes on each side: those of Chebyshev's polynomials in the square of the distance.
+    fn through(
+        count: usize,
+        (center, meeting): (f64, &[usize]),
+        turns: Option<f64>,
+        reach: f64,
+        solve: &mut impl FnMut(Dd) -> Option<Solved>,
+    ) -> Option<Self> {
+        let node = |i: usize| {
+            let (sine, cosine) = (PI * ((i % count) as f64 + 0.5) / count as f64).sin_cos();
+            let square = 0.5 * ((SPREAD * SPREAD + 1.0) + (SPREAD * SPREAD - 1.0) * cosine);
+            let x = if i < count { square.sqrt() } else { -square.sqrt() };
+            let (bodies, _) = solve(place(center, x * reach))?;
+            let sign = if (i % count).is_multiple_of(2) { 1.0 } else { -1.0 };
+            Some(Node { x, weight: sign * sine / x, bodies: bodies.iter().map(rounded).collect() })
+        };
+        let nodes = (0..2 * count).map(node).collect::<Option<Vec<_>>>()?;
+        let (_, beside) = solve(place(center, reach))?;
+        let health = beside.iter().enumerate();
+        let known = |(group, beside): (usize, &Dd)| Health {
+            beside: beside.to_f64().abs(),
+            meets: meeting.contains(&group),
+        };
+        let passed = turns.map_or(0.0, |turns| turns * (center / (turns * TAU)).round());
+        let center = [(-passed).mul_add(TAU, center), -passed * TAU_REST];
+        Some(Self { center, turns, reach, nodes, health: health.map(known).collect() })
     }
 
-    /// Writes all bodies but ground and input (body whose w1 is set already is overwritten by the same values).
-    pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>], health: &mut [f64]) {
-        let x = self.distance(coordinate) / self.step;
-        let weights = lagrange(x);
-        for (i, body) in bodies.iter_mut().enumerate().skip(1) {
-            *body = blend(&weights, |k| &self.nodes[k][i]);
-        }
-        // What is left of the determinant grows linearly from the change point.
-        for value in health {
-            *value = x.abs() * self.step;
-        }
-    }
-}
-
-/// Weights of Lagrange's polynomial through the nodes at `x` steps from the center.
-fn lagrange(x: f64) -> [f64; 2 * NODES] {
-    let mut weights = [1.0; 2 * NODES];
-    for (i, weight) in weights.iter_mut().enumerate() {
-        for k in 0..2 * NODES {
-            if k != i {
-                *weight *= (x - offset(k)) / (offset(i) - offset(k));
+    /// Itself with the largest deviation at the trials: in parts of the largest number of its order, and in parts of what the
+    /// closed forms lose at the reach.
+    fn miss(self, center: f64, solve: &mut impl FnMut(Dd) -> Option<Solved>) -> Option<(Self, [f64; 2])> {
+        let (mut sizes, mut misses) = ([1.0_f64; 3], [0.0_f64; 3]);
+        for x in TRIALS {
+            let (exact, _) = solve(place(center, x * self.reach))?;
+            for (i, exact) in exact.iter().enumerate().skip(1) {
+                let found = numbers(&self.blend(x, i));
+                for (k, (exact, found)) in numbers(exact).into_iter().zip(found).enumerate() {
+                    let order = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2][k];
+                    sizes[order] = sizes[order].max(exact.to_f64().abs());
+                    misses[order] = misses[order].max((Dd::from_f64(found) - exact).to_f64().abs());
+                }
             }
         }
+        let meeting = self.health.iter().filter(|health| health.meets);
+        let least = meeting.fold(1.0_f64, |least, health| least.min(health.beside));
+        let relative = [0, 1, 2].map(|order| misses[order] / sizes[order]);
+        let lost = [1, 2, 3].map(|power| LOST / least.powi(power));
+        let all = relative.iter().zip(lost).map(|(miss, lost)| miss / lost);
+        let worst = [relative.iter().copied().fold(0.0, f64::max), all.fold(0.0, f64::max)];
+        Some((self, worst))
     }
-    weights
-}
 
-fn blend<'a>(weights: &[f64; 2 * NODES], node: impl Fn(usize) -> &'a Body<f64>) -> Body<f64> {
-    let mut sum = [0.0; 10];
-    for (k, weight) in weights.iter().enumerate() {
-        let b = node(k);
-        let values = [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2];
-        for (total, value) in sum.iter_mut().zip(values) {
-            *total += weight * value;
+    /// From the change point to a coordinate, without the rounding of 2 pi, which many turns add up.
+    fn distance(&self, coordinate: f64) -> f64 {
+        let [center, rest] = self.center;
+        let Some(turns) = self.turns else { return coordinate - center };
+        let passed = turns * ((coordinate - center) / (turns * TAU)).round();
+        ((-passed).mul_add(TAU, coordinate) - center) - (passed * TAU_REST + rest)
+    }
+
+    /// Whether the coordinate lies within reach.
+    pub(crate) fn covers(&self, coordinate: f64) -> bool {
+        self.distance(coordinate).abs() < self.reach
+    }
+
+    /// The change point in the turn of the coordinate, and the reach, where the coordinate lies within reach.
+    pub(crate) fn across(&self, coordinate: f64) -> Option<Across> {
+        let away = self.distance(coordinate);
+        (away.abs() < self.reach).then_some(Across { center: coordinate - away, reach: self.reach })
+    }
+
+    /// Writes all bodies but the ground (of the input the same values that it has already).
+    pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>], health: &mut [f64]) {
+        let x = self.distance(coordinate) / self.reach;
+        for (i, body) in bodies.iter_mut().enumerate().skip(1) {
+            *body = self.blend(x, i);
+        }
+        // What is left of the determinant where ways meet grows linearly from there.
+        for (value, known) in health.iter_mut().zip(&self.health) {
+            *value = if known.meets { x.abs() * known.beside } else { known.beside };
         }
     }
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = sum;
-    let length = c.hypot(s);
-    Body { x, y, c: c / length, s: s / length, x1, y1, w1, x2, y2, w2 }
+
+    /// Barycentric formula of the second kind: backward stable, and exact at the nodes.
+    fn blend(&self, x: f64, body: usize) -> Body<f64> {
+        let (mut sum, mut weights) = ([0.0; 10], 0.0);
+        for node in &self.nodes {
+            let away = x - node.x;
+            if away == 0.0 {
+                return node.bodies[body];
+            }
+            let weight = node.weight / away;
+            weights += weight;
+            for (total, value) in sum.iter_mut().zip(numbers(&node.bodies[body])) {
+                *total += weight * value;
+            }
+        }
+        let [x, y, c, s, x1, y1, w1, x2, y2, w2] = sum.map(|value| value / weights);
+        let length = c.hypot(s);
+        Body { x, y, c: c / length, s: s / length, x1, y1, w1, x2, y2, w2 }
+    }
+}
+
+/// The sum without rounding.
+fn place(center: f64, offset: f64) -> Dd {
+    Dd::from_f64(center) + Dd::from_f64(offset)
+}
+
+fn numbers<T: Copy>(b: &Body<T>) -> [T; 10] {
+    [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2]
+}
+
+fn rounded(body: &Body<Dd>) -> Body<f64> {
+    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body).map(Real::to_f64);
+    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
 }

@@ -1,12 +1,13 @@
 //! One walk over the cycle that finds where ways meet and where the mechanism ends.
 
-use assur_group::{Body, Order};
+use assur_group::Body;
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
 use crate::assembly::Ways;
 use crate::first::first_ways;
 use crate::patch::Patch;
+use crate::patches::patches;
 use crate::seeds::{Seeds, iterated};
 use crate::{Chain, ChainError, Range};
 
@@ -48,8 +49,7 @@ pub(crate) fn walk(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f
         InputPair::Pin(_) => walker.turn(from, &first),
         InputPair::Slide(_) => walker.slide(mechanism, structure.scale, &first),
     };
-    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
-    let patches = patches(chain, &ways, seeds.as_ref(), unit);
+    let patches = patches(mechanism, structure, chain, &ways, seeds.as_ref());
     Walked { ways, range: Some(range), failure: None, patches, seeds }
 }
 
@@ -334,23 +334,4 @@ fn joined(from: f64, forth: &Leg, back: &Leg, first: &[u8]) -> (Ways, Range) {
     let rows = if changes.is_empty() { vec![first.to_vec()] } else { rows_of(&before, &relative) };
     let range = Range { low: from + back.reached, high: from + forth.reached, full: false };
     (Ways { low: range.low, period: None, changes, rows }, range)
-}
-
-/// A patch around each change point whose surroundings can be solved.
-fn patches(chain: &Chain<f64>, ways: &Ways, seeds: Option<&Seeds>, unit: f64) -> Vec<Patch> {
-    let mut centers: Vec<f64> = Vec::new();
-    for (q, _) in &ways.changes {
-        if centers.last().is_none_or(|last| (last - q).abs() > 1e-6) {
-            centers.push(*q);
-        }
-    }
-    let mut health = vec![0.0; chain.groups.len()];
-    let mut solve = |q: f64| {
-        let mut bodies = chain.bodies();
-        if let Some(seeds) = seeds {
-            seeds.put(q, &mut bodies);
-        }
-        chain.solve(q, ways.at(q), Order::Second, &mut bodies, &mut health).ok().map(|()| bodies)
-    };
-    centers.into_iter().filter_map(|center| Patch::sample(center, ways.period, unit, &mut solve)).collect()
 }

@@ -1,6 +1,6 @@
 //! `assur stability`.
 
-use assur_study::stability::stability;
+use assur_study::stability::{bench, stability};
 
 use super::args::{Format, StabilityArgs};
 use super::fault::{Fault, Status};
@@ -8,8 +8,13 @@ use super::style::Style;
 use super::{output, scene};
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
-    let mechanism = scene::read(&args.scene, style)?;
-    let found = stability(mechanism).map_err(|error| scene::in_file(&args.scene, &error.to_string()))?;
+    let found = match &args.scene {
+        Some(path) => {
+            let mechanism = scene::read(path, style)?;
+            stability(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?
+        }
+        None => bench(),
+    };
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,
         Format::Csv => found.to_csv(),

@@ -24,6 +24,26 @@ pub struct GroupHealth {
     pub angle_of: &'static str,
     /// Worst value of that angle over the cycle, rad.
     pub angle: f64,
+    /// Whether two ways of assembly meet there: a change point, which the motion goes through.
+    pub change_point: bool,
+}
+
+impl GroupHealth {
+    /// What the least health means, as a sentence.
+    pub(crate) fn words(&self) -> String {
+        if self.change_point {
+            return format!(
+                "{} goes through a change point: its motion is continued smoothly, its reactions are not determined there.",
+                self.place
+            );
+        }
+        let digits = (-(f64::EPSILON / self.health.max(1e-8).powi(2)).log10()).clamp(0.0, 16.0);
+        format!(
+            "{} comes closest to a singular position (health {:.3e}): about {digits:.0} digits are left there of \
+             velocities and reactions.",
+            self.place, self.health
+        )
+    }
 }
 
 /// Coordinates over what the scene asks for, both ends included.
@@ -93,6 +113,7 @@ fn refined(
         position: nearest.unwrap_or(0),
         angle_of,
         angle,
+        change_point: linkage.across(best).is_some(),
     })
 }
 

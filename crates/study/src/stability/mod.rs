@@ -6,6 +6,7 @@
 //! dimensionless determinant. A method must keep that, or say that it has no answer.
 
 mod across;
+mod bench;
 mod compare;
 mod cycle;
 mod isolated;
@@ -13,13 +14,15 @@ mod margin;
 mod pole;
 mod report;
 mod row;
+mod text;
 mod walk_cycle;
 mod walk_group;
 
+pub use bench::bench;
 pub use cycle::GroupHealth;
 pub use margin::Margin;
 pub use report::{Stability, stability};
-pub use row::{DISTANCES, Row};
+pub use row::{DISTANCES, Law, Row};
 pub use walk_group::FACTOR;
 
 #[cfg(test)]

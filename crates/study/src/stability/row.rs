@@ -13,9 +13,23 @@ const NEAR: f64 = 1e-4;
 /// A number with a relative error above this is wrong, whatever the bound allows.
 const WORTHLESS: f64 = 0.5;
 
+/// What a walk is about, and what is expected of a method on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Law {
+    /// Kind of walk: `groups`, `cycle`, `passing`, `differences`, `motion`, `scales`, `turns`.
+    pub section: &'static str,
+    /// What the distance is.
+    pub along: &'static str,
+    /// What the bound follows from.
+    pub expected: &'static str,
+}
+
 /// One method, one quantity, one distance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
+    /// What is expected.
+    #[serde(flatten)]
+    pub law: Law,
     /// The walk, as `group 1 (RRR rod, rocker), stretched`.
     #[serde(rename = "where")]
     pub place: String,
@@ -23,7 +37,7 @@ pub struct Row {
     pub method: String,
     /// `pf0`, `pf1`, `pf2`, `reactions`, `balancing`, `motion`, ...
     pub quantity: &'static str,
-    /// Dimensionless distance from the singular position.
+    /// How far from failure, as the law says.
     pub distance: f64,
     /// Dimensionless determinant there; for walks without one, what takes its place.
     pub health: f64,
@@ -40,6 +54,7 @@ pub struct Row {
 /// What a row is about: all but the outcome.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Subject<'a> {
+    pub(crate) law: &'static Law,
     pub(crate) place: &'a str,
     pub(crate) method: &'a str,
     pub(crate) quantity: &'static str,
@@ -49,8 +64,13 @@ pub(crate) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The row, judged.
+    /// The row, judged; a method may refuse where little could be left, or close to a singular position.
     pub(crate) fn row(&self, outcome: Result<f64, String>) -> Row {
+        self.row_or(outcome, self.bound > REFUSABLE || self.health < NEAR)
+    }
+
+    /// The row, judged; the caller knows whether a refusal is right.
+    pub(crate) fn row_or(&self, outcome: Result<f64, String>, may_refuse: bool) -> Row {
         let (error, ok, reason) = match outcome {
             Ok(error) if !error.is_finite() => (None, false, Some("the result is no number".to_owned())),
             Ok(error) if error > self.bound => {
@@ -61,9 +81,10 @@ impl Subject<'_> {
                 (Some(error), false, Some("gives a number of which no digit is right".to_owned()))
             }
             Ok(error) => (Some(error), true, None),
-            Err(reason) => (None, self.bound > REFUSABLE || self.health < NEAR, Some(reason)),
+            Err(reason) => (None, may_refuse, Some(reason)),
         };
         Row {
+            law: *self.law,
             place: self.place.to_owned(),
             method: self.method.to_owned(),
             quantity: self.quantity,

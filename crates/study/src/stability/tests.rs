@@ -161,3 +161,11 @@ fn json_has_the_keys_of_the_format() {
         assert!(row.contains_key(key), "{key}");
     }
 }
+
+/// Every row of the fixed bench.
+#[test]
+fn the_bench_keeps_its_bounds() {
+    let found = bench();
+    assert!(found.rows.len() > 500);
+    assert!(found.is_ok(), "{}", found.to_text());
+}

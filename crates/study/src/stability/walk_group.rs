@@ -8,12 +8,19 @@ use assur_structure::Group;
 
 use super::compare::{ORDERS, lifted, lifted_load, reactions, transfer};
 use super::isolated::{Isolated, Side};
-use super::row::{DISTANCES, Row, Subject};
+use super::row::{DISTANCES, Law, Row, Subject};
 
 /// Largest error of a group, in units of eps / health^k: C of the bound.
 pub const FACTOR: f64 = 16.0;
 
 const LINKS: [usize; 2] = [2, 3];
+
+static LAW: Law = Law {
+    section: "groups",
+    along: "distance of the group alone from its singular position, in parts of its lengths",
+    expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant is linear in \
+               the data, 2 for derivatives and reactions where it is the root of a difference of lengths",
+};
 
 /// One distance: the group in both numbers, and how errors grow.
 struct Place<'a> {
@@ -97,6 +104,7 @@ impl Place<'_> {
         let power = self.powers[usize::from(quantity != "pf0")];
         let bound = FACTOR * self.disparity * f64::EPSILON / reference.health.powi(power);
         Subject {
+            law: &LAW,
             place: &self.words,
             method,
             quantity,
