@@ -1,6 +1,7 @@
 //! Chebyshev polynomials on [-1, 1]: fit, value, integral.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// Number of nodes of a fit.
 pub(crate) const NODES: usize = 13;
@@ -19,9 +20,15 @@ pub(crate) struct Basis {
     table: [[f64; NODES]; NODES],
 }
 
+/// [`Basis::with_ends`], made once: its cosines cost as much as a short motion.
+pub(crate) static WITH_ENDS: LazyLock<Basis> = LazyLock::new(Basis::with_ends);
+
+/// [`Basis::inside`], made once.
+pub(crate) static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
+
 impl Basis {
     /// Nodes with both ends (extrema of the last polynomial): panels share their ends.
-    pub(crate) fn with_ends() -> Self {
+    fn with_ends() -> Self {
         let n = (NODES - 1) as f64;
         let angle = |j: usize| PI * (1.0 - j as f64 / n);
         let nodes = std::array::from_fn(|j| angle(j).cos());
@@ -33,7 +40,7 @@ impl Basis {
     }
 
     /// Nodes inside (zeros of the polynomial after the last): for integrands that are 0/0 at an end.
-    pub(crate) fn inside() -> Self {
+    fn inside() -> Self {
         let n = NODES as f64;
         let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / n);
         let nodes = std::array::from_fn(|j| angle(j).cos());
@@ -54,13 +61,19 @@ impl Basis {
     }
 }
 
-/// Value at `x`, by Clenshaw's recurrence.
+/// Value at `x`, by Clenshaw's recurrence for the even and for the odd terms, side by side: each is a chain of operations
+/// that wait for one another, and half as long. `T_2k(x) = T_k(u)` and `T_2k+1(x) = x V_k(u)` with `u = 2 x² - 1` and the
+/// polynomials of the third kind, `V_0 = 1`, `V_1 = 2 u - 1`.
 pub(crate) fn value(series: &Series, x: f64) -> f64 {
-    let (mut b1, mut b2) = (0.0, 0.0);
-    for coefficient in series[1..].iter().rev() {
-        (b1, b2) = (coefficient + 2.0 * x * b1 - b2, b1);
+    let twice = 2.0 * (2.0 * x * x - 1.0);
+    let (mut even, mut even_before) = (0.0, 0.0);
+    let (mut odd, mut odd_before) = (0.0, 0.0);
+    for pair in series.chunks_exact(2).rev() {
+        (even, even_before) = (pair[0] + twice * even - even_before, even);
+        (odd, odd_before) = (pair[1] + twice * odd - odd_before, odd);
     }
-    series[0] + x * b1 - b2
+    // The last step of the recurrence has u where the others have 2 u.
+    even - 0.5 * twice * even_before + x * (odd - odd_before)
 }
 
 /// Integral from -1, times `scale`.
@@ -96,4 +109,19 @@ pub(crate) fn tail(series: &Series) -> f64 {
 /// `Σ |c_k|` over k > 0: the value differs from the first coefficient by no more.
 pub(crate) fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Series, value};
+
+    #[test]
+    fn value_is_the_sum_of_cosines() {
+        let series: Series = std::array::from_fn(|k| 1.0 / (1.0 + k as f64) - 0.3);
+        for i in 0..=40 {
+            let angle = std::f64::consts::PI * f64::from(i) / 40.0;
+            let sum: f64 = series.iter().enumerate().map(|(k, c)| c * (k as f64 * angle).cos()).sum();
+            assert!((value(&series, angle.cos()) - sum).abs() < 1e-14, "{angle}");
+        }
+    }
 }

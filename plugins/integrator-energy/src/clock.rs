@@ -20,6 +20,8 @@ struct Leaf {
     to: f64,
     /// Time since the start of the leaf, over [-1, 1].
     time: Series,
+    /// Its derivative.
+    rate: Series,
     /// Time at its start and its end, s.
     begin: f64,
     end: f64,
@@ -34,6 +36,8 @@ pub(crate) struct Clock {
     /// The energy without its zeros.
     energy: Series,
     leaves: Vec<Leaf>,
+    /// How exactly a place is found from its time, in parts of a leaf.
+    fineness: f64,
 }
 
 /// At which ends of the way the mechanism rests.
@@ -67,7 +71,8 @@ impl Clock {
         tolerance: f64,
     ) -> Result<Self, Endless> {
         let energy = panel.energy_without_zeros(rests.at_start, rests.at_end.then_some(until));
-        let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1) };
+        let fineness = (1e-3 * tolerance).max(4.0 * f64::EPSILON);
+        let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1), fineness };
         // Parameters from 0 to 1; the stack holds what is still to be measured, the nearest on top.
         let mut waiting = vec![(0.0, 1.0, 0)];
         let (mut now, mut whole) = (begin, 0.0);
@@ -125,7 +130,8 @@ impl Clock {
         });
         let fit = basis.fit(&values);
         let time = integral(&fit, half);
-        (fit, Leaf { from, to, time, begin, end: begin + value(&time, 1.0) })
+        let rate = fit.map(|c| half * c);
+        (fit, Leaf { from, to, time, rate, begin, end: begin + value(&time, 1.0) })
     }
 
     /// Time at the end, s.
@@ -139,7 +145,7 @@ impl Clock {
         let index = self.leaves.partition_point(|leaf| leaf.end < time).min(last);
         let place = match self.leaves.get(index) {
             Some(leaf) => {
-                let y = leaf.when(time - leaf.begin);
+                let y = leaf.when(time - leaf.begin, self.fineness);
                 self.place(leaf.from + 0.5 * (leaf.to - leaf.from) * (1.0 + y))
             }
             None => self.place(0.0),
@@ -149,26 +155,31 @@ impl Clock {
 }
 
 impl Leaf {
-    /// Place in [-1, 1] at a time since the start: the time grows all along, so that false position can't fail.
-    fn when(&self, time: f64) -> f64 {
-        let (mut low, mut high) = (-1.0, 1.0);
-        let (mut before, mut after) = (-time, self.end - self.begin - time);
-        if after <= 0.0 {
+    /// Place in [-1, 1] at a time since the start: the time grows all along, so that Newton's method between bounds
+    /// can't fail. The last correction d leaves an error of about d².
+    fn when(&self, time: f64, fineness: f64) -> f64 {
+        let duration = self.end - self.begin;
+        if time >= duration {
             return 1.0;
         }
+        let enough = 0.1 * fineness.sqrt();
+        let (mut low, mut high) = (-1.0, 1.0);
+        let mut y = (2.0 * time / duration - 1.0).max(-1.0);
         for _ in 0..60 {
-            let secant = (low * after - high * before) / (after - before);
-            let middle = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
-            let miss = value(&self.time, middle) - time;
-            if miss.abs() <= f64::EPSILON * time || high - low <= f64::EPSILON {
-                return middle;
-            }
+            let miss = value(&self.time, y) - time;
             if miss < 0.0 {
-                (low, before, after) = (middle, miss, 0.5 * after);
+                low = y;
             } else {
-                (high, after, before) = (middle, miss, 0.5 * before);
+                high = y;
+            }
+            let next = y - miss / value(&self.rate, y);
+            let inside = next >= low && next <= high;
+            let step = (next - y).abs();
+            y = if inside { next } else { 0.5 * (low + high) };
+            if inside && step <= enough || high - low <= f64::EPSILON {
+                break;
             }
         }
-        0.5 * (low + high)
+        y
     }
 }

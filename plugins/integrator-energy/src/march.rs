@@ -5,7 +5,7 @@ use assur_integrator::{
     Statistics, Trajectory, Until, enter, stops_at_once,
 };
 
-use crate::chebyshev::Basis;
+use crate::chebyshev::{INSIDE, WITH_ENDS};
 use crate::clock::{Clock, Rests};
 use crate::panel::{Panel, Values, factor};
 use crate::record::Part;
@@ -25,8 +25,6 @@ pub(crate) struct March<'a> {
     pub(crate) state: State,
     pub(crate) acceleration: f64,
     pub(crate) parts: Vec<Part>,
-    with_ends: Basis,
-    inside: Basis,
     piece: Piece,
     /// Kinetic energy here, and the largest so far.
     energy: f64,
@@ -47,8 +45,6 @@ impl<'a> March<'a> {
             state: request.initial,
             acceleration: 0.0,
             parts: Vec::with_capacity(64),
-            with_ends: Basis::with_ends(),
-            inside: Basis::inside(),
             piece: Piece::UNBOUNDED,
             energy: 0.0,
             largest: 0.0,
@@ -172,7 +168,7 @@ impl<'a> March<'a> {
         let from = State { speed: direction * self.state.speed.abs().max(f64::MIN_POSITIVE), ..self.state };
         let energies = (self.energy, self.largest);
         let fitted =
-            Panel::fit(&mut self.equation, &self.with_ends, &from, direction * length, self.known, energies);
+            Panel::fit(&mut self.equation, &WITH_ENDS, &from, direction * length, self.known, energies);
         let panel = match fitted {
             Ok(panel) => panel,
             Err(source) => return self.shorten(length, 0.5, Some(source)),
@@ -227,7 +223,7 @@ impl<'a> March<'a> {
         let rests = Rests { at_start: self.energy <= 0.0, at_end: turning.is_some() };
         let begin = self.state.time;
         let tolerance = self.tolerance().max(CLOCK_ROUNDING);
-        let clock = Clock::measure(panel, &self.inside, (until, rests), (begin, latest), tolerance);
+        let clock = Clock::measure(panel, &INSIDE, (until, rests), (begin, latest), tolerance);
         let clock = clock.map_err(|_| self.not_reached("creeps into an equilibrium without end"))?;
         self.statistics.steps += 1;
         self.largest = self.largest.max(panel.most_energy());

@@ -2,7 +2,8 @@
 
 use super::{ChartData, Row, Value};
 
-const HEADER: &str = "stage,method,setting,value,seconds_s,unit,evaluations,error,at_most,ok,front,reason";
+const HEADER: &str =
+    "stage,method,setting,value,seconds_s,unit,evaluations,error,at_most,ok,front,auto,reason";
 
 /// All rows, comma separated, full precision; an empty field where nothing is known.
 pub fn csv(data: &ChartData) -> String {
@@ -38,6 +39,7 @@ fn line(row: &Row) -> String {
         row.at_most.to_string(),
         row.ok.to_string(),
         row.front.to_string(),
+        row.auto.to_string(),
         quoted(row.reason.as_deref().unwrap_or_default()),
     ]
     .join(",")

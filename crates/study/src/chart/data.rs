@@ -150,6 +150,7 @@ pub(crate) const GIVES: &str = "gives";
 
 /// One method at one setting.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(clippy::struct_excessive_bools, reason = "each says something of its own about the row")]
 pub struct Row {
     /// The stage.
     pub stage: Stage,
@@ -173,6 +174,8 @@ pub struct Row {
     pub reason: Option<String>,
     /// Whether it stands on the Pareto front of its stage: no other that does the whole work is both faster and more exact.
     pub front: bool,
+    /// Whether it is what the program itself takes for the motion when asked for this tolerance.
+    pub auto: bool,
 }
 
 impl Row {
@@ -190,6 +193,7 @@ impl Row {
             ok: false,
             reason: None,
             front: false,
+            auto: false,
         }
     }
 

@@ -10,6 +10,7 @@
 //! * **Times** are medians of repeated runs in one process, the methods taking turns so that drift hits all alike. The
 //!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
 
+mod auto;
 mod canvas;
 mod csv;
 mod data;

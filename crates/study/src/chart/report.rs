@@ -38,10 +38,11 @@ What follows, and what the program does by default:
 * **Forces:** `groups`. `newton-euler` builds one system for the whole mechanism: as exact, slower, and independent, so it is the
   check. `virtual-power` is the cheapest where the balancing load alone is wanted.
 * **Motion:** `auto` takes `closed-form` where J and M are constant; `energy` where the moment depends on the coordinate
-  alone, since it needs the fewest evaluations and drifts least (where a position is very cheap, as in parallelograms, its own
-  quadrature takes longer than a few more evaluations would); `dopri5` for tolerances looser than 1e-4, `dop853` for
+  alone, since it needs the fewest evaluations and drifts least (where a position costs next to nothing, as of a crank alone, its own
+  quadrature takes up to three times as long as steps in time would); `dopri5` for tolerances looser than 1e-4, `dop853` for
   tighter ones. `radau5` pays where a motor is steep. `uniform` and `rk4` at a fixed step are there to be compared. A
-  test holds `auto` to at most three times the evaluations of the best method that meets the tolerance.
+  test holds `auto` to at most three times the evaluations of the best method that meets the tolerance; the table above has
+  its times.
 * **Flywheel:** the formulas of the textbooks cost one look at the cycle and neglect something (variable inertia, the
   motor's reaction to the speed); the exact flywheel costs the search for the regime, still below a millisecond.
 * **Steady regime:** running until it settles is quick where the motor restores the speed within a few cycles, and its
@@ -66,7 +67,34 @@ pub fn report(charts: &[&ChartData], chapters: &str) -> String {
             text += &line(data, stage);
         }
     }
+    text += &automatic(charts);
     format!("{text}{CHOICE}\n{chapters}")
+}
+
+/// What `auto` takes, and its time against the fastest method that meets the tolerance.
+fn automatic(charts: &[&ChartData]) -> String {
+    let with: Vec<_> = charts.iter().filter(|data| data.of(Stage::Motion).any(|row| row.auto)).collect();
+    if with.is_empty() {
+        return String::new();
+    }
+    let mut text = "\n### What `auto` takes for the motion\n\nAsked for the tolerance at the head of the column: its method, and its \
+                    time over that of the fastest whose error is at most the tolerance.\n\n| scene |"
+        .to_owned();
+    for wanted in WANTED {
+        let _ = write!(text, " {} |", units::short(wanted));
+    }
+    text += "\n| --- | --- | --- | --- | --- |\n";
+    for data in with {
+        let _ = write!(text, "| {} |", data.title);
+        for wanted in WANTED {
+            text += &super::auto::against_best(data, wanted).map_or_else(
+                || " none |".to_owned(),
+                |(row, ratio)| format!(" `{}`: {ratio:.2} |", row.method),
+            );
+        }
+        text.push('\n');
+    }
+    text
 }
 
 fn line(data: &ChartData, stage: Stage) -> String {

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_force::Loads;
-use assur_integrator::Motion;
+use assur_integrator::{Motion, integrators};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
+use super::auto;
 use super::entry::Field;
 use super::forces::{self, Loaded};
 use super::kinematics;
@@ -173,6 +174,7 @@ impl Charting<'_> {
         }
         let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
+        auto::mark(&mut self.data.rows, &task.motion.dependence(), &integrators()?);
         Ok(())
     }
 }
