@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, continuous_angle};
+use assur_mechanism::LinkId;
 
 /// Longest step of the coordinate, rad (or parts of the scale for a sliding input), between two angles that are joined:
 /// a link turns less than half a turn on it unless it turns sixty times as fast as the input.
@@ -25,8 +26,11 @@ impl Angles {
     /// The angles in a solved position, rad: in (-pi, pi] at first, then continuous.
     ///
     /// The mechanism is followed through places between far positions; where one can't be assembled, the nearest angle is
-    /// taken.
-    pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position) -> &[f64] {
+    /// taken. None where no link is told.
+    pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position, told: &[LinkId]) -> &[f64] {
+        if told.is_empty() {
+            return &[];
+        }
         let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
         let mut angles = match self.last.take() {
             None => position.bodies.iter().map(|body| first(body.s.atan2(body.c))).collect(),

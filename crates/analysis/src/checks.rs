@@ -71,7 +71,8 @@ impl Study {
             return None;
         }
         let names = crate::names::Names::of(&self.linkage.mechanism);
-        let mut forces = crate::forces::Forces::new(&self.linkage, loads, analyzer);
+        let mut forces =
+            crate::forces::Forces::new(&self.linkage, loads, analyzer, &self.plan.groups_carrying);
         let mut position = self.linkage.position();
         let mut compared = false;
         let (mut worst, mut at, mut largest) = (0.0_f64, None, 0.0_f64);

@@ -1,15 +1,18 @@
 //! How the input moves: as the scene prescribes it, or as the equation of motion has it.
 
-use assur_dynamics::{DynamicsError, Steady, Transient, equation, steady, transient_by};
+use assur_dynamics::{DynamicsError, Machine, Steady, Transient, equation, steady, transient_by};
 use assur_force::{Loads, State};
-use assur_integrator::{IntegrationError, Motion as _, choose, find, integrators};
+use assur_integrator::{Dependence, IntegrationError, Motion as _, choose, find, integrators};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{Mechanism, Motion, Torque};
+use assur_plan::Plan;
 
 use crate::{AnalysisError, DEFAULT_INTEGRATOR, Options};
 
 /// The integrator that `auto` falls back to where the equation turns out to be stiff.
 const STIFF: &str = "radau5";
+/// The stage of a plan that finds a motion.
+const EQUATION: &str = "equation of motion";
 
 /// How the input moves.
 #[derive(Debug)]
@@ -81,42 +84,64 @@ fn transient(linkage: &Linkage, loads: &Loads, options: &Options) -> Result<Tran
     }
 }
 
-/// Which case of D the equation of a transient motion is, which integrator is taken and why; `None` for other scenes, and where
-/// no position can be assembled.
+/// Adds to a plan which case of D the equation of a motion is, which method is taken for it and why. Scenes without an
+/// equation, and those in which no position can be assembled, keep their plan.
 ///
 /// # Errors
 ///
 /// [`AnalysisError`] where the scene can't be compiled, or the integrator can't treat the equation.
-pub fn explain_motion(mechanism: &Mechanism, options: &Options) -> Result<Option<String>, AnalysisError> {
-    let Some(Motion::Transient { integrator: own, tolerance, .. }) = &mechanism.motion else {
-        return Ok(None);
+pub fn explain_motion(
+    mechanism: &Mechanism,
+    options: &Options,
+    plan: &mut Plan,
+) -> Result<(), AnalysisError> {
+    let Some(stage) = plan.stages.iter_mut().find(|stage| stage.name == EQUATION && stage.needed) else {
+        return Ok(());
     };
     let linkage = Linkage::compile(mechanism.clone())?;
     if linkage.range.is_none() {
-        return Ok(None);
+        return Ok(());
     }
     let loads = Loads::compile(&linkage)?;
-    let dependence = equation(&linkage, &loads)?.dependence();
-    let named = options.integrator.as_deref().unwrap_or(own);
+    match &mechanism.motion {
+        Some(Motion::Transient { integrator: own, tolerance, .. }) => {
+            let dependence = equation(&linkage, &loads)?.dependence();
+            let named = options.integrator.as_deref().unwrap_or(own);
+            stage.method = integrator_words(dependence, named, *tolerance)?;
+        }
+        Some(Motion::Steady { .. }) => {
+            let mut dependence = Machine::new(&linkage, &loads).dependence();
+            let drive = mechanism.drive.as_ref();
+            dependence.moment_on_speed |= drive.is_some_and(|d| matches!(d.torque, Torque::Motor { .. }));
+            let (case, words) = (dependence.case(), dependence.words());
+            stage.method = format!("case {case} of D ({words}): {}", stage.method);
+        }
+        Some(Motion::Prescribed { .. }) | None => {}
+    }
+    Ok(())
+}
+
+/// The integrator for such an equation, and why it.
+fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<String, DynamicsError> {
     if named != DEFAULT_INTEGRATOR {
-        let plugin = find(named).map_err(DynamicsError::from)?;
+        let plugin = find(named)?;
         let supported = (plugin.instance)().supports(&dependence);
-        supported.map_err(|reason| {
-            DynamicsError::from(IntegrationError::Unsupported { integrator: plugin.name, reason })
-        })?;
+        supported.map_err(|reason| IntegrationError::Unsupported { integrator: plugin.name, reason })?;
         let (case, words) = (dependence.case(), dependence.words());
-        return Ok(Some(format!(
+        return Ok(format!(
             "integrator `{named}`, asked for by name: {}; case {case} of D ({words})",
             plugin.summary
-        )));
+        ));
     }
-    let chosen = choose(&dependence, *tolerance, &integrators().map_err(DynamicsError::from)?)
+    let chosen = choose(&dependence, tolerance, &integrators()?)
         .ok_or_else(|| DynamicsError::NoIntegrator { equation: dependence.words() })?;
-    Ok(Some(format!(
-        "integrator `{}`, {}; where an explicit method finds the equation stiff, `{STIFF}`",
-        chosen.name(),
-        chosen.reason
-    )))
+    // A closed form or a quadrature has no steps (and no order) that stiffness could shorten.
+    let stiff = if chosen.integrator.order > 0 {
+        format!("; where an explicit method finds the equation stiff, `{STIFF}`")
+    } else {
+        String::new()
+    };
+    Ok(format!("integrator `{}`, {}{stiff}", chosen.name(), chosen.reason))
 }
 
 /// Whether the scene or the choice of method is at fault, rather than the machine that it describes.

@@ -25,9 +25,16 @@ pub(crate) struct Forces<'a> {
 }
 
 impl<'a> Forces<'a> {
-    pub(crate) fn new(linkage: &'a Linkage, loads: &'a Loads, analyzer: &'static AnalyzerPlugin) -> Self {
+    /// For the groups that the plan says to carry a load.
+    pub(crate) fn new(
+        linkage: &'a Linkage,
+        loads: &'a Loads,
+        analyzer: &'static AnalyzerPlugin,
+        carrying: &[bool],
+    ) -> Self {
         let wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        Self { linkage, loads, analyzer, wrenches, reactions: Reactions::new(linkage) }
+        let reactions = Reactions::new(linkage).without_idle(carrying);
+        Self { linkage, loads, analyzer, wrenches, reactions }
     }
 
     /// Reactions (where the method gives them) and balancing load of a solved position.

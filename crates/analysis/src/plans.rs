@@ -6,7 +6,7 @@ use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::{Order, Wrench};
 use assur_mechanism::PairId;
 use assur_plans::{
-    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, constructions,
+    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, Solver, constructions,
     enveloping, extremes, hodograph, sheet, sign_changes, split,
 };
 use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
@@ -129,13 +129,20 @@ impl Study {
             PairId::Pin(_) => None,
         });
         let least = LEAST_FORCE * sizes(positions, |_| true);
+        let solver = Solver {
+            linkage: &self.linkage,
+            loads,
+            analyzer: analyzer.instance,
+            order: self.plan.order,
+            carrying: &self.plan.groups_carrying,
+        };
         slides
             .filter_map(|slide| {
                 let name = self.linkage.mechanism.slides[slide].name.as_str();
                 if sizes(positions, |pair| pair == name) <= least {
                     return None;
                 }
-                let changes = sign_changes(&self.linkage, loads, analyzer.instance, slide, &state_at);
+                let changes = sign_changes(&solver, slide, &state_at);
                 changes.ok().map(|changes| (Arc::from(name), changes))
             })
             .collect()

@@ -82,7 +82,9 @@ impl<'a> Run<'a> {
     fn new(study: &'a Study) -> Self {
         let linkage = &study.linkage;
         let forces = match (&study.loads, study.analyzer) {
-            (Some(loads), Some(analyzer)) => Some(Forces::new(linkage, loads, analyzer)),
+            (Some(loads), Some(analyzer)) => {
+                Some(Forces::new(linkage, loads, analyzer, &study.plan.groups_carrying))
+            }
             _ => None,
         };
         Self {
@@ -142,7 +144,7 @@ impl<'a> Run<'a> {
     /// Places, transfer functions, rates and condition.
     fn motion(&mut self, linkage: &Linkage, index: usize) -> PositionResult {
         let (plan, position) = (&self.study.plan, &self.position);
-        let angles = self.angles.follow(linkage, position);
+        let angles = self.angles.follow(linkage, position, &plan.wanted.links);
         let links = motions::links(linkage, &plan.wanted, &self.names, position, angles);
         let points = motions::points(linkage, &plan.wanted, &self.names, position);
         let slides = motions::slides(linkage, &plan.wanted, &self.names, position);

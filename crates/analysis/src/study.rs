@@ -85,8 +85,11 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
         _ => DEFAULT_INTEGRATOR,
     };
+    let analyzer = options.analyzer.as_deref().unwrap_or(DEFAULT_ANALYZER);
     Methods {
-        analyzer: options.analyzer.clone().unwrap_or_else(|| DEFAULT_ANALYZER.to_owned()),
+        analyzer: analyzer.to_owned(),
+        // A name that is not registered is refused when it comes to its turn.
+        by_groups: assur_force::find(analyzer).is_ok_and(|plugin| plugin.instance.by_groups()),
         integrator: options.integrator.clone().unwrap_or_else(|| own.to_owned()),
     }
 }

@@ -1,7 +1,6 @@
 //! The course over time: every sample of a transient motion, one cycle of a steady one.
 
 use assur_force::State;
-use assur_group::Order;
 use assur_results::{Named, Spot, Trajectory};
 
 use crate::angles::Angles;
@@ -49,15 +48,17 @@ impl Study {
         let mut position = linkage.position();
         let transient = matches!(self.course, Course::Transient(_));
         let mut forces = match (&self.loads, self.analyzer) {
-            (Some(loads), Some(analyzer)) if transient => Some(Forces::new(linkage, loads, analyzer)),
+            (Some(loads), Some(analyzer)) if transient => {
+                Some(Forces::new(linkage, loads, analyzer, &plan.groups_carrying))
+            }
             _ => None,
         };
         let (mut rows, mut lost) = (Vec::new(), 0);
         for state in self.states() {
-            if linkage.solve(state.coordinate, Order::Second, &mut position).is_err() {
+            if linkage.solve(state.coordinate, plan.order, &mut position).is_err() {
                 continue;
             }
-            let followed = angles.follow(linkage, &position);
+            let followed = angles.follow(linkage, &position, &plan.wanted.links);
             let links = motions::links(linkage, &plan.wanted, &names, &position, followed);
             let mut row = Trajectory {
                 time: state.time,

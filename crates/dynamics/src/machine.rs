@@ -45,7 +45,9 @@ impl<'a> Machine<'a> {
 
     #[inline]
     fn solve(&mut self, coordinate: f64) -> Result<(), MotionError> {
-        self.linkage.solve(coordinate, Order::Second, &mut self.position).map_err(MotionError::mechanism)
+        // The second derivatives are for dJ/dq alone.
+        let order = if self.dependence.inertia_constant { Order::First } else { Order::Second };
+        self.linkage.solve(coordinate, order, &mut self.position).map_err(MotionError::mechanism)
     }
 }
 

@@ -66,6 +66,7 @@ impl Loads {
             sense: input.sign(),
             period: input.period(),
             standing,
+            inertia_constant: mechanism.has_constant_reduced_inertia(),
             input: (input.link, pin),
         };
         let mut compiler = Compiler { mechanism, scale, solve };

@@ -26,8 +26,7 @@ impl Loads {
     pub fn dependence(&self) -> Dependence {
         let law = |test: fn(&Law) -> bool| self.laws.iter().any(|law| !law.is_constant() && test(law));
         Dependence {
-            // Only the input link has a constant transfer function by structure.
-            inertia_constant: self.masses.iter().all(|mass| mass.link == self.input.0),
+            inertia_constant: self.inertia_constant,
             moment_on_coordinate: self.moment_on_coordinate(),
             moment_on_speed: law(|law| matches!(law, Law::Speed(_))) || self.damped(),
             moment_on_time: law(|law| matches!(law, Law::Time(_))),

@@ -22,6 +22,8 @@ pub struct Loads {
     pub(crate) period: Option<f64>,
     /// PF1 of a point below this is rounding, m/rad (m/m).
     pub(crate) standing: f64,
+    /// J is the same at every coordinate, by structure.
+    pub(crate) inertia_constant: bool,
     /// The input link and, where it is pinned, the place of its pin.
     pub(crate) input: (LinkId, Option<[f64; 2]>),
 }

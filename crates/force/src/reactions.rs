@@ -15,6 +15,9 @@ pub struct Reactions {
     /// Moment (N m, counter-clockwise) or force (N, along the slide or along the direction of `[balance]`) that keeps the
     /// mechanism in its motion.
     pub balancing: f64,
+    /// By group: whether its equations are solved. The reactions of the others stay exactly zero: a group that carries no load,
+    /// and a group that is not placed. Heeded by methods that go [by groups](crate::ForceAnalyzer::by_groups).
+    pub solved: Vec<bool>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<f64>>,
     /// Scratch of a method: one wrench for each body.
@@ -22,11 +25,22 @@ pub struct Reactions {
 }
 
 impl Reactions {
-    /// Room for the reactions of a mechanism.
+    /// Room for the reactions of a mechanism, of all groups that are placed.
     pub fn new(linkage: &Linkage) -> Self {
+        let groups = 0..linkage.groups().len();
+        let solved = groups.map(|group| linkage.chain.is_needed(group)).collect();
         let pairs = vec![Wrench::ZERO; linkage.structure.pairs.len()];
         let bodies = vec![Wrench::ZERO; linkage.structure.links];
-        Self { scratch_pairs: pairs.clone(), pairs, balancing: f64::NAN, scratch_bodies: bodies }
+        Self { scratch_pairs: pairs.clone(), pairs, balancing: f64::NAN, solved, scratch_bodies: bodies }
+    }
+
+    /// The same without the groups that carry no load, by index: their reactions stay zero.
+    #[must_use]
+    pub fn without_idle(mut self, carrying: &[bool]) -> Self {
+        for (solved, carrying) in self.solved.iter_mut().zip(carrying) {
+            *solved &= *carrying;
+        }
+        self
     }
 }
 

@@ -37,12 +37,15 @@ impl Sink for Power {
 impl Loads {
     /// Reduced inertia, its derivative and the reduced moment, the formulas of the loads chosen by the state.
     ///
-    /// `bodies` need PF2.
+    /// `bodies` need PF2 where J depends on the coordinate or a force is always against the motion, else PF1. Where J is constant
+    /// by structure ([`Mechanism::has_constant_reduced_inertia`](assur_mechanism::Mechanism::has_constant_reduced_inertia)),
+    /// its derivative is exactly zero and is not computed.
     pub fn reduced(&self, state: &State, bodies: &[Body<f64>]) -> Reduced {
         self.reduce(&Live, state, bodies)
     }
 
-    /// The same by the formulas of one phase, continued smoothly beyond its bounds.
+    /// The same by the formulas of one phase, continued smoothly beyond its bounds. `bodies` need PF2 only where J depends on the
+    /// coordinate.
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
         self.reduce(phase, state, bodies)
     }
@@ -54,9 +57,12 @@ impl Loads {
         for mass in &self.masses {
             let body = &bodies[mass.link];
             let arm = body.arm(mass.center);
-            let ([vx, vy], [ax, ay]) = (body.first(arm), body.second(arm));
+            let [vx, vy] = body.first(arm);
             inertia += mass.m * (vx * vx + vy * vy) + mass.inertia * (body.w1 * body.w1);
-            half += mass.m * (vx * ax + vy * ay) + mass.inertia * (body.w1 * body.w2);
+            if !self.inertia_constant {
+                let [ax, ay] = body.second(arm);
+                half += mass.m * (vx * ax + vy * ay) + mass.inertia * (body.w1 * body.w2);
+            }
             power += mass.m * (gx * vx + gy * vy);
         }
         let mut sum = Power(power);

@@ -126,9 +126,28 @@ impl<T: Number> Chain<T> {
         bodies: &mut [Body<T>],
         health: &mut [T],
     ) -> Result<(), ChainError> {
+        self.solve_around(coordinate, ways, order, bodies, health, |_, _| None)
+    }
+
+    /// The same with other means for some groups: `instead` places the links of a group itself and answers with its health,
+    /// or with `None` where the group shall be solved.
+    #[inline]
+    pub(crate) fn solve_around(
+        &self,
+        coordinate: T,
+        ways: &[u8],
+        order: Order,
+        bodies: &mut [Body<T>],
+        health: &mut [T],
+        instead: impl Fn(usize, &mut [Body<T>]) -> Option<T>,
+    ) -> Result<(), ChainError> {
         self.set_input(coordinate, bodies);
         for (group, kernel) in self.groups.iter().enumerate() {
             if !self.needed[group] {
+                continue;
+            }
+            if let Some(found) = instead(group, bodies) {
+                health[group] = found;
                 continue;
             }
             match kernel.solve(bodies, usize::from(ways[group]), order) {

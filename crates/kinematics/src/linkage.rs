@@ -109,18 +109,22 @@ impl Linkage {
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
-        if let Some(patch) = self.patches.iter().find(|patch| patch.covers(coordinate)) {
-            self.chain.set_input(coordinate, &mut position.bodies);
-            patch.apply(coordinate, &mut position.bodies, &mut position.health);
-            return Ok(());
-        }
         if let Some(seeds) = &self.seeds {
             seeds.put(coordinate, &mut position.bodies);
         }
         let ways = self.ways.at(coordinate);
-        self.chain
-            .solve(coordinate, ways, order, &mut position.bodies, &mut position.health)
-            .map_err(|failure| self.explain(coordinate, failure))
+        let (bodies, health) = (&mut position.bodies, &mut position.health);
+        let solved = if self.patches.iter().any(|patch| patch.covers(coordinate)) {
+            let across = |group: usize, bodies: &mut [Body<f64>]| {
+                let patch =
+                    self.patches.iter().find(|patch| patch.group == group && patch.covers(coordinate));
+                patch.map(|patch| patch.apply(coordinate, bodies))
+            };
+            self.chain.solve_around(coordinate, ways, order, bodies, health, across)
+        } else {
+            self.chain.solve(coordinate, ways, order, bodies, health)
+        };
+        solved.map_err(|failure| self.explain(coordinate, failure))
     }
 
     /// Solves position `index` of the scene.
@@ -143,14 +147,15 @@ impl Linkage {
     pub fn is_at_change_point(&self, position: &Position) -> bool {
         /// Distance, rad (or parts of the scale): nearer, the error of the interpolated motion would show in the forces.
         const NEAR: f64 = 1e-3;
-        self.patches.iter().any(|patch| patch.covers(position.coordinate))
-            && position.health.iter().any(|health| health.abs() < NEAR)
+        let mut covering = self.patches.iter().filter(|patch| patch.covers(position.coordinate));
+        covering.any(|patch| position.health[patch.group].abs() < NEAR)
     }
 
-    /// The change point across which the motion is interpolated at a coordinate; `None` where the groups' own equations
-    /// are used.
+    /// The change point across which the motion of a group is interpolated at a coordinate, of several the one that reaches
+    /// farthest; `None` where the groups' own equations are used.
     pub fn across(&self, coordinate: f64) -> Option<Across> {
-        self.patches.iter().find_map(|patch| patch.across(coordinate))
+        let found = self.patches.iter().filter_map(|patch| patch.across(coordinate));
+        found.max_by(|a, b| a.reach.total_cmp(&b.reach))
     }
 
     /// Coordinates at which two ways of a group meet within the walked period, with the group.

@@ -3,7 +3,8 @@
 //! At a change point J is singular though the motion goes through it smoothly: PF1 and PF2 are of the form 0/0, and
 //! close to it the closed forms lose digits with the inverse of the distance, its square and its cube. The motion is
 //! therefore interpolated there by a polynomial through nodes on both sides. The nodes are solved in 32 digits, so that
-//! what the closed forms lose close to the change point is not missed.
+//! what the closed forms lose close to the change point is not missed. Each group whose ways meet has its own interpolation;
+//! the others are solved as anywhere else, so that their numbers don't depend on what else is solved.
 
 use std::f64::consts::{PI, TAU};
 
@@ -36,17 +37,20 @@ const LOST: f64 = 4.0 * f64::EPSILON;
 /// 2 pi less its nearest f64.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
-/// All bodies around one change point.
+/// The links of a group around a change point of its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Patch {
+    /// The group.
+    pub(crate) group: usize,
+    links: Vec<usize>,
     /// The change point, of all turns the one closest to zero, and what its f64 leaves over.
     center: [f64; 2],
     /// Turns after which the motion repeats, for a pinned input.
     turns: Option<f64>,
     reach: f64,
     nodes: Vec<Node>,
-    /// |health| of each group at a distance of the reach: of a group whose ways meet it falls to zero with the distance.
-    health: Vec<Health>,
+    /// |health| of the group at a distance of the reach: it falls to zero with the distance.
+    beside: f64,
 }
 
 /// Where the motion is interpolated across a change point.
@@ -65,26 +69,30 @@ struct Node {
     x: f64,
     /// Weight of the barycentric formula.
     weight: f64,
+    /// One for each link of the group.
     bodies: Vec<Body<f64>>,
 }
 
-/// What is known of a group's determinant.
+/// The group that is sampled.
 #[derive(Debug, Clone, Copy)]
-struct Health {
-    beside: f64,
-    meets: bool,
+pub(crate) struct Meeting<'a> {
+    /// Its change point.
+    pub(crate) center: f64,
+    /// Its index.
+    pub(crate) group: usize,
+    /// Its links.
+    pub(crate) links: &'a [usize],
+    /// After how many turns the motion repeats, for a pinned input.
+    pub(crate) turns: Option<f64>,
 }
 
-/// Bodies and determinants at one place, in 32 digits.
-pub(crate) type Solved = (Vec<Body<Dd>>, Vec<Dd>);
+/// The links of a group and its determinant at one place, in 32 digits.
+pub(crate) type Solved = (Vec<Body<Dd>>, Dd);
 
 impl Patch {
-    /// Samples the motion around a change point of some groups; `None` where it can't be solved beside.
-    ///
-    /// `turns`: after how many turns it repeats.
+    /// Samples the motion around a change point of a group; `None` where it can't be solved beside.
     pub(crate) fn sample(
-        (center, meeting): (f64, &[usize]),
-        turns: Option<f64>,
+        meeting: Meeting<'_>,
         unit: f64,
         mut solve: impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
@@ -92,8 +100,9 @@ impl Patch {
         let mut best: Option<(f64, Self)> = None;
         for _ in 0..=HALVINGS {
             for count in NODES {
-                let patch = Self::through(count, (center, meeting), turns, reach, &mut solve);
-                let Some((patch, miss)) = patch.and_then(|patch| patch.miss(center, &mut solve)) else {
+                let patch = Self::through(count, meeting, reach, &mut solve);
+                let Some((patch, miss)) = patch.and_then(|patch| patch.miss(meeting.center, &mut solve))
+                else {
                     break;
                 };
                 if miss[0] <= ROUNDING {
@@ -114,8 +123,7 @@ impl Patch {
     /// With so many nodes on each side: those of Chebyshev's polynomials in the square of the distance.
     fn through(
         count: usize,
-        (center, meeting): (f64, &[usize]),
-        turns: Option<f64>,
+        Meeting { center, group, links, turns }: Meeting<'_>,
         reach: f64,
         solve: &mut impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
@@ -129,14 +137,10 @@ impl Patch {
         };
         let nodes = (0..2 * count).map(node).collect::<Option<Vec<_>>>()?;
         let (_, beside) = solve(place(center, reach))?;
-        let health = beside.iter().enumerate();
-        let known = |(group, beside): (usize, &Dd)| Health {
-            beside: beside.to_f64().abs(),
-            meets: meeting.contains(&group),
-        };
         let passed = turns.map_or(0.0, |turns| turns * (center / (turns * TAU)).round());
         let center = [(-passed).mul_add(TAU, center), -passed * TAU_REST];
-        Some(Self { center, turns, reach, nodes, health: health.map(known).collect() })
+        let (links, beside) = (links.to_vec(), beside.to_f64().abs());
+        Some(Self { group, links, center, turns, reach, nodes, beside })
     }
 
     /// Itself with the largest deviation at the trials: in parts of the largest number of its order, and in parts of what the
@@ -145,7 +149,7 @@ impl Patch {
         let (mut sizes, mut misses) = ([1.0_f64; 3], [0.0_f64; 3]);
         for x in TRIALS {
             let (exact, _) = solve(place(center, x * self.reach))?;
-            for (i, exact) in exact.iter().enumerate().skip(1) {
+            for (i, exact) in exact.iter().enumerate() {
                 let found = numbers(&self.blend(x, i));
                 for (k, (exact, found)) in numbers(exact).into_iter().zip(found).enumerate() {
                     let order = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2][k];
@@ -154,8 +158,7 @@ impl Patch {
                 }
             }
         }
-        let meeting = self.health.iter().filter(|health| health.meets);
-        let least = meeting.fold(1.0_f64, |least, health| least.min(health.beside));
+        let least = self.beside.min(1.0);
         let relative = [0, 1, 2].map(|order| misses[order] / sizes[order]);
         let lost = [1, 2, 3].map(|power| LOST / least.powi(power));
         let all = relative.iter().zip(lost).map(|(miss, lost)| miss / lost);
@@ -182,16 +185,14 @@ impl Patch {
         (away.abs() < self.reach).then_some(Across { center: coordinate - away, reach: self.reach })
     }
 
-    /// Writes all bodies but the ground (of the input the same values that it has already).
-    pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>], health: &mut [f64]) {
+    /// Writes the links of the group; its health.
+    pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>]) -> f64 {
         let x = self.distance(coordinate) / self.reach;
-        for (i, body) in bodies.iter_mut().enumerate().skip(1) {
-            *body = self.blend(x, i);
+        for (i, &link) in self.links.iter().enumerate() {
+            bodies[link] = self.blend(x, i);
         }
         // What is left of the determinant where ways meet grows linearly from there.
-        for (value, known) in health.iter_mut().zip(&self.health) {
-            *value = if known.meets { x.abs() * known.beside } else { known.beside };
-        }
+        x.abs() * self.beside
     }
 
     /// Barycentric formula of the second kind: backward stable, and exact at the nodes.

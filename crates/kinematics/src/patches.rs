@@ -7,10 +7,10 @@ use assur_structure::Structure;
 
 use crate::Chain;
 use crate::assembly::Ways;
-use crate::patch::Patch;
+use crate::patch::{Meeting, Patch, Solved};
 use crate::seeds::Seeds;
 
-/// A patch around each change point whose surroundings can be solved.
+/// A patch for each group around each of its change points, where the surroundings can be solved.
 pub(crate) fn patches(
     mechanism: &Mechanism,
     structure: &Structure,
@@ -18,33 +18,66 @@ pub(crate) fn patches(
     ways: &Ways,
     seeds: Option<&Seeds>,
 ) -> Vec<Patch> {
-    let mut centers: Vec<(f64, Vec<usize>)> = Vec::new();
-    for &(q, group) in &ways.changes {
-        match centers.last_mut() {
-            Some((last, groups)) if (*last - q).abs() <= 1e-6 => groups.push(group),
-            _ => centers.push((q, vec![group])),
-        }
-    }
-    if centers.is_empty() {
+    if ways.changes.is_empty() {
         return Vec::new();
     }
-    let Ok(mut extended) = Chain::<Dd>::compile(mechanism, structure) else { return Vec::new() };
-    let needed: Vec<bool> = (0..structure.groups.len()).map(|group| chain.is_needed(group)).collect();
-    extended.limit_to(&needed);
-    let solve = |q: Dd| {
-        let mut guess = chain.bodies();
-        if let Some(seeds) = seeds {
+    let Ok(extended) = Chain::<Dd>::compile(mechanism, structure) else { return Vec::new() };
+    let around = Around { chain, extended, ways, seeds };
+    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
+    let turns = ways.period.map(|period| period / std::f64::consts::TAU);
+    let sample = |&(center, group): &(f64, usize)| {
+        let (links, needed) = (&structure.groups[group].frame.links, before(structure, group));
+        let meeting = Meeting { center, group, links, turns };
+        Patch::sample(meeting, unit, |q| around.solve(q, group, &needed))
+    };
+    ways.changes.iter().filter_map(sample).collect()
+}
+
+/// A group and the groups that it hangs on. Nothing else has a say in how it is sampled, so that its numbers are the same
+/// whatever else is solved.
+fn before(structure: &Structure, group: usize) -> Vec<bool> {
+    let mut needed = vec![false; structure.groups.len()];
+    needed[group] = true;
+    for index in (0..=group).rev() {
+        if needed[index] {
+            let ends = structure.groups[index].frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+            for end in ends {
+                let holds = |found: &assur_structure::Group| found.frame.links.contains(&end);
+                if let Some(found) = structure.groups[..index].iter().position(holds) {
+                    needed[found] = true;
+                }
+            }
+        }
+    }
+    needed
+}
+
+/// Solves the surroundings of change points in 32 digits.
+struct Around<'a> {
+    chain: &'a Chain<f64>,
+    extended: Chain<Dd>,
+    ways: &'a Ways,
+    seeds: Option<&'a Seeds>,
+}
+
+impl Around<'_> {
+    /// A group, with those that it hangs on.
+    fn solve(&self, q: Dd, group: usize, needed: &[bool]) -> Option<Solved> {
+        let mut guess = self.chain.bodies();
+        if let Some(seeds) = self.seeds {
             seeds.put(q.to_f64(), &mut guess);
         }
         let mut bodies: Vec<_> = guess.iter().map(lifted).collect();
-        let mut health = vec![Dd::ZERO; extended.groups.len()];
-        let solved = extended.solve(q, ways.at(q.to_f64()), Order::Second, &mut bodies, &mut health);
-        solved.ok().map(|()| (bodies, health))
-    };
-    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
-    let turns = ways.period.map(|period| period / std::f64::consts::TAU);
-    let sample = |(center, groups): &(f64, Vec<usize>)| Patch::sample((*center, groups), turns, unit, solve);
-    centers.iter().filter_map(sample).collect()
+        self.extended.set_input(q, &mut bodies);
+        let ways = self.ways.at(q.to_f64());
+        let mut health = Dd::ZERO;
+        let chosen = self.extended.groups.iter().enumerate().filter(|(index, _)| needed[*index]);
+        for (index, kernel) in chosen {
+            health = kernel.solve(&mut bodies, usize::from(ways[index]), Order::Second).ok()?;
+        }
+        let links = self.extended.groups[group].frame().links.iter();
+        Some((links.map(|link| bodies[*link]).collect(), health))
+    }
 }
 
 /// The same numbers in 32 digits.

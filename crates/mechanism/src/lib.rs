@@ -242,6 +242,26 @@ impl Mechanism {
         self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
     }
 
+    /// Whether the part that a link has in the reduced inertia is the same at every coordinate, by structure: it has no mass;
+    /// it is the input link, which turns about its pin (or slides) with the coordinate, wherever its center lies; or its
+    /// mass is concentrated at a pin on the ground.
+    pub fn has_constant_inertia(&self, link: LinkId) -> bool {
+        let found = &self.links[link];
+        let center = found.center.map(f64::to_bits);
+        let rests = |point: &Point| {
+            let at = |body: LinkId| point.places.iter().find(|place| place.link == body);
+            at(GROUND).is_some() && at(link).is_some_and(|place| place.at.map(f64::to_bits) == center)
+        };
+        let massless = found.mass <= 0.0 && found.inertia <= 0.0;
+        massless || link == self.input.link || found.inertia <= 0.0 && self.points.iter().any(rests)
+    }
+
+    /// Whether J, the inertia of all moving links reduced to the input link, is the same at every coordinate, by structure: a
+    /// crank alone is; a parallelogram, whose J is constant by its lengths, is not known to be.
+    pub fn has_constant_reduced_inertia(&self) -> bool {
+        (1..self.links.len()).all(|link| self.has_constant_inertia(link))
+    }
+
     /// Whether anything but the drive acts on the links.
     pub fn has_loads(&self) -> bool {
         let weights = self.gravity.is_some() && self.links.iter().skip(1).any(|link| link.mass > 0.0);

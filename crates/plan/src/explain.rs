@@ -39,7 +39,11 @@ fn tell_structure(text: &mut String, mechanism: &Mechanism, structure: &Structur
     item(text, "formula", &structure.formula);
     item(text, "class of the mechanism", roman(structure.class()));
     for (index, group) in structure.groups.iter().enumerate() {
-        let left = if plan.groups_needed[index] { "" } else { "; not needed for what is asked for" };
+        let left = match (plan.groups_needed[index], plan.forces && plan.by_groups) {
+            (false, _) => "; not needed for what is asked for",
+            (true, true) if !plan.groups_carrying[index] => "; carries no load: its reactions are zero",
+            _ => "",
+        };
         let what = format!(
             "{}; singular at: {}; {}{left}",
             group.plugin.summary, group.plugin.singular, group.plugin.source

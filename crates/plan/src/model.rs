@@ -1,6 +1,8 @@
-//! What the model of a scene contains, and what it leaves out.
+//! What the model of a scene contains.
 
-use assur_mechanism::{Direction, Drive, Mechanism, Torque};
+use assur_mechanism::{Contact, Direction, Drive, LinkId, Mechanism, Motion, Motor, Over, Torque, Value};
+
+use crate::words::count;
 
 /// One thing that is or is not modelled.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,134 +13,157 @@ pub struct Remark {
     pub how: String,
 }
 
-fn remark(what: impl Into<String>, how: impl Into<String>) -> Remark {
+pub(crate) fn remark(what: impl Into<String>, how: impl Into<String>) -> Remark {
     Remark { what: what.into(), how: how.into() }
-}
-
-fn listed(names: &[&str]) -> String {
-    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// What the scene makes part of the model.
 pub fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
     let mut list = vec![
-        remark("links", format!("{} moving links, rigid, in one plane", mechanism.links.len() - 1)),
+        remark("links", format!("{}, rigid, in one plane", count(mechanism.links.len() - 1, "moving link"))),
         remark(
             "pairs",
-            format!("{pins} pins and {} slides, ideal: no play, no friction", mechanism.slides.len()),
+            format!(
+                "{} and {}, ideal: no play, no friction",
+                count(pins, "pin"),
+                count(mechanism.slides.len(), "slide")
+            ),
         ),
     ];
-    let heavy: Vec<_> = mechanism.links.iter().skip(1).filter(|link| link.mass > 0.0).collect();
-    if !heavy.is_empty() {
-        list.push(remark("masses", format!("of {} links, at their centers of mass", heavy.len())));
-    }
-    if let Some([x, y]) = mechanism.gravity.filter(|_| !heavy.is_empty()) {
-        list.push(remark("weights", format!("gravity ({x}, {y}) m/s^2")));
-    }
+    masses(mechanism, &mut list);
+    motion(mechanism, &mut list);
     loads(mechanism, &mut list);
-    if let Some(drive) = &mechanism.drive {
-        list.push(remark("drive", "torque of the drive at the input shaft, efficiency of the reducer"));
-        if drive.flywheel.is_some() {
-            list.push(remark("flywheel", "a constant moment of inertia on its shaft"));
-        }
+    if let Some(drive) = used_drive(mechanism) {
+        drive_remarks(drive, &mut list);
     }
     list
+}
+
+/// Moving links with a mass.
+pub(crate) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
+    (1..mechanism.links.len()).filter(|id| mechanism.links[*id].mass > 0.0).collect()
+}
+
+/// The drive, where the motion makes use of it.
+pub(crate) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
+    let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+    mechanism.drive.as_ref().filter(|_| found)
+}
+
+/// Whether a motor has a rotor with inertia; rated data may give none.
+pub(crate) fn has_rotor(motor: &Motor) -> bool {
+    match motor {
+        Motor::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
+        Motor::Auto | Motor::Designation(_) => true,
+    }
+}
+
+fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    let heavy = heavy(mechanism);
+    if heavy.is_empty() {
+        return;
+    }
+    let sum: f64 = heavy.iter().map(|id| mechanism.links[*id].mass).sum();
+    list.push(remark(
+        "masses",
+        format!("of {}, {sum} kg in all, at their centers of mass", count(heavy.len(), "link")),
+    ));
+    if let Some([x, y]) = mechanism.gravity {
+        list.push(remark("weights", format!("gravity ({x}, {y}) m/s^2")));
+    }
+}
+
+fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    let how = match mechanism.motion {
+        None => return,
+        Some(Motion::Prescribed { .. }) => {
+            if heavy(mechanism).is_empty() {
+                "speed and acceleration of the input are prescribed, the same in every position"
+            } else {
+                "speed and acceleration of the input are prescribed, the same in every position; inertia loads follow from them"
+            }
+        }
+        Some(Motion::Transient { .. }) => "found from the initial state: masses and loads against each other",
+        Some(Motion::Steady { .. }) => {
+            "the periodic regime: the speed comes back after every cycle, run-up is not looked at"
+        }
+    };
+    list.push(remark("motion", how));
 }
 
 fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
-    let forces: Vec<_> = mechanism.forces.iter().map(|force| force.name.as_str()).collect();
-    let moments: Vec<_> = mechanism.moments.iter().map(|moment| moment.name.as_str()).collect();
-    let springs: Vec<_> = mechanism.springs.iter().map(|spring| spring.name.as_str()).collect();
-    let contacts: Vec<_> = mechanism.contacts.iter().map(|contact| contact.name.as_str()).collect();
-    let kinds = [
-        ("forces", forces, "at points of links"),
-        ("moments", moments, "on links"),
-        ("springs and dampers", springs, "massless, along the line between their ends"),
-        (
-            "contacts",
-            contacts,
-            "an arc on a straight line of the ground, with the force and friction that are given",
-        ),
-    ];
-    for (what, names, how) in kinds {
-        if !names.is_empty() {
-            list.push(remark(what, format!("{}: {how}", listed(&names))));
-        }
+    let link = |id: LinkId| mechanism.links[id].name.as_str();
+    for force in &mechanism.forces {
+        let direction = match force.direction {
+            Direction::AgainstMotion => ", always against the motion of its point",
+            Direction::Link(_) => ", in a direction that turns with the link",
+            Direction::Ground(_) => ", in a direction that stays",
+        };
+        let on = link(force.at.link);
+        let how = format!("at a point of `{on}`, {}{direction}", law(&force.value));
+        list.push(remark(format!("force `{}`", force.name), how));
+    }
+    for moment in &mechanism.moments {
+        let how = format!("on `{}`, {}", link(moment.link), law(&moment.value));
+        list.push(remark(format!("moment `{}`", moment.name), how));
+    }
+    for spring in &mechanism.springs {
+        let [one, two] = spring.ends.map(|end| link(end.link));
+        let damped = if spring.damping == 0.0 { "without damping" } else { "with damping" };
+        let how = format!(
+            "between `{one}` and `{two}`, massless, along the line between its ends, linear, {damped}"
+        );
+        list.push(remark(format!("spring `{}`", spring.name), how));
+    }
+    for contact in &mechanism.contacts {
+        list.push(remark(format!("contact `{}`", contact.name), contact_words(contact)));
     }
 }
 
-/// What is left out, why, and how it can be included.
-pub fn not_modelled(mechanism: &Mechanism) -> Vec<Remark> {
-    let mut list = Vec::new();
-    let moving = || mechanism.links.iter().skip(1);
-    let massless: Vec<_> = moving().filter(|link| link.mass == 0.0).map(|link| link.name.as_str()).collect();
-    if !massless.is_empty() {
-        list.push(remark(
-            format!("mass of {}", listed(&massless)),
-            "the scene gives none; add `mass`, `center` and `inertia` to the link",
-        ));
-    }
-    let slender: Vec<_> = moving()
-        .filter(|link| link.mass > 0.0 && link.inertia == 0.0)
-        .map(|link| link.name.as_str())
-        .collect();
-    if !slender.is_empty() {
-        list.push(remark(
-            format!("moment of inertia of {}", listed(&slender)),
-            "the scene gives none; add `inertia` (about the center of mass) to the link",
-        ));
-    }
-    if mechanism.gravity.is_none() {
-        list.push(remark("weights", "the scene gives no gravity; add `gravity = \"9.81 m/s^2\"`"));
-    }
-    if mechanism.motion.is_none() {
-        list.push(remark(
-            "velocities and inertia loads",
-            "the scene gives no motion; add `[motion]` with a speed",
-        ));
-    }
-    drive(mechanism.drive.as_ref(), &mut list);
-    always(mechanism, &mut list);
-    list
-}
-
-fn drive(drive: Option<&Drive>, list: &mut Vec<Remark>) {
-    let Some(drive) = drive else {
-        list.push(remark(
-            "motor, reducer, rotor inertia and flywheel",
-            "the scene gives no drive; add `[drive]` with `motor` and `flywheel`",
-        ));
-        return;
-    };
-    if !matches!(drive.torque, Torque::Motor { .. }) {
-        list.push(remark("rotor inertia", "the drive has no motor; name one with `motor` in `[drive]`"));
-    }
-    if drive.flywheel.is_none() {
-        list.push(remark("flywheel", "the drive has none; add `flywheel` to `[drive]`"));
+/// How a load's size is given.
+fn law(value: &Value) -> &'static str {
+    match value {
+        Value::Constant(_) => "constant",
+        Value::Table { over: Over::Coordinate, .. } => "by a table over the input coordinate",
+        Value::Table { over: Over::Speed, .. } => "by a table over the input speed",
+        Value::Table { over: Over::Time, .. } => "by a table over time",
+        Value::Stroke { .. } => "by tables over the stroke of the point, forward and back",
     }
 }
 
-/// What no scene can include as such.
-fn always(mechanism: &Mechanism, list: &mut Vec<Remark>) {
-    let opposed = mechanism.forces.iter().any(|force| force.direction == Direction::AgainstMotion);
-    let hint = if opposed {
-        "as the loads with `against_motion` do where they stand for friction"
+fn contact_words(contact: &Contact) -> String {
+    let rubs = if contact.friction == 0.0 {
+        "without friction (add `friction` to the `[[contact]]`)"
     } else {
-        "a known friction force is a `[[force]]` with `against_motion = true`"
+        "its friction is a given part of the force, in a given sense"
     };
-    list.push(remark(
-        "friction in pairs",
-        format!("the pairs are ideal, so their reactions do no work; {hint}"),
-    ));
-    list.push(remark(
-        "elasticity of links",
-        "the links are rigid; an elastic part can be two links with a `[[spring]]` between them only where the \
-         mobility stays 1",
-    ));
-    list.push(remark("clearance in pairs", "pins and guides fit exactly; it can't be included"));
-    list.push(remark(
-        "forces across the plane",
-        "the mechanism and all loads lie in one plane; it can't be included",
-    ));
+    let touches = if contact.during.is_some() { "in its interval" } else { "in every position" };
+    format!("an arc on a straight line of the ground, {touches}, with the force that is given; {rubs}")
+}
+
+fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
+    let torque = match &drive.torque {
+        Torque::Motor { .. } => {
+            "the motor's torque by its steady characteristic over speed, through the gear ratio, at the input shaft"
+        }
+        Torque::Balance => "a constant torque at the input shaft, which makes the work of a cycle zero",
+        Torque::Constant(_) => "a constant torque at the input shaft",
+        Torque::None => "no torque: the drive has neither `motor` nor `torque`",
+    };
+    list.push(remark("drive", torque));
+    if matches!(&drive.torque, Torque::Motor { motor, .. } if has_rotor(motor)) {
+        list.push(remark(
+            "rotor inertia",
+            "of the motor, at the input shaft with the square of the gear ratio",
+        ));
+    }
+    if drive.efficiency < 1.0 {
+        let how =
+            format!("a constant efficiency of the reducer, {}, whatever speed and load", drive.efficiency);
+        list.push(remark("drive losses", how));
+    }
+    if drive.flywheel.is_some() {
+        list.push(remark("flywheel", "a constant moment of inertia on its shaft"));
+    }
 }

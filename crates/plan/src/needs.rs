@@ -3,7 +3,7 @@
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place};
 use assur_structure::Structure;
 
-use crate::Wanted;
+use crate::{Plan, Wanted, carry};
 
 /// What `[output]` names, or everything, without repetition and in the order of the scene.
 pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure) -> Wanted {
@@ -35,13 +35,39 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
     pins.map(|(id, _)| PairId::Pin(id)).chain(slides).collect()
 }
 
-/// The groups that places and derivatives of what is told depend on.
-pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, wanted: &Wanted) -> Vec<bool> {
-    let mut links: Vec<LinkId> = wanted.links.clone();
-    links.extend(wanted.points.iter().map(|(_, place)| place.link));
-    for &slide in &wanted.slides {
-        links.extend([mechanism.slides[slide].link, mechanism.slides[slide].on]);
+/// The groups that what is told and what acts depend on.
+///
+/// A method that treats the mechanism as one system needs all of them.
+pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
+    if plan.forces && !plan.by_groups {
+        return vec![true; structure.groups.len()];
     }
+    let mut links = told(mechanism, &plan.wanted);
+    if plan.reduction {
+        links.extend(carry::reduced_links(mechanism));
+    }
+    if plan.forces {
+        let carrying = structure.groups.iter().zip(&plan.groups_carrying).filter(|(_, carrying)| **carrying);
+        links.extend(carrying.flat_map(|(group, _)| &group.frame.links));
+    }
+    behind(structure, links)
+}
+
+/// The links whose motion is told.
+fn told(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
+    let slides = wanted.slides.iter().map(|&slide| &mechanism.slides[slide]);
+    let points = wanted.points.iter().map(|(_, place)| place.link);
+    wanted
+        .links
+        .iter()
+        .copied()
+        .chain(points)
+        .chain(slides.flat_map(|slide| [slide.link, slide.on]))
+        .collect()
+}
+
+/// The groups of these links, and the groups that they hang on.
+fn behind(structure: &Structure, mut links: Vec<LinkId>) -> Vec<bool> {
     let mut needed = vec![false; structure.groups.len()];
     while let Some(link) = links.pop() {
         let Some(group) = group_of(structure, link) else { continue };
@@ -66,7 +92,8 @@ fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place
     places.iter().min_by_key(rank).copied().unwrap_or(Place { link: GROUND, at: [0.0; 2] })
 }
 
-fn group_of(structure: &Structure, link: LinkId) -> Option<usize> {
+/// The group of a link; none for the ground and the input link.
+pub(crate) fn group_of(structure: &Structure, link: LinkId) -> Option<usize> {
     structure.groups.iter().position(|group| group.frame.links.contains(&link))
 }
 

@@ -4,13 +4,15 @@ use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
 
-use crate::{needs, stages};
+use crate::{carry, needs, order, stages};
 
 /// The methods that a user has chosen.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Methods {
     /// Force analyzer.
     pub analyzer: String,
+    /// Whether this analyzer goes group by group, so that groups without a load can be left alone.
+    pub by_groups: bool,
     /// Integrator of a motion that is not prescribed.
     pub integrator: String,
 }
@@ -51,8 +53,16 @@ pub struct Plan {
     pub wanted: Wanted,
     /// By group: whether anything that is asked for depends on it.
     pub groups_needed: Vec<bool>,
+    /// By group: whether its reactions can differ from zero, by what the scene puts on its links and on the groups behind it.
+    pub groups_carrying: Vec<bool>,
+    /// Whether the force analyzer goes group by group.
+    pub by_groups: bool,
+    /// J is the same at every coordinate, by structure: dJ/dq is zero and not computed.
+    pub inertia_constant: bool,
     /// Up to which order transfer functions are calculated.
     pub order: Order,
+    /// What needs that order, in words.
+    pub order_for: Vec<&'static str>,
     /// Velocities and accelerations are told.
     pub velocities: bool,
     /// Inertia, its derivative and loads are reduced to the input link.
@@ -65,38 +75,40 @@ pub struct Plan {
     pub dynamics: bool,
 }
 
+impl Wanted {
+    /// Whether neither link nor point nor slide is told.
+    pub fn tells_no_motion(&self) -> bool {
+        self.links.is_empty() && self.points.is_empty() && self.slides.is_empty()
+    }
+}
+
 impl Plan {
     /// The plan for a mechanism.
     pub fn of(mechanism: &Mechanism, structure: &Structure, methods: &Methods) -> Self {
         let moves = mechanism.motion.is_some();
-        let dynamics = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
-        let heavy = mechanism.links.iter().skip(1).any(|link| link.mass > 0.0 || link.inertia > 0.0);
+        let heavy = (1..mechanism.links.len()).any(|link| carry::is_heavy(mechanism, link));
         let wanted = needs::wanted(mechanism, structure);
-        let tells_motion = !(wanted.links.is_empty() && wanted.points.is_empty() && wanted.slides.is_empty());
         // With `[output]`, forces are wanted only where reactions are.
         let asked = mechanism.output.is_none() || !wanted.reactions.is_empty();
+        let dynamics = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
         let forces = asked && (moves || mechanism.has_loads());
-        let reduction = dynamics || asked && (heavy || mechanism.has_loads());
         let mut plan = Self {
             stages: Vec::new(),
-            groups_needed: if forces || reduction || dynamics {
-                // A reaction depends on the loads of every group behind it, and they on every group before.
-                vec![true; structure.groups.len()]
-            } else {
-                needs::groups(mechanism, structure, &wanted)
-            },
-            order: if tells_motion || dynamics || heavy && (reduction || moves) {
-                Order::Second
-            } else {
-                Order::First
-            },
-            velocities: moves && tells_motion,
-            reduction,
+            groups_needed: Vec::new(),
+            groups_carrying: carry::groups(mechanism, structure),
+            by_groups: methods.by_groups,
+            inertia_constant: mechanism.has_constant_reduced_inertia(),
+            order: Order::Second,
+            order_for: Vec::new(),
+            velocities: moves && !wanted.tells_no_motion(),
+            reduction: dynamics || asked && (heavy || mechanism.has_loads()),
             inertia_loads: forces && moves && heavy,
             forces,
             dynamics,
             wanted,
         };
+        plan.groups_needed = needs::groups(mechanism, structure, &plan);
+        (plan.order, plan.order_for) = order::order(mechanism, structure, &plan);
         plan.stages = stages::stages(mechanism, structure, methods, &plan);
         plan
     }
@@ -104,5 +116,12 @@ impl Plan {
     /// Whether any group is left out.
     pub fn is_partial(&self) -> bool {
         self.groups_needed.contains(&false)
+    }
+
+    /// By group: whether the force analysis solves it. A group that carries no load has reactions that are exactly zero, and a
+    /// method that goes group by group leaves it alone.
+    pub fn groups_with_forces(&self) -> Vec<bool> {
+        let each = self.groups_carrying.iter();
+        each.map(|carrying| self.forces && (*carrying || !self.by_groups)).collect()
     }
 }

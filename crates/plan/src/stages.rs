@@ -1,10 +1,9 @@
 //! The stages in the order in which data goes through them, each with its reason and method.
 
-use assur_group::Order;
 use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
 use assur_structure::Structure;
 
-use crate::{Methods, Plan, Stage, needs};
+use crate::{Methods, Plan, Stage, carry, kinematics, words};
 
 pub(crate) fn stages(
     mechanism: &Mechanism,
@@ -19,88 +18,52 @@ pub(crate) fn stages(
             "equations counted and matched to unknowns, strongly connected parts are the groups; mobility by Chebyshev's \
              formula and by the rank of the constraints (singular values) in the first position",
         ),
-        positions(mechanism, structure, plan),
-        transfer(plan),
-        velocities(mechanism, plan),
+        kinematics::positions(mechanism, structure, plan),
+        kinematics::transfer(plan),
+        kinematics::velocities(mechanism, plan),
         reduction(mechanism, plan),
         motion(mechanism, methods, plan),
         drive(mechanism),
         inertia(mechanism, plan),
-        reactions(mechanism, methods, plan),
+        reactions(mechanism, structure, methods, plan),
         balancing(mechanism, plan),
         checks(plan),
     ]
 }
 
-fn run(name: &'static str, reason: impl Into<String>, method: impl Into<String>) -> Stage {
+pub(crate) fn run(name: &'static str, reason: impl Into<String>, method: impl Into<String>) -> Stage {
     Stage { name, needed: true, reason: reason.into(), method: method.into() }
 }
 
-fn left_out(name: &'static str, reason: impl Into<String>) -> Stage {
+pub(crate) fn left_out(name: &'static str, reason: impl Into<String>) -> Stage {
     Stage { name, needed: false, reason: reason.into(), method: String::new() }
-}
-
-fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
-    let needed = plan.groups_needed.iter().filter(|needed| **needed).count();
-    let reason = format!(
-        "{} positions over {}; {} of {} groups are needed for what is asked for",
-        mechanism.input.positions,
-        needs::coordinate_words(mechanism),
-        needed,
-        structure.groups.len()
-    );
-    let mut kinds: Vec<&str> = Vec::new();
-    for (group, _) in structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed) {
-        if !kinds.contains(&group.plugin.name) {
-            kinds.push(group.plugin.name);
-        }
-    }
-    let method = if kinds.is_empty() {
-        "the input link alone".to_owned()
-    } else {
-        format!(
-            "group after group by the registered kinds ({}); the assembly is followed by continuity from the first position",
-            kinds.join(", ")
-        )
-    };
-    run("positions (PF0)", reason, method)
-}
-
-fn transfer(plan: &Plan) -> Stage {
-    let name = "transfer functions (PF1, PF2)";
-    let method = "derivatives of the closed forms of each group by the input coordinate, not by differences";
-    match plan.order {
-        Order::Place => left_out(name, "nothing that is asked for needs derivatives"),
-        Order::First => run(name, "PF1: the loads' virtual power needs it; nothing needs PF2", method),
-        Order::Second => run(name, "results tell them; accelerations and the reduction need them", method),
-    }
-}
-
-fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
-    let name = "velocities and accelerations";
-    if plan.velocities {
-        return run(name, "the scene has a `[motion]`", "v = PF1 w, a = PF2 w^2 + PF1 e");
-    }
-    if mechanism.motion.is_none() {
-        return left_out(name, "no motion is given; add `[motion]` with a speed");
-    }
-    left_out(name, "`[output]` asks for no link, point or slide")
 }
 
 fn reduction(mechanism: &Mechanism, plan: &Plan) -> Stage {
     let name = "reduction to the input link";
     if plan.reduction {
-        let reason = "J, dJ/dq and Q of all moving links and loads make the equation of motion";
-        return run(
-            name,
-            reason,
-            "sums over masses and loads with the transfer functions of their points (S eqs. 1-3)",
-        );
+        let method = "sums over masses and loads with the transfer functions of their points (S eqs. 1-3)";
+        return run(name, reduction_reason(mechanism, plan), method);
     }
     if mechanism.output.as_ref().is_some_and(|output| output.reactions.is_empty()) {
         return left_out(name, "`[output]` asks for no reaction");
     }
     left_out(name, "no link has a mass and nothing loads the links")
+}
+
+fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> String {
+    if !plan.inertia_constant {
+        return "J, dJ/dq and Q of all moving links and loads make the equation of motion".to_owned();
+    }
+    let heavy: Vec<_> = (1..mechanism.links.len()).filter(|link| carry::is_heavy(mechanism, *link)).collect();
+    if heavy.is_empty() {
+        return "Q of all loads; no link has a mass: J is zero, and dJ/dq is not computed".to_owned();
+    }
+    format!(
+        "J and Q of all moving links and loads make the equation of motion; J is the same at every coordinate, as {} alone \
+         has mass and turns or slides with the coordinate, or rests: dJ/dq is exactly zero and not computed",
+        words::links(mechanism, &heavy)
+    )
 }
 
 fn motion(mechanism: &Mechanism, methods: &Methods, plan: &Plan) -> Stage {
@@ -208,20 +171,43 @@ fn inertia(mechanism: &Mechanism, plan: &Plan) -> Stage {
     left_out(name, "no link has a mass")
 }
 
-fn reactions(mechanism: &Mechanism, methods: &Methods, plan: &Plan) -> Stage {
+fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, plan: &Plan) -> Stage {
     let name = "reactions";
     if plan.forces {
-        let reason = if mechanism.has_loads() { "loads act on the links" } else { "the links have inertia" };
-        return run(
-            name,
-            reason,
-            format!("force analyzer `{}` (`assur plugins` lists others)", methods.analyzer),
-        );
+        let reason = if mechanism.has_loads() {
+            "loads act on the links"
+        } else if plan.inertia_loads {
+            "the links have inertia"
+        } else {
+            "the scene has a `[motion]`, but neither mass nor load: every reaction is zero"
+        };
+        let named = format!("force analyzer `{}` (`assur plugins` lists others)", methods.analyzer);
+        return run(name, reason, named + &idle(mechanism, structure, plan));
     }
     if mechanism.output.as_ref().is_some_and(|output| output.reactions.is_empty()) {
         return left_out(name, "`[output]` asks for no reaction");
     }
     left_out(name, "there is neither a load nor a motion; add `gravity`, `[[force]]` or `[motion]`")
+}
+
+/// The groups that carry no load, and what is saved by it.
+fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> String {
+    let (carrying, all) = (&plan.groups_carrying, structure.groups.len());
+    let idle = carrying.iter().filter(|carrying| !**carrying).count();
+    if idle == 0 {
+        return String::new();
+    }
+    let names = words::others(mechanism, structure, carrying);
+    if !plan.by_groups {
+        return format!(
+            "; {names}: no load reaches it, but this method solves the mechanism as one system (`groups` would leave it out)"
+        );
+    }
+    format!(
+        "; {idle} of {all} groups not solved, as no load reaches them (no weight, mass in motion, force, moment, spring, \
+         contact or balancing load on their links, nor on a group behind them), so that their reactions are exactly zero: \
+         {names}"
+    )
 }
 
 fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {

@@ -36,7 +36,7 @@ pub use joint::{JointForce, joint_forces};
 pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
 pub use sheet::{Sheet, constructions, sheet};
-pub use sign::{SignChange, sign_changes};
+pub use sign::{SignChange, Solver, sign_changes};
 pub use split::{Share, Split, split};
 pub use text::{extremes_text, sheet_text, split_text, text};
 pub use velocity::velocity_plan;

@@ -29,6 +29,21 @@ pub struct SignChange {
     pub jump: bool,
 }
 
+/// What finds the force of a guide at any coordinate.
+#[derive(Debug, Clone, Copy)]
+pub struct Solver<'a> {
+    /// The compiled mechanism.
+    pub linkage: &'a Linkage,
+    /// Its loads.
+    pub loads: &'a Loads,
+    /// The method.
+    pub analyzer: &'a dyn ForceAnalyzer,
+    /// Up to which order the loads need transfer functions.
+    pub order: Order,
+    /// By group: whether it carries a load; the others are not solved.
+    pub carrying: &'a [bool],
+}
+
 /// Where the force of a slide on its sliding link (L: the reaction at B) changes its sign between the positions of the scene.
 ///
 /// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Two changes between
@@ -38,19 +53,18 @@ pub struct SignChange {
 ///
 /// [`PlansError`] where there is no such slide, or no position or reaction at a coordinate.
 pub fn sign_changes(
-    linkage: &Linkage,
-    loads: &Loads,
-    analyzer: &dyn ForceAnalyzer,
+    solver: &Solver<'_>,
     slide: usize,
     state_at: &dyn Fn(f64) -> State,
 ) -> Result<Vec<SignChange>, PlansError> {
+    let linkage = solver.linkage;
     let input = &linkage.mechanism.input;
     let pairs = linkage.structure.pairs.iter();
     let pair = pairs.enumerate().find(|(_, pair)| pair.source == PairId::Slide(slide)).map(|(id, _)| id);
     let Some(pair) = pair else {
         return Err(PlansError::NoSlide { number: slide, count: linkage.mechanism.slides.len() });
     };
-    let mut across = Across::new(linkage, loads, analyzer, pair, slide, state_at);
+    let mut across = Across::new(*solver, pair, slide, state_at);
     // The position after the last is the first one of the next cycle.
     let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
     let forces = (0..input.positions + closing).map(|index| across.at(input.coordinate(index)));
@@ -75,9 +89,7 @@ pub fn sign_changes(
 }
 
 struct Across<'a> {
-    linkage: &'a Linkage,
-    loads: &'a Loads,
-    analyzer: &'a dyn ForceAnalyzer,
+    solver: Solver<'a>,
     pair: usize,
     slide: usize,
     state_at: &'a dyn Fn(f64) -> State,
@@ -87,28 +99,23 @@ struct Across<'a> {
 }
 
 impl<'a> Across<'a> {
-    fn new(
-        linkage: &'a Linkage,
-        loads: &'a Loads,
-        analyzer: &'a dyn ForceAnalyzer,
-        pair: usize,
-        slide: usize,
-        state_at: &'a dyn Fn(f64) -> State,
-    ) -> Self {
-        let (position, out) = (linkage.position(), Reactions::new(linkage));
+    fn new(solver: Solver<'a>, pair: usize, slide: usize, state_at: &'a dyn Fn(f64) -> State) -> Self {
+        let linkage = solver.linkage;
+        let (position, out) = (linkage.position(), Reactions::new(linkage).without_idle(solver.carrying));
         let wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        Self { linkage, loads, analyzer, pair, slide, state_at, position, wrenches, out }
+        Self { solver, pair, slide, state_at, position, wrenches, out }
     }
 
     /// Force to the left of the guide's direction on the sliding link, N.
     fn at(&mut self, coordinate: f64) -> Result<f64, PlansError> {
         let state = (self.state_at)(coordinate);
-        self.linkage.solve(coordinate, Order::Second, &mut self.position)?;
+        let Solver { linkage, loads, analyzer, order, .. } = self.solver;
+        linkage.solve(coordinate, order, &mut self.position)?;
         let bodies = &self.position.bodies;
-        self.loads.apply(&state, bodies, &mut self.wrenches);
-        self.loads.inertia(&state, bodies, &mut self.wrenches);
-        self.analyzer.solve(self.linkage, &self.position, &mut self.wrenches, &mut self.out)?;
-        let slide = &self.linkage.mechanism.slides[self.slide];
+        loads.apply(&state, bodies, &mut self.wrenches);
+        loads.inertia(&state, bodies, &mut self.wrenches);
+        analyzer.solve(linkage, &self.position, &mut self.wrenches, &mut self.out)?;
+        let slide = &linkage.mechanism.slides[self.slide];
         let along = bodies[slide.on].turned([slide.angle.cos(), slide.angle.sin()]);
         Ok(dot(perp(along), self.out.pairs[self.pair].force()))
     }

@@ -32,6 +32,10 @@ impl ForceAnalyzer for Groups {
         Ok(())
     }
 
+    fn by_groups(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn solve(
         &self,
@@ -40,7 +44,7 @@ impl ForceAnalyzer for Groups {
         loads: &mut [Wrench<f64>],
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
-        let drive = pass(linkage, position, loads, &mut out.pairs)?;
+        let drive = pass(linkage, position, &out.solved, loads, &mut out.pairs)?;
         match UnitBalance::of(&linkage.mechanism, &position.bodies) {
             None => out.balancing = drive,
             Some(unit) => balance(linkage, position, &unit, drive, out)?,
@@ -49,15 +53,19 @@ impl ForceAnalyzer for Groups {
     }
 }
 
-/// All reactions under these loads, and the moment or force of the drive.
+/// All reactions under these loads, and the moment or force of the drive. A group that carries no load hands none on.
 #[inline]
 fn pass(
     linkage: &Linkage,
     position: &Position,
+    solved: &[bool],
     loads: &mut [Wrench<f64>],
     pairs: &mut [Wrench<f64>],
 ) -> Result<f64, ForceError> {
     for (index, group) in linkage.groups().iter().enumerate().rev() {
+        if !solved[index] {
+            continue;
+        }
         if let Err(source) = group.reactions(&position.bodies, loads, pairs) {
             let group = linkage.structure.group_name(&linkage.mechanism, index);
             return Err(ForceError::Group { group, coordinate: position.coordinate, source });
@@ -103,7 +111,7 @@ fn balance(
 ) -> Result<(), ForceError> {
     out.scratch_bodies.fill(Wrench::ZERO);
     out.scratch_bodies[unit.link] = unit.wrench;
-    let unit_drive = pass(linkage, position, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
+    let unit_drive = pass(linkage, position, &out.solved, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
     let size = unit.size(drive, unit_drive, linkage, position)?;
     for (sum, unit) in out.pairs.iter_mut().zip(&out.scratch_pairs) {
         sum.fx += size * unit.fx;

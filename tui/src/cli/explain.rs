@@ -22,11 +22,7 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let fault = |error: &dyn std::fmt::Display| scene::in_file(&args.scene.scene, &error.to_string());
     let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
     let mut plan = Plan::of(&mechanism, &structure, &methods(&mechanism, &options));
-    let method = assur_analysis::explain_motion(&mechanism, &options).map_err(|error| fault(&error))?;
-    let stage = plan.stages.iter_mut().find(|stage| stage.name == "equation of motion");
-    if let (Some(method), Some(stage)) = (method, stage) {
-        stage.method = method;
-    }
+    assur_analysis::explain_motion(&mechanism, &options, &mut plan).map_err(|error| fault(&error))?;
     output::print(&style.text(&explain(&mechanism, &structure, &plan)))?;
     Ok(Status::Done)
 }

@@ -1,7 +1,13 @@
 use assur_force::{Loads, State};
+use assur_group::Order;
+use assur_kinematics::Linkage;
 
 use super::{analyzer, compile, fixture};
-use crate::{enveloping, sign_changes};
+use crate::{Solver, enveloping, sign_changes};
+
+fn solver<'a>(linkage: &'a Linkage, loads: &'a Loads, name: &str) -> Solver<'a> {
+    Solver { linkage, loads, analyzer: analyzer(name), order: Order::Second, carrying: &[true] }
+}
 
 #[test]
 fn the_arc_envelopes_a_straight_line() {
@@ -44,14 +50,14 @@ fn the_guide_changes_its_side_where_the_force_passes_through_a() {
     // A lies at r1 cos q; B on the axis of y: r1 cos q + b cos theta = 0.
     let wanted = (-0.16 * theta.cos() / 0.04).acos();
     for name in ["groups", "longitudinal", "newton-euler"] {
-        let found = sign_changes(&linkage, &loads, analyzer(name), 0, &at).unwrap();
+        let found = sign_changes(&solver(&linkage, &loads, name), 0, &at).unwrap();
         assert_eq!(found.len(), 1, "{name} {found:?}");
         assert!((found[0].coordinate - wanted).abs() < 1e-12, "{name}");
         assert!(!found[0].jump && found[0].before * found[0].after < 0.0);
     }
     let linkage = compile(&fixture("press"));
     let loads = Loads::compile(&linkage).unwrap();
-    assert_eq!(sign_changes(&linkage, &loads, analyzer("groups"), 0, &at), Ok(Vec::new()));
+    assert_eq!(sign_changes(&solver(&linkage, &loads, "groups"), 0, &at), Ok(Vec::new()));
 }
 
 #[test]
@@ -63,6 +69,6 @@ fn what_is_not_there_is_said() {
     assert_eq!(few.to_string(), "1 positions make no path; ask for 2 or more");
     let loads = Loads::compile(&linkage).unwrap();
     let at = |q| State::prescribed(&linkage.mechanism, q);
-    let slide = sign_changes(&linkage, &loads, analyzer("groups"), 3, &at).unwrap_err();
+    let slide = sign_changes(&solver(&linkage, &loads, "groups"), 3, &at).unwrap_err();
     assert_eq!(slide.to_string(), "no slide number 3: the scene has 1");
 }

@@ -1,0 +1,105 @@
+//! What is solved, counted.
+
+use assur_analysis::Study;
+use assur_group::Order;
+use assur_mechanism::Mechanism;
+
+use crate::probe::{Solved, probe};
+use crate::{mechanism, study, text};
+
+/// By group: what an analysis solves.
+fn counted(mut study: Study) -> Vec<Solved> {
+    let calls = probe(&mut study);
+    let found = study.analyze();
+    assert!(found.failures.is_empty(), "{:?}", found.failures);
+    calls.iter().map(|calls| calls.solved()).collect()
+}
+
+fn of(text: &str) -> (Study, Vec<Solved>) {
+    (study(mechanism(text)), counted(study(mechanism(text))))
+}
+
+/// The shaper with ram and stone of the second group free of mass and load.
+fn light_ram() -> String {
+    let text = text("shaper");
+    let (before, after) = text.split_once("[link.stone4]").unwrap();
+    let (links, rest) = after.split_once("[[slide]]").unwrap();
+    let bare = |line: &&str| !["mass", "center", "inertia"].iter().any(|key| line.starts_with(key));
+    let links = links.lines().filter(bare).collect::<Vec<_>>().join("\n");
+    let text = format!("{before}[link.stone4]{links}\n[[slide]]{rest}");
+    let force = text.find("[[force]]").unwrap();
+    let end = text[force + 2..].find("\n[").map_or(text.len(), |at| force + 2 + at);
+    format!("{}{}", &text[..force], &text[end..])
+}
+
+const NOTHING: Solved = Solved { places: 0, first: 0, second: 0, forces: 0 };
+
+#[test]
+fn a_group_without_load_is_left_alone_and_its_reactions_are_exactly_zero() {
+    let (whole, solved) = of(&light_ram());
+    assert_eq!(whole.plan.groups_carrying, [true, false]);
+    // Beside the positions, the sides of the guide are looked at over the cycle.
+    assert!(solved[0].forces >= 48, "{solved:?}");
+    assert_eq!(solved[1].forces, 0);
+    let found = whole.analyze();
+    for position in &found.positions {
+        let reactions = position.reactions.as_ref().unwrap();
+        for joint in ["D", "stone4/ram", "ram/ground"] {
+            let reaction = reactions.get(joint).unwrap();
+            let each = reaction.forces.iter().flat_map(|(_, force)| force).chain(&reaction.moment);
+            each.for_each(|value| assert_eq!(value.to_bits(), 0.0_f64.to_bits(), "{joint}"));
+        }
+        assert!(position.balancing.is_some_and(|moment| moment != 0.0));
+    }
+}
+
+#[test]
+fn a_group_whose_reactions_are_zero_is_not_even_placed_for_them() {
+    let (part, solved) = of(&(light_ram() + "\n[output]\nreactions = [\"A\", \"ram/ground\"]\n"));
+    assert_eq!(part.plan.groups_needed, [true, false]);
+    assert_eq!(solved[1], NOTHING);
+    let found = part.analyze();
+    let zero = found.positions[7].reactions.as_ref().unwrap().get("ram/ground").unwrap();
+    assert!(zero.forces.iter().all(|(_, force)| *force == [0.0, 0.0]) && zero.moment == Some(0.0));
+}
+
+#[test]
+fn places_cost_no_forces_and_groups_behind_cost_nothing() {
+    let whole = of(&text("shaper")).1;
+    assert!(whole.iter().all(|group| group.places >= 48 && group.second >= 48 && group.forces >= 48));
+    let (part, solved) = of(&(text("shaper") + "\n[output]\npoints = [\"S3\"]\n"));
+    assert_eq!(part.plan.order, Order::Second);
+    assert_eq!(solved, [Solved { places: 48, first: 48, second: 48, forces: 0 }, NOTHING]);
+}
+
+#[test]
+fn statics_of_massless_links_stop_at_the_first_derivatives() {
+    let still = |text: String| text.replace("[motion]\nspeed = \"10 rpm\"\n", "");
+    let (part, solved) = of(&(still(text("press")) + "\n[output]\nreactions = [\"A\"]\n"));
+    assert_eq!(part.plan.order, Order::First);
+    assert!(solved[0].first > 0 && solved[0].second == 0, "{solved:?}");
+}
+
+#[test]
+fn what_depends_on_nothing_is_not_solved() {
+    // A motion without mass and load: every reaction is zero, wherever the links are.
+    let bare = text("n-four-bar-2").replace("mass = 1\n", "").replace("gravity = \"9.81 m/s^2\"", "");
+    let bare = bare.lines().filter(|line| !line.starts_with("center") && !line.starts_with("inertia"));
+    let bare = bare.collect::<Vec<_>>().join("\n");
+    let motion = bare.find("[motion]").unwrap();
+    let end = bare[motion + 2..].find("\n[").map_or(bare.len(), |at| motion + 2 + at);
+    let bare = format!("{}[motion]\nspeed = 1\n{}", &bare[..motion], &bare[end..]);
+    let (part, solved) = of(&(bare + "\n[output]\nreactions = [\"B1\"]\n"));
+    assert_eq!((part.plan.order, solved), (Order::Place, vec![NOTHING, NOTHING]));
+    let positions = part.analyze().positions;
+    assert!(positions.iter().all(|position| position.balancing == Some(0.0)));
+}
+
+#[test]
+fn another_method_solves_all_groups() {
+    let mechanism: Mechanism = mechanism(&(light_ram() + "\n[output]\nreactions = [\"A\"]\n"));
+    let options = assur_analysis::Options { analyzer: Some("newton-euler".to_owned()), integrator: None };
+    let study = Study::of(mechanism, &options).unwrap();
+    assert_eq!(study.plan.groups_needed, [true, true]);
+    assert!(study.analyze().failures.is_empty());
+}

@@ -1,0 +1,67 @@
+//! Bit for bit.
+
+use assur_mechanism::{Mechanism, Motion};
+use assur_specimen::{Recipe, Rng};
+
+use crate::probe::probe;
+use crate::same::Count;
+use crate::{full, mechanism, output, study, text};
+
+/// Compares random parts with the whole; the parts by kernels that leave NaN where the plan wants no derivatives.
+fn compare(mechanism: &Mechanism, parts: usize, rng: &mut Rng, count: &mut Count) {
+    let whole = full(mechanism).analyze();
+    for _ in 0..parts {
+        let output = Some(output(mechanism, rng));
+        let mut part = study(Mechanism { output, ..mechanism.clone() });
+        let _ = probe(&mut part);
+        count.analyses(&part.analyze(), &whole);
+    }
+    let mut all = study(Mechanism { output: None, ..mechanism.clone() });
+    let _ = probe(&mut all);
+    count.analyses(&all.analyze(), &whole);
+}
+
+#[test]
+fn shipped_scenes() {
+    let mut rng = Rng::new(1);
+    let folder = format!("{}/../../fixtures", env!("CARGO_MANIFEST_DIR"));
+    let names = std::fs::read_dir(folder).unwrap().filter_map(|entry| {
+        let path = entry.unwrap().path();
+        let scene = path.extension().is_some_and(|extension| extension == "toml");
+        scene.then(|| path.file_stem().unwrap().to_str().unwrap().to_owned())
+    });
+    let mut names: Vec<_> = names.collect();
+    names.sort();
+    assert!(names.len() > 15);
+    for name in names {
+        let mechanism = mechanism(&text(&name));
+        let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+        let mut count = Count::default();
+        compare(&mechanism, if found { 2 } else { 12 }, &mut rng, &mut count);
+        assert!(count.0 > 100, "{name}: {} numbers", count.0);
+    }
+}
+
+#[test]
+fn random_mechanisms() {
+    let mut rng = Rng::new(2);
+    let mut count = Count::default();
+    for seed in 0..120 {
+        let groups = 1 + rng.below(5);
+        let Some(specimen) = Recipe::of(groups).specimen(seed) else { continue };
+        compare(&specimen.mechanism, 4, &mut rng, &mut count);
+        // The same at rest: statics, where the loads allow it.
+        let mut still = Mechanism { motion: None, balance: None, ..specimen.mechanism };
+        still.forces.retain(|force| matches!(force.value, assur_mechanism::Value::Constant(_)));
+        still.forces.retain(|force| force.direction != assur_mechanism::Direction::AgainstMotion);
+        (still.moments, still.springs) = (Vec::new(), Vec::new());
+        still.contacts.clear();
+        compare(&still, 4, &mut rng, &mut count);
+        // Only the first loads, so that some groups carry none; massless links.
+        still.gravity = None;
+        still.forces.truncate(1);
+        still.links.iter_mut().for_each(|link| (link.mass, link.inertia) = (0.0, 0.0));
+        compare(&still, 4, &mut rng, &mut count);
+    }
+    assert!(count.0 > 100_000, "{} numbers", count.0);
+}
