@@ -1,6 +1,6 @@
 //! One walk over the cycle that finds where ways meet and where the mechanism ends.
 
-use assur_group::Body;
+use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
@@ -168,7 +168,7 @@ impl Walker<'_> {
             match kernel.place(&mut grid[i], usize::from(way)) {
                 Ok(found) => health.push(found.abs()),
                 // At a change point itself a group may say "singular": it is passed, not the end.
-                Err(assur_group::GroupError::Singular { .. }) if i > 0 => health.push(0.0),
+                Err(GroupError::Singular { .. }) if i > 0 => health.push(0.0),
                 Err(_) => break,
             }
         }
@@ -198,7 +198,8 @@ impl Walker<'_> {
             let (low, high) = (at(i.saturating_sub(1)), at((i + 1).min(health.len() - 1)));
             let (place, least) = self.least_health(group, low, high, leg, first, at(0));
             let start = (place - at(0)).abs() < 1e-9;
-            if least < MEETING && !start && found.last().is_none_or(|last| (last - place).abs() > 1e-6) {
+            let meets = least < MEETING && self.is_undetermined(group, place, leg, first, at(0));
+            if meets && !start && found.last().is_none_or(|last| (last - place).abs() > 1e-6) {
                 found.push(place);
             }
         }
@@ -236,19 +237,44 @@ impl Walker<'_> {
 
     /// Determinant of a group at any coordinate, the groups before it in their known ways; 0 where it does not assemble.
     fn health_at(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> f64 {
+        self.at(group, q, leg, first, from, |kernel, bodies, way| kernel.place(bodies, way)).unwrap_or(0.0)
+    }
+
+    /// Whether a group says that it is not determined there: that the rounding of its data may make its ways meet. Ways may
+    /// come as close as 1e-9 and pass each other, where the determinant is no root of what the lengths say (pins of a
+    /// guide that almost meet). A kind that iterates is not asked, nor a group next to a change point of another one.
+    fn is_undetermined(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> bool {
+        /// So far from a change point the places of other groups are noise, rad or m.
+        const NOISE: f64 = 1e-6;
+        if leg.changes.iter().any(|(d, _)| (from + d - q).abs() < NOISE) {
+            return true;
+        }
+        let links = &self.chain.groups[group].frame().links;
+        let solved = self
+            .at(group, q, leg, first, from, |kernel, bodies, way| kernel.solve(bodies, way, Order::First));
+        solved.is_err() || links.iter().any(|link| self.iterated.contains(link))
+    }
+
+    /// Asks a group at any coordinate, the groups before it in their known ways.
+    fn at(
+        &self,
+        group: usize,
+        q: f64,
+        leg: &Leg,
+        first: &[u8],
+        from: f64,
+        ask: impl Fn(&dyn AssurGroup<f64>, &mut [Body<f64>], usize) -> Result<f64, GroupError>,
+    ) -> Result<f64, GroupError> {
         let mut bodies = self.start.clone();
         self.chain.set_input(q, &mut bodies);
-        let needed = |(i, _): &(usize, _)| self.chain.is_needed(*i);
-        for (i, kernel) in self.chain.groups.iter().enumerate().take(group + 1).filter(needed) {
+        let way = |i: usize| {
             let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
-            let way = usize::from(first[i]) ^ (flips & 1);
-            match kernel.place(&mut bodies, way.min(kernel.ways() - 1)) {
-                Ok(health) if i == group => return health.abs(),
-                Ok(_) => {}
-                Err(_) => return 0.0,
-            }
+            (usize::from(first[i]) ^ (flips & 1)).min(self.chain.groups[i].ways() - 1)
+        };
+        for i in (0..group).filter(|i| self.chain.is_needed(*i)) {
+            self.chain.groups[i].place(&mut bodies, way(i))?;
         }
-        0.0
+        Ok(ask(&*self.chain.groups[group], &mut bodies, way(group))?.abs())
     }
 
     /// Places a group again behind its meetings, in the other way.

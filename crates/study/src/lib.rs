@@ -6,4 +6,5 @@
 //! Reads no clock of its own: whoever asks for times hands in a [`chart::Clock`].
 
 pub mod chart;
+mod differences;
 pub mod stability;

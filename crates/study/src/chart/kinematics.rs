@@ -15,7 +15,8 @@ use super::ruler::numbers;
 use super::work::Work;
 use super::{ChartError, Options, Row, Setting, Stage, Unit};
 
-use differences::{Differences, Stencil};
+use crate::differences::Stencil;
+use differences::Differences;
 use lanes::InLanes;
 use newton::{General, Places};
 

@@ -56,6 +56,18 @@ pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
     (0..=SAMPLES).map(|i| input.from + length * (i as f64) / (SAMPLES as f64)).collect()
 }
 
+/// The coordinate of the cycle at which the least health of all groups is greatest; `None` where nothing assembles.
+pub(crate) fn healthiest(linkage: &Linkage) -> Option<f64> {
+    let mut position = linkage.position();
+    let mut least = |q: f64| {
+        linkage.solve(q, Order::Place, &mut position).ok()?;
+        let health = position.health.iter().fold(1.0_f64, |least, health| least.min(health.abs()));
+        linkage.across(q).is_none().then_some((q, health))
+    };
+    let all = coordinates(linkage).into_iter().filter_map(&mut least);
+    all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(q, _)| q)
+}
+
 /// The least health of each group.
 ///
 /// # Errors

@@ -9,12 +9,16 @@ mod across;
 mod bench;
 mod compare;
 mod cycle;
+mod differences;
 mod isolated;
 mod margin;
 mod pole;
 mod report;
 mod row;
+mod scales;
+mod target;
 mod text;
+mod turns;
 mod walk_cycle;
 mod walk_group;
 

@@ -3,9 +3,18 @@
 use assur_group::{Body, PairGeometry, plane};
 use assur_kinematics::Linkage;
 
+/// The published form of longitudinal reactions.
+const PUBLISHED: &str = "longitudinal-published";
+
+/// How errors of a method grow by a singular position of its own, beside those of the groups: 1/sine.
+pub(crate) fn growth(linkage: &Linkage, method: &str, bodies: &[Body<f64>]) -> f64 {
+    let own = sine(linkage, bodies).filter(|_| method == PUBLISHED);
+    own.map_or(1.0, |sine| 1.0 / sine.max(f64::MIN_POSITIVE))
+}
+
 /// Sine of the angle between the crank and line 3 (the normal of the guide, or the rocker): 0 with the pole at infinity.
 /// `None` for a mechanism other than a crank with one group.
-pub(crate) fn sine(linkage: &Linkage, bodies: &[Body<f64>]) -> Option<f64> {
+fn sine(linkage: &Linkage, bodies: &[Body<f64>]) -> Option<f64> {
     let [group] = linkage.structure.groups.as_slice() else { return None };
     let crank = linkage.mechanism.input.link;
     let pin = |pair: &assur_group::Pair| match pair.geometry {

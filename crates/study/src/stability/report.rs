@@ -10,8 +10,9 @@ use super::cycle::{self, GroupHealth};
 use super::isolated::Isolated;
 use super::margin::{self, Margin};
 use super::row::Row;
-use super::walk_cycle::{Target, Walk};
-use super::walk_group;
+use super::target::targets;
+use super::walk_cycle::Walk;
+use super::{differences, scales, turns, walk_group};
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,6 +52,11 @@ pub fn stability(mut mechanism: Mechanism) -> Result<Stability, CompileError> {
         for target in targets(&linkage, &groups) {
             walk.to(&target, &mut rows);
         }
+        if let Some(q) = cycle::healthiest(&linkage) {
+            rows.extend(turns::rows(&linkage, &walk, q, None));
+            rows.extend(differences::rows(&linkage, q, "whole mechanism, where it is healthiest"));
+            rows.extend(scales::rows(&linkage, q, "whole mechanism, where it is healthiest"));
+        }
     }
     let critical: Vec<f64> = groups.iter().map(|group| group.coordinate).collect();
     let lengths = if failure.is_none() { margin::margins(&linkage, &critical) } else { Vec::new() };
@@ -74,24 +80,6 @@ fn different(linkage: &Linkage) -> Vec<(String, usize)> {
         }
     };
     (0..groups.len()).filter(first).map(named).collect()
-}
-
-/// Where each group is least healthy; groups that are so at one place, as in a row of parallelograms, are walked to together.
-fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> Vec<Target> {
-    /// A search for the least health finds its place to so much, rad or parts of the scale.
-    const SAME: f64 = 1e-6;
-    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
-    let mut targets: Vec<Target> = Vec::new();
-    for (index, least) in groups.iter().enumerate() {
-        let change = linkage.across(least.coordinate);
-        let coordinate = change.map_or(least.coordinate, |across| across.center);
-        let words = if change.is_some() { "change point" } else { "least health of the cycle" };
-        match targets.iter_mut().find(|target| (target.coordinate - coordinate).abs() <= SAME * unit) {
-            Some(target) => target.groups.push(index),
-            None => targets.push(Target { coordinate, groups: vec![index], words }),
-        }
-    }
-    targets
 }
 
 impl Stability {

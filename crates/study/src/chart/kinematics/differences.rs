@@ -1,97 +1,41 @@
-//! Numerical differentiation of places: PF1 and PF2 from PF0 alone, by central differences.
+//! The chart's row of numerical differentiation.
 
 use std::hint::black_box;
 
-use assur_group::{Body, Order};
-use assur_kinematics::Position;
 use assur_number::{Dd, Real};
 
 use super::groups_of;
 use crate::chart::entry::{Contestant, Verdict};
 use crate::chart::ruler::numbers;
 use crate::chart::work::Work;
-
-/// Weights of f(q + k h) for k = 1, 2: the first derivative takes them odd, the second even.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stencil {
-    pub(super) name: &'static str,
-    /// f' h = sum of w (f(q + k h) - f(q - k h)).
-    first: &'static [f64],
-    /// f'' h² = sum of w (f(q + k h) - 2 f(q) + f(q - k h)).
-    second: &'static [f64],
-}
-
-impl Stencil {
-    /// Three points, order 2; five points, order 4.
-    pub(super) const ALL: [Self; 2] = [
-        Self { name: "differences-2", first: &[0.5], second: &[1.0] },
-        Self { name: "differences-4", first: &[2.0 / 3.0, -1.0 / 12.0], second: &[4.0 / 3.0, -1.0 / 12.0] },
-    ];
-}
+use crate::differences::{Differentiator, Stencil};
 
 pub(super) struct Differences<'a> {
     work: &'a Work<'a>,
-    stencil: Stencil,
-    /// Step, rad or m.
-    step: f64,
-    /// The middle, then pairs after and before.
-    at: Vec<Position>,
+    differentiator: Differentiator<'a>,
 }
 
 impl<'a> Differences<'a> {
     /// `step`: rad, or parts of the scale for a sliding input.
     pub(super) fn new(work: &'a Work<'a>, stencil: Stencil, step: f64) -> Self {
-        let unit = if work.linkage.angular() { 1.0 } else { work.linkage.structure.scale };
-        let points = 1 + 2 * stencil.first.len();
-        Self { work, stencil, step: step * unit, at: vec![work.linkage.position(); points] }
+        Self { work, differentiator: Differentiator::new(work.linkage, stencil, step) }
     }
-
-    /// Places at all points of the stencil, and the derivatives into the middle position.
-    fn solve(&mut self, q: f64) -> Result<(), String> {
-        for (i, position) in self.at.iter_mut().enumerate() {
-            let side = if i % 2 == 1 { 1.0 } else { -1.0 };
-            let offset = if i == 0 { 0.0 } else { side * i.div_ceil(2) as f64 * self.step };
-            let solved = self.work.linkage.solve(q + offset, Order::Place, position);
-            solved.map_err(|error| error.to_string())?;
-        }
-        let (middle, around) = self.at.split_at_mut(1);
-        for (link, body) in middle[0].bodies.iter_mut().enumerate().skip(1) {
-            differentiate(&self.stencil, self.step, link, body, around);
-        }
-        Ok(())
-    }
-}
-
-fn differentiate(stencil: &Stencil, step: f64, link: usize, body: &mut Body<f64>, around: &[Position]) {
-    let place = |body: &Body<f64>| [body.x, body.y, body.c, body.s];
-    let here = place(body);
-    let (mut first, mut second) = ([0.0; 4], [0.0; 4]);
-    for (k, pair) in around.chunks_exact(2).enumerate() {
-        let (after, before) = (place(&pair[0].bodies[link]), place(&pair[1].bodies[link]));
-        for i in 0..4 {
-            first[i] += stencil.first[k] * (after[i] - before[i]) / step;
-            second[i] += stencil.second[k] * ((after[i] - here[i]) - (here[i] - before[i])) / (step * step);
-        }
-    }
-    let [_, _, c, s] = here;
-    (body.x1, body.y1, body.w1) = (first[0], first[1], c * first[3] - s * first[2]);
-    (body.x2, body.y2, body.w2) = (second[0], second[1], c * second[3] - s * second[2]);
 }
 
 impl Contestant for Differences<'_> {
     fn run(&mut self) {
         let work = self.work;
         for q in &work.coordinates {
-            let _ = black_box(self.solve(*q));
+            let _ = black_box(self.differentiator.solve(*q));
         }
     }
 
     fn judge(&mut self) -> Verdict {
         let work = self.work;
-        let solutions = groups_of(work.linkage) * self.at.len() as u64;
+        let solutions = groups_of(work.linkage) * self.differentiator.points() as u64;
         work.verdict(solutions, |_, q| {
-            self.solve(q)?;
-            Ok(self.at[0].bodies.iter().map(|body| numbers(body).map(Dd::from_f64)).collect())
+            let middle = self.differentiator.solve(q)?;
+            Ok(middle.bodies.iter().map(|body| numbers(body).map(Dd::from_f64)).collect())
         })
     }
 }

@@ -3,6 +3,7 @@
 mod closed;
 mod jet;
 mod passing;
+mod places;
 
 use super::report::Stability;
 
@@ -10,6 +11,7 @@ use super::report::Stability;
 pub fn bench() -> Stability {
     let mut rows = Vec::new();
     rows.extend(passing::rows());
+    rows.extend(places::rows());
     Stability {
         title: "Bench: where methods fail".to_owned(),
         angular: true,
@@ -18,4 +20,11 @@ pub fn bench() -> Stability {
         rows,
         failure: None,
     }
+}
+
+/// Every mechanism of the bench by its name.
+#[cfg(test)]
+pub(crate) fn names() -> Vec<&'static str> {
+    let known = closed::KNOWN.iter().map(|known| known.name);
+    known.chain(places::approaches().iter().map(|approach| approach.name)).collect()
 }

@@ -1,0 +1,41 @@
+//! After many turns of the crank everything is as in the first, within the rounding of the coordinate.
+
+use std::f64::consts::TAU;
+
+use assur_kinematics::Linkage;
+
+use super::row::{Law, Row};
+use super::target::Target;
+use super::walk_cycle::Walk;
+
+static LAW: Law = Law {
+    section: "turns",
+    along: "whole turns between the coordinate and that of the reference",
+    expected: "16 eps (1 + |q|) / (product of healths)^k with q after those turns: what the rounding of q costs, k = 1 for \
+               places, 2 for PF1, PF2 and reactions",
+};
+
+/// Whole cycles also where the mechanism needs two or four turns to repeat.
+const TURNS: [f64; 6] = [4.0, 40.0, 400.0, 4000.0, 10_000.0, 1_000_000.0];
+
+/// Rows for a mechanism that turns fully; none for another one.
+pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64, name: Option<&str>) -> Vec<Row> {
+    let mut rows = Vec::new();
+    if !linkage.angular() || linkage.range.is_none_or(|range| !range.full) {
+        return rows;
+    }
+    let target = Target {
+        law: &LAW,
+        name: name.map(str::to_owned),
+        coordinate: q,
+        sides: Vec::new(),
+        reach: 0.0,
+        groups: (0..linkage.structure.groups.len()).collect(),
+        smooth: false,
+        words: "turns away",
+    };
+    for turns in TURNS {
+        walk.stop(&target, (q + turns * TAU, q), turns, &mut rows);
+    }
+    rows
+}
