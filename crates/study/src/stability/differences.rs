@@ -6,13 +6,14 @@ use assur_number::{Dd, Real};
 
 use super::compare::{ORDERS, transfer};
 use super::row::{DISTANCES, Law, Row, Subject};
+use super::walk_cycle::growth;
 use super::walk_group::FACTOR;
 use crate::differences::{Differentiator, Stencil};
 
 static LAW: Law = Law {
     section: "differences",
     along: "step of the differences, rad or parts of the size",
-    expected: "2 (h^p M + 16 eps (1 + |q|) / health * k / h^order): p = 2, 4 for three and five points, M the next derivative \
+    expected: "2 (h^p M + 16 eps (1 + |q|) groups / healths * k / h^order): p = 2, 4 for three and five points, M the next derivative \
                over its factor (6, 30 for PF1, 12, 90 for PF2) on the points, k the sum of the weights",
 };
 
@@ -54,8 +55,8 @@ impl Exact<'_> {
         let mut differentiator = Differentiator::new(self.linkage, stencil, step);
         let found = differentiator.solve(self.q);
         let [unit, scale] = self.units;
-        let growth: f64 = health.iter().map(|health| 1.0 / health.abs().to_f64()).product();
-        let rounding = FACTOR * f64::EPSILON * (1.0 + (self.q / unit).abs()) * growth.min(1e90);
+        let growth = growth(health.iter().map(|health| health.abs().to_f64()));
+        let rounding = FACTOR * f64::EPSILON * (1.0 + (self.q / unit).abs()) * growth;
         for derivative in [1, 2] {
             let (next, factor, weights) = match (order, derivative) {
                 (2, 1) => (beyond[0], 6.0, 1.0),

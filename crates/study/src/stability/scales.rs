@@ -13,7 +13,7 @@ use super::walk_group::FACTOR;
 static LAW: Law = Law {
     section: "scales",
     along: "factor of all lengths, or of all masses",
-    expected: "nothing for a power of two, which rounds nothing; else 16 eps (1 + |q|) / (product of healths)^k for the \
+    expected: "nothing for a power of two, which rounds nothing; else 16 eps (1 + |q|) (groups / product of healths)^k for the \
                rounding of the data: k = 1 for places, 2 for PF1, PF2 and reactions",
 };
 
@@ -37,24 +37,32 @@ pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Row> {
     if linkage.solve(q, Order::Second, &mut position).is_err() {
         return rows;
     }
-    let Ok(first) = Linkage::compile(bare.clone()) else { return rows };
     for factor in LENGTHS {
         let scaled = Linkage::compile(longer(&bare, factor)).map_err(|error| error.to_string());
-        let pair = Pair { name, q, factor, before: (&first, &position), rows: &mut rows };
-        pair.lengths(scaled.as_ref());
+        Pair { name, q, factor, before: (linkage, &position), rows: &mut rows }.lengths(scaled.as_ref());
     }
     if bare.links.iter().any(|link| link.mass > 0.0) {
+        // Masses change nothing of what is compiled but the loads.
+        let Ok(mut heavy) = Linkage::compile(bare.clone()) else { return rows };
+        let light = weights(&heavy, &position);
         for factor in MASSES {
-            let mut heavy = bare.clone();
-            heavy.links.iter_mut().for_each(|link| {
-                (link.mass, link.inertia) = (link.mass * factor, link.inertia * factor);
-            });
-            let scaled = Linkage::compile(heavy).map_err(|error| error.to_string());
-            let pair = Pair { name, q, factor, before: (&first, &position), rows: &mut rows };
-            pair.masses(scaled.as_ref());
+            for (link, given) in heavy.mechanism.links.iter_mut().zip(&bare.links) {
+                (link.mass, link.inertia) = (given.mass * factor, given.inertia * factor);
+            }
+            let pair = Pair { name, q, factor, before: (&heavy, &position), rows: &mut rows };
+            pair.masses(light.as_deref(), &weights(&heavy, &position));
         }
     }
     rows
+}
+
+/// Weights of all links.
+fn weights(linkage: &Linkage, position: &Position) -> Result<Vec<Wrench<f64>>, String> {
+    let loads = Loads::compile(linkage).map_err(|error| error.to_string())?;
+    let state = State::prescribed(&linkage.mechanism, position.coordinate);
+    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
+    loads.apply(&state, &position.bodies, &mut wrenches);
+    Ok(wrenches)
 }
 
 /// A mechanism before and after, and where its rows go.
@@ -134,22 +142,18 @@ impl Pair<'_> {
         }
     }
 
-    fn masses(mut self, scaled: Result<&Linkage, &String>) {
+    fn masses(mut self, light: Result<&[Wrench<f64>], &String>, heavy: &Result<Vec<Wrench<f64>>, String>) {
         let (linkage, before) = self.before;
         for plugin in analyzers_of(linkage) {
             let pole = pole::growth(linkage, plugin.name, &before.bodies);
-            let found = scaled.map_err(Clone::clone).and_then(|scaled| {
-                let reactions = |linkage: &Linkage| {
-                    let loads = Loads::compile(linkage).map_err(|error| error.to_string())?;
-                    let state = State { coordinate: self.q, ..State::prescribed(&linkage.mechanism, self.q) };
-                    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-                    loads.apply(&state, &before.bodies, &mut wrenches);
-                    let mut out = Reactions::new(linkage);
-                    let solved = plugin.instance.solve(linkage, before, &mut wrenches, &mut out);
-                    solved.map(|()| out.pairs).map_err(|error| error.to_string())
-                };
-                let factor = self.factor;
-                Ok(forces(&reactions(linkage)?, &reactions(scaled)?, [factor, factor], linkage))
+            let reactions = |loads: &[Wrench<f64>]| {
+                let (mut loads, mut out) = (loads.to_vec(), Reactions::new(linkage));
+                let solved = plugin.instance.solve(linkage, before, &mut loads, &mut out);
+                solved.map(|()| out.pairs).map_err(|error| error.to_string())
+            };
+            let found = light.map_err(Clone::clone).and_then(|light| {
+                let heavy = heavy.as_ref().map_err(Clone::clone)?;
+                Ok(forces(&reactions(light)?, &reactions(heavy)?, [self.factor; 2], linkage))
             });
             self.row(("masses scaled", plugin.name), ("reactions", 2), pole, found);
         }

@@ -9,7 +9,7 @@ use super::row::Law;
 pub(crate) static CYCLE: Law = Law {
     section: "cycle",
     along: "distance of the coordinate from where the group is least healthy, rad or parts of the size",
-    expected: "16 eps (1 + |q|) / (product of healths)^k: k = 1 for places, 2 for PF1, PF2 and reactions, 3 for PF2 \
+    expected: "16 eps (1 + |q|) (groups / product of healths)^k: k = 1 for places, 2 for PF1, PF2 and reactions, 3 for PF2 \
                where it stays finite (its terms do not); around a change \
                point, where the motion is interpolated, k = 1, 2, 3 with the healths where that begins; for the published \
                longitudinal form also / sine^2 of the angle at the pole",

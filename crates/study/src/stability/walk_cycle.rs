@@ -64,9 +64,11 @@ pub(crate) fn test_loads(linkage: &Linkage) -> Vec<Wrench<f64>> {
     (0..linkage.structure.links).map(|link| if link == 0 { Wrench::ZERO } else { load(link) }).collect()
 }
 
-/// 1/health multiplied; finite, so that the bound is a number that says "nothing".
+/// How errors grow over groups that hang on each other: each adds its own, and passes on the others over its health.
+/// Finite, so that the bound is a number that says "nothing".
 pub(crate) fn growth(healths: impl Iterator<Item = f64>) -> f64 {
-    healths.map(|health| 1.0 / health).product::<f64>().min(1e90)
+    let (count, product) = healths.fold((0.0, 1.0), |(count, all), health| (count + 1.0, all / health));
+    (f64::max(count, 1.0) * product).min(1e90)
 }
 
 impl<'a> Walk<'a> {
@@ -181,11 +183,12 @@ impl<'a> Walk<'a> {
 
     /// Reactions of all pairs by each analyzer.
     fn forces(&self, target: &Target, at: &Stop<'_>, position: &Position, rows: &mut Vec<Row>) {
-        let more = match target.groups.len() - 1 {
-            0 => String::new(),
-            others => format!(" and {others} more"),
+        let more = match target.groups.len() {
+            0 | 1 => String::new(),
+            all => format!(" and {} more", all - 1),
         };
-        let place = target.place(self.linkage, target.groups[0], &more);
+        let Some(&first) = target.groups.first() else { return };
+        let place = target.place(self.linkage, first, &more);
         let reference = at.reference;
         let least = target.groups.iter().map(|&group| reference.health[group]).fold(f64::INFINITY, f64::min);
         let all = growth(reference.health.iter().copied());
