@@ -22,6 +22,9 @@ const SPREAD: f64 = 6.0;
 /// Numbers of nodes on each side that are tried.
 const NODES: [usize; 4] = [6, 10, 16, 24];
 
+/// On both sides, at most.
+const MOST_NODES: usize = 48;
+
 /// How often the reach is halved where the motion changes too fast for so many nodes.
 const HALVINGS: usize = 9;
 
@@ -149,8 +152,9 @@ impl Patch {
         let (mut sizes, mut misses) = ([1.0_f64; 3], [0.0_f64; 3]);
         for x in TRIALS {
             let (exact, _) = solve(place(center, x * self.reach))?;
+            let weights = self.weights(x);
             for (i, exact) in exact.iter().enumerate() {
-                let found = numbers(&self.blend(x, i));
+                let found = numbers(&self.blend(&weights, i));
                 for (k, (exact, found)) in numbers(exact).into_iter().zip(found).enumerate() {
                     let order = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2][k];
                     sizes[order] = sizes[order].max(exact.to_f64().abs());
@@ -188,28 +192,42 @@ impl Patch {
     /// Writes the links of the group; its health.
     pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>]) -> f64 {
         let x = self.distance(coordinate) / self.reach;
+        let weights = self.weights(x);
         for (i, &link) in self.links.iter().enumerate() {
-            bodies[link] = self.blend(x, i);
+            bodies[link] = self.blend(&weights, i);
         }
         // What is left of the determinant where ways meet grows linearly from there.
         x.abs() * self.beside
     }
 
-    /// Barycentric formula of the second kind: backward stable, and exact at the nodes.
-    fn blend(&self, x: f64, body: usize) -> Body<f64> {
-        let (mut sum, mut weights) = ([0.0; 10], 0.0);
-        for node in &self.nodes {
+    /// What each node counts at a place, by the barycentric formula of the second kind: backward stable, exact at the nodes.
+    fn weights(&self, x: f64) -> [f64; MOST_NODES] {
+        let mut weights = [0.0; MOST_NODES];
+        let mut sum = 0.0;
+        for (i, (weight, node)) in weights.iter_mut().zip(&self.nodes).enumerate() {
             let away = x - node.x;
             if away == 0.0 {
-                return node.bodies[body];
+                let mut only = [0.0; MOST_NODES];
+                only[i] = 1.0;
+                return only;
             }
-            let weight = node.weight / away;
-            weights += weight;
+            *weight = node.weight / away;
+            sum += *weight;
+        }
+        for weight in &mut weights {
+            *weight /= sum;
+        }
+        weights
+    }
+
+    fn blend(&self, weights: &[f64; MOST_NODES], body: usize) -> Body<f64> {
+        let mut sum = [0.0; 10];
+        for (weight, node) in weights.iter().zip(&self.nodes) {
             for (total, value) in sum.iter_mut().zip(numbers(&node.bodies[body])) {
                 *total += weight * value;
             }
         }
-        let [x, y, c, s, x1, y1, w1, x2, y2, w2] = sum.map(|value| value / weights);
+        let [x, y, c, s, x1, y1, w1, x2, y2, w2] = sum;
         let length = c.hypot(s);
         Body { x, y, c: c / length, s: s / length, x1, y1, w1, x2, y2, w2 }
     }
