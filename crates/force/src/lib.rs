@@ -30,6 +30,7 @@ mod visit;
 mod wrenches;
 
 pub use analyzer::{ForceAnalyzer, ForceError};
+pub use assur_registry::RegistryError;
 pub use construction::{Construction, Drawing, Step, StepKind};
 pub use dependence::Dependence;
 pub use error::LoadError;
@@ -38,7 +39,7 @@ pub use named::{JointReaction, joint_reactions};
 pub use phase::{Bounds, Phase};
 pub use reactions::{Reactions, UnitBalance, power};
 pub use reduce::Reduced;
-pub use registry::{AnalyzerPlugin, RegistryError, analyzers, find};
+pub use registry::{AnalyzerPlugin, analyzers, find};
 pub use state::State;
 
 pub use inventory;

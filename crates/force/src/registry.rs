@@ -1,5 +1,7 @@
 //! The registry of force analyzers.
 
+use assur_registry::{Registered, RegistryError};
+
 use crate::ForceAnalyzer;
 
 /// Entry of a method in the registry: `inventory::submit! { AnalyzerPlugin { ... } }`.
@@ -21,30 +23,16 @@ pub struct AnalyzerPlugin {
 
 inventory::collect!(AnalyzerPlugin);
 
-/// A method that is not there, or is there twice.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum RegistryError {
-    /// Two plugins have one name.
-    #[error("two plugins are registered as force analyzer `{name}`: {first} and {second}; rename one")]
-    Duplicate {
-        /// The name.
-        name: &'static str,
-        /// The first crate.
-        first: &'static str,
-        /// The second crate.
-        second: &'static str,
-    },
-    /// Nothing is registered.
-    #[error("no force analyzer is registered; the program must link the plugins (`use assur_all as _;`)")]
-    Empty,
-    /// Nothing has this name.
-    #[error("no force analyzer is called `{name}`; there are: {}", known.join(", "))]
-    Unknown {
-        /// The name asked for.
-        name: String,
-        /// The registered names.
-        known: Vec<&'static str>,
-    },
+impl Registered for AnalyzerPlugin {
+    const WHAT: &'static str = "force analyzer";
+
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn crate_name(&self) -> &'static str {
+        self.crate_name
+    }
 }
 
 /// All registered methods, sorted by name.
@@ -53,7 +41,7 @@ pub enum RegistryError {
 ///
 /// [`RegistryError`] where two have one name or none is registered.
 pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
-    sorted(inventory::iter::<AnalyzerPlugin>.into_iter().collect())
+    assur_registry::all()
 }
 
 /// The method of this name.
@@ -62,24 +50,5 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
 ///
 /// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
-    let all = analyzers()?;
-    let known = || all.iter().map(|plugin| plugin.name).collect();
-    let found = all.iter().copied().find(|plugin| plugin.name == name);
-    found.ok_or_else(|| RegistryError::Unknown { name: name.to_owned(), known: known() })
-}
-
-pub(crate) fn sorted(
-    mut all: Vec<&'static AnalyzerPlugin>,
-) -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
-    all.sort_by_key(|plugin| (plugin.name, plugin.crate_name));
-    if all.is_empty() {
-        return Err(RegistryError::Empty);
-    }
-    for two in all.windows(2) {
-        if two[0].name == two[1].name {
-            let (first, second) = (two[0].crate_name, two[1].crate_name);
-            return Err(RegistryError::Duplicate { name: two[0].name, first, second });
-        }
-    }
-    Ok(all)
+    assur_registry::find(name)
 }

@@ -22,6 +22,7 @@ pub mod plane;
 mod registry;
 mod wrench;
 
+pub use assur_registry::RegistryError;
 pub use body::Body;
 pub use dyad::{Dyad, PinEnd, SlideEnd};
 pub use error::{GroupError, LEAST_HEALTH};
@@ -30,9 +31,7 @@ pub use joint::{PinJoint, SlideJoint};
 pub use kernel::{AssurGroup, Number, Order};
 pub use newton::place_by_newton;
 pub use pair::{GroupFrame, Pair, PairGeometry};
-pub use registry::{
-    BuildError, Builders, GroupKind, GroupPlugin, RegistryError, groups, kernel_of, plugin_for,
-};
+pub use registry::{BuildError, Builders, GroupKind, GroupPlugin, groups, kernel_of, plugin_for};
 pub use wrench::Wrench;
 
 pub use inventory;

@@ -1,6 +1,7 @@
 //! The registry of the kinds of groups.
 
 use assur_number::{Dd, F64x4};
+use assur_registry::{Registered, RegistryError};
 
 use crate::{AssurGroup, GroupFrame, Number};
 
@@ -88,22 +89,16 @@ pub struct GroupPlugin {
 
 inventory::collect!(GroupPlugin);
 
-/// A fault of the registry itself: a mistake of the build, not of a scene.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum RegistryError {
-    /// Two plugins have one name.
-    #[error("two plugins are registered as group `{name}`: {first} and {second}; rename one")]
-    Duplicate {
-        /// The name.
-        name: &'static str,
-        /// The first crate.
-        first: &'static str,
-        /// The second crate.
-        second: &'static str,
-    },
-    /// Nothing is registered.
-    #[error("no group is registered; the program must link the plugins (`use assur_all as _;`)")]
-    Empty,
+impl Registered for GroupPlugin {
+    const WHAT: &'static str = "group";
+
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn crate_name(&self) -> &'static str {
+        self.crate_name
+    }
 }
 
 /// All registered kinds, sorted by name.
@@ -112,18 +107,7 @@ pub enum RegistryError {
 ///
 /// [`RegistryError`] where two have one name or none is registered.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
-    let mut all: Vec<_> = inventory::iter::<GroupPlugin>.into_iter().collect();
-    all.sort_by_key(|plugin| (plugin.name, plugin.crate_name));
-    if all.is_empty() {
-        return Err(RegistryError::Empty);
-    }
-    for two in all.windows(2) {
-        if two[0].name == two[1].name {
-            let (first, second) = (two[0].crate_name, two[1].crate_name);
-            return Err(RegistryError::Duplicate { name: two[0].name, first, second });
-        }
-    }
-    Ok(all)
+    assur_registry::all()
 }
 
 /// The registered kind of a group; of two that match, the lower class, then the first name.

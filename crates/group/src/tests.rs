@@ -130,7 +130,7 @@ fn no_number_is_no_health() {
 
 #[test]
 fn a_program_without_plugins_is_told_so() {
-    assert_eq!(groups().unwrap_err(), RegistryError::Empty);
+    assert_eq!(groups().unwrap_err(), RegistryError::Empty { what: "group" });
 }
 
 #[test]

@@ -49,7 +49,10 @@ inventory::submit! { entry("first") }
 #[test]
 fn two_of_one_name_are_refused() {
     let error = groups().unwrap_err();
-    assert_eq!(error, RegistryError::Duplicate { name: "twice", first: "first", second: "second" });
+    assert_eq!(
+        error,
+        RegistryError::Duplicate { what: "group", name: "twice", first: "first", second: "second" }
+    );
     assert_eq!(
         error.to_string(),
         "two plugins are registered as group `twice`: first and second; rename one"

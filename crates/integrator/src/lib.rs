@@ -38,6 +38,7 @@ mod recorder;
 mod request;
 mod stepper;
 
+pub use assur_registry::RegistryError;
 pub use choose::{Choice, choose};
 pub use control::{Control, Scale};
 pub use dense::{COEFFICIENTS, Dense, cubic};
@@ -47,6 +48,6 @@ pub use equation::Equation;
 pub use error::IntegrationError;
 pub use inventory;
 pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
-pub use plugin::{IntegratorPlugin, RegistryError, find, integrators};
+pub use plugin::{IntegratorPlugin, find, integrators};
 pub use request::{Event, EventKind, Integrator, Request, Sample, Statistics, Trajectory, Until};
 pub use stepper::{Attempt, Node, Pace, Stepper};

@@ -1,5 +1,7 @@
 //! The registry of integrators.
 
+use assur_registry::{Registered, RegistryError};
+
 use crate::Integrator;
 
 /// Registers an integrator: `inventory::submit! { IntegratorPlugin { ... } }`.
@@ -21,68 +23,32 @@ pub struct IntegratorPlugin {
 
 inventory::collect!(IntegratorPlugin);
 
-/// Why the registry can't be used.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RegistryError {
-    /// Two plugins claim one name.
-    #[error("two integrators are named `{name}`: from `{first}` and from `{second}`; rename one")]
-    Duplicate {
-        /// The name.
-        name: &'static str,
-        /// One crate.
-        first: &'static str,
-        /// The other crate.
-        second: &'static str,
-    },
-    /// No plugin is linked.
-    #[error("no integrator is linked into this program; depend on the crate that lists the plugins")]
-    Empty,
-    /// No plugin of that name.
-    #[error("no integrator is named `{name}`; there are: {known}")]
-    Unknown {
-        /// The name asked for.
-        name: String,
-        /// All names.
-        known: String,
-    },
+impl Registered for IntegratorPlugin {
+    const WHAT: &'static str = "integrator";
+
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn crate_name(&self) -> &'static str {
+        self.crate_name
+    }
 }
 
 /// All linked integrators, sorted by name.
 ///
 /// # Errors
 ///
-/// [`RegistryError::Duplicate`], [`RegistryError::Empty`].
+/// [`RegistryError`] where two have one name or none is linked.
 pub fn integrators() -> Result<Vec<&'static IntegratorPlugin>, RegistryError> {
-    sorted(inventory::iter::<IntegratorPlugin>.into_iter().collect())
+    assur_registry::all()
 }
 
 /// The integrator of that name.
 ///
 /// # Errors
 ///
-/// As [`integrators`], and [`RegistryError::Unknown`].
+/// [`RegistryError`] where the registry is faulty or has no such integrator.
 pub fn find(name: &str) -> Result<&'static IntegratorPlugin, RegistryError> {
-    let all = integrators()?;
-    all.iter().find(|plugin| plugin.name == name).copied().ok_or_else(|| RegistryError::Unknown {
-        name: name.to_owned(),
-        known: all.iter().map(|plugin| plugin.name).collect::<Vec<_>>().join(", "),
-    })
+    assur_registry::find(name)
 }
-
-/// Sorts by name; the order of linking must not matter.
-fn sorted(mut all: Vec<&IntegratorPlugin>) -> Result<Vec<&IntegratorPlugin>, RegistryError> {
-    all.sort_by_key(|plugin| (plugin.name, plugin.crate_name));
-    match all.windows(2).find(|pair| pair[0].name == pair[1].name) {
-        Some(pair) => Err(RegistryError::Duplicate {
-            name: pair[0].name,
-            first: pair[0].crate_name,
-            second: pair[1].crate_name,
-        }),
-        None if all.is_empty() => Err(RegistryError::Empty),
-        None => Ok(all),
-    }
-}
-
-#[cfg(test)]
-mod tests;

@@ -15,7 +15,8 @@ fn registered_under_their_names() {
     let known: Vec<_> = analyzers().unwrap().iter().map(|plugin| plugin.name).collect();
     assert!(known.is_sorted());
     let error = find("graphical").unwrap_err();
-    assert_eq!(error, RegistryError::Unknown { name: "graphical".to_owned(), known: known.clone() });
+    let (what, name) = ("force analyzer", "graphical".to_owned());
+    assert_eq!(error, RegistryError::Unknown { what, name, known: known.clone() });
     let text = format!("no force analyzer is called `graphical`; there are: {}", known.join(", "));
     assert_eq!(error.to_string(), text);
 }

@@ -1,10 +1,8 @@
-use assur_group::Wrench;
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::Linkage;
 use assur_mechanism::{Table, Value};
 
 use super::{fixture, linkage};
-use crate::registry::sorted;
-use crate::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, RegistryError};
+use crate::Loads;
 
 fn error(change: impl FnOnce(&mut assur_mechanism::Mechanism)) -> String {
     let mut mechanism = linkage(&fixture("slider-crank")).mechanism;
@@ -44,42 +42,4 @@ fn a_moment_has_no_stroke() {
         text,
         "moment `drag` follows a stroke, but a moment has no point that could move; use a table over the angle"
     );
-}
-
-#[derive(Debug)]
-struct Nothing;
-
-impl ForceAnalyzer for Nothing {
-    fn supports(&self, _: &Linkage) -> Result<(), String> {
-        Ok(())
-    }
-    fn solve(
-        &self,
-        _: &Linkage,
-        _: &Position,
-        _: &mut [Wrench<f64>],
-        _: &mut Reactions,
-    ) -> Result<(), ForceError> {
-        Ok(())
-    }
-}
-
-static ONE: AnalyzerPlugin = AnalyzerPlugin {
-    name: "same",
-    crate_name: "a",
-    summary: "",
-    source: "",
-    instance: &Nothing,
-    gives_reactions: false,
-};
-static OTHER: AnalyzerPlugin = AnalyzerPlugin { crate_name: "b", ..ONE };
-static THIRD: AnalyzerPlugin = AnalyzerPlugin { name: "another", ..ONE };
-
-#[test]
-fn the_registry_is_sorted_and_refuses_two_of_one_name() {
-    let names: Vec<_> = sorted(vec![&ONE, &THIRD]).unwrap().iter().map(|plugin| plugin.name).collect();
-    assert_eq!(names, ["another", "same"]);
-    let duplicate = RegistryError::Duplicate { name: "same", first: "a", second: "b" };
-    assert_eq!(sorted(vec![&OTHER, &ONE]).unwrap_err(), duplicate);
-    assert_eq!(sorted(Vec::new()).unwrap_err(), RegistryError::Empty);
 }

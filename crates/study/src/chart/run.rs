@@ -47,17 +47,14 @@ pub enum ChartError {
     /// The equation of motion can't be made.
     #[error(transparent)]
     Dynamics(#[from] assur_dynamics::DynamicsError),
-    /// No integrator is linked.
-    #[error(transparent)]
-    Integrators(#[from] assur_integrator::RegistryError),
     /// No integrator finds the motion.
     #[error(
         "no integrator finds the motion of the scene, so that nothing can be judged; `assur analyze` says why"
     )]
     NoMotion,
-    /// No analyzer is linked.
+    /// No integrator or no analyzer is linked.
     #[error(transparent)]
-    Analyzers(#[from] assur_force::RegistryError),
+    Registry(#[from] assur_force::RegistryError),
     /// The extended precision finds no answer.
     #[error(
         "coordinate {coordinate:.9}: the groups have no solution in extended precision there, so that nothing can be judged: \
@@ -174,7 +171,7 @@ impl Charting<'_> {
         }
         let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
-        auto::mark(&mut self.data.rows, &task.motion.dependence(), &integrators()?);
+        auto::mark(&mut self.data.rows, task.motion.dependence(), &integrators()?);
         Ok(())
     }
 }

@@ -1,0 +1,96 @@
+//! What every registry of plugins has in common: sorted by name, no name twice, found by name.
+//!
+//! `inventory` gives the entries in the order of linking, which nobody controls; results must not depend on it.
+
+use inventory::Collect;
+
+/// An entry that plugins submit.
+pub trait Registered: Collect {
+    /// What is registered, for messages: `force analyzer`.
+    const WHAT: &'static str;
+
+    /// Its stable identifier, as users write it.
+    fn name(&self) -> &'static str;
+
+    /// The crate that registers it.
+    fn crate_name(&self) -> &'static str;
+}
+
+/// A plugin that is not there, or is there twice.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RegistryError {
+    /// Two plugins have one name: a mistake of the build.
+    #[error("two plugins are registered as {what} `{name}`: {first} and {second}; rename one")]
+    Duplicate {
+        /// What is registered.
+        what: &'static str,
+        /// The name.
+        name: &'static str,
+        /// The first crate.
+        first: &'static str,
+        /// The second crate.
+        second: &'static str,
+    },
+    /// Nothing is registered: a mistake of the build.
+    #[error("no {what} is registered; the program must link the plugins (`use assur_all as _;`)")]
+    Empty {
+        /// What is registered.
+        what: &'static str,
+    },
+    /// Nothing has this name.
+    #[error("no {what} is called `{name}`; there are: {}", known.join(", "))]
+    Unknown {
+        /// What is registered.
+        what: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The registered names.
+        known: Vec<&'static str>,
+    },
+}
+
+/// All registered entries of a kind, sorted by name.
+///
+/// # Errors
+///
+/// [`RegistryError`] where two have one name or none is registered.
+pub fn all<P: Registered>() -> Result<Vec<&'static P>, RegistryError>
+where
+    inventory::iter<P>: IntoIterator<Item = &'static P>,
+{
+    sorted(inventory::iter::<P>.into_iter().collect())
+}
+
+/// The entry of this name.
+///
+/// # Errors
+///
+/// [`RegistryError`] where the registry is faulty or has no such entry.
+pub fn find<P: Registered>(name: &str) -> Result<&'static P, RegistryError>
+where
+    inventory::iter<P>: IntoIterator<Item = &'static P>,
+{
+    let all = all::<P>()?;
+    let found = all.iter().copied().find(|plugin| plugin.name() == name);
+    let known = || all.iter().map(|plugin| plugin.name()).collect();
+    found.ok_or_else(|| RegistryError::Unknown { what: P::WHAT, name: name.to_owned(), known: known() })
+}
+
+fn sorted<P: Registered>(mut all: Vec<&'static P>) -> Result<Vec<&'static P>, RegistryError> {
+    all.sort_by_key(|plugin| (plugin.name(), plugin.crate_name()));
+    if all.is_empty() {
+        return Err(RegistryError::Empty { what: P::WHAT });
+    }
+    match all.windows(2).find(|two| two[0].name() == two[1].name()) {
+        Some(two) => Err(RegistryError::Duplicate {
+            what: P::WHAT,
+            name: two[0].name(),
+            first: two[0].crate_name(),
+            second: two[1].crate_name(),
+        }),
+        None => Ok(all),
+    }
+}
+
+#[cfg(test)]
+mod tests;
