@@ -1,12 +1,15 @@
 //! The checks of the numbers.
 
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+
 use assur_check::{Subject, methods};
 use assur_dynamics::{Steady, Transient};
 use assur_force::State;
 use assur_mechanism::{Motion, Solve};
 use assur_results::CheckRow;
 
-use crate::{Course, Study};
+use crate::{Course, Progress, Study};
 
 /// States of a transient motion that are checked at most, equally spaced.
 const MOST_STATES: usize = 96;
@@ -14,19 +17,33 @@ const MOST_STATES: usize = 96;
 impl Study {
     /// Every check that applies to the scene; none where the plan leaves groups out.
     pub fn checks(&self) -> Vec<CheckRow> {
-        if self.plan.is_partial() {
-            return Vec::new();
+        match self.checks_watched(&mut |_| ControlFlow::<Infallible>::Continue(())) {
+            ControlFlow::Continue(rows) => rows,
+            ControlFlow::Break(never) => match never {},
         }
-        let mut rows = self.position_checks();
+    }
+
+    /// The same; `watch` is told how far it is, and may stop it.
+    pub fn checks_watched<B>(
+        &self,
+        watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
+    ) -> ControlFlow<B, Vec<CheckRow>> {
+        if self.plan.is_partial() {
+            return ControlFlow::Continue(Vec::new());
+        }
+        let mut rows = self.position_checks(watch)?;
         match &self.course {
             Course::Prescribed => {}
             Course::Transient(found) => rows.extend(self.transient_checks(found)),
             Course::Steady(found) => rows.extend(self.steady_checks(found)),
         }
-        rows
+        ControlFlow::Continue(rows)
     }
 
-    fn position_checks(&self) -> Vec<CheckRow> {
+    fn position_checks<B>(
+        &self,
+        watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
+    ) -> ControlFlow<B, Vec<CheckRow>> {
         let first = self.analyzer.map_or(crate::DEFAULT_ANALYZER, |plugin| plugin.name);
         let subject = Subject {
             linkage: &self.linkage,
@@ -34,7 +51,8 @@ impl Study {
             states: self.checked_states(),
             methods: methods(&self.linkage, first),
         };
-        let rows = subject.checks().into_iter().map(|check| CheckRow {
+        let found = subject.checks_watched(&mut |done, total| watch(Progress::Checks { done, total }))?;
+        let rows = found.into_iter().map(|check| CheckRow {
             name: check.name.to_owned(),
             residual: check.residual,
             limit: check.limit,
@@ -44,7 +62,7 @@ impl Study {
             left_out: check.left_out,
             ok: check.ok,
         });
-        rows.collect()
+        ControlFlow::Continue(rows.collect())
     }
 
     /// The positions; in a transient motion states of the trajectory, which alone has speeds.

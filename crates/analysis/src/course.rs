@@ -1,13 +1,19 @@
 //! How the input moves: as the scene prescribes it, or as the equation of motion has it.
 
-use assur_dynamics::{DynamicsError, Machine, Steady, Transient, equation, steady, transient_by};
+use std::ops::ControlFlow;
+
+use assur_dynamics::{
+    DynamicsError, Machine, Steady, Tell, Transient, equation, steady_told, transient_told,
+};
 use assur_force::{Loads, State};
-use assur_integrator::{Dependence, IntegrationError, Motion as _, choose, find, integrators};
+use assur_integrator::{
+    Dependence, IntegrationError, Motion as _, State as IntegratorState, choose, find, integrators,
+};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_plan::Plan;
 
-use crate::{AnalysisError, DEFAULT_INTEGRATOR, Options};
+use crate::{AnalysisError, DEFAULT_INTEGRATOR, Options, Progress};
 
 /// The integrator that `auto` falls back to where the equation turns out to be stiff.
 const STIFF: &str = "radau5";
@@ -31,13 +37,33 @@ impl Course {
         linkage: &Linkage,
         loads: Option<&Loads>,
         options: &Options,
+        watch: Option<&mut dyn FnMut(Progress) -> ControlFlow<()>>,
     ) -> Result<Self, AnalysisError> {
         let Some(loads) = loads else { return Ok(Self::Prescribed) };
+        let Some(watch) = watch else { return Ok(Self::found(linkage, loads, options, None)?) };
+        let mut counter = Counter::new(&linkage.mechanism);
+        let mut stopped = false;
+        let mut tell = |state: &IntegratorState| {
+            let flow = watch(counter.progress(state));
+            stopped |= flow.is_break();
+            flow
+        };
+        let found = Self::found(linkage, loads, options, Some(&mut tell));
+        // A method that is stopped may say so in other words, or go another way.
+        if stopped { Err(AnalysisError::Stopped) } else { Ok(found?) }
+    }
+
+    fn found(
+        linkage: &Linkage,
+        loads: &Loads,
+        options: &Options,
+        tell: Option<&mut Tell<'_>>,
+    ) -> Result<Self, DynamicsError> {
         match linkage.mechanism.motion {
             Some(Motion::Transient { .. }) => {
-                Ok(Self::Transient(Box::new(transient(linkage, loads, options)?)))
+                Ok(Self::Transient(Box::new(transient(linkage, loads, options, tell)?)))
             }
-            Some(Motion::Steady { .. }) => Ok(Self::Steady(Box::new(steady(linkage, loads)?))),
+            Some(Motion::Steady { .. }) => Ok(Self::Steady(Box::new(steady_told(linkage, loads, tell)?))),
             Some(Motion::Prescribed { .. }) | None => Ok(Self::Prescribed),
         }
     }
@@ -64,18 +90,52 @@ impl Course {
     }
 }
 
+/// Counts what is told of a motion.
+struct Counter {
+    steady: bool,
+    start: f64,
+    period: Option<f64>,
+    evaluations: usize,
+}
+
+impl Counter {
+    fn new(mechanism: &Mechanism) -> Self {
+        let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
+        Self { steady, start: mechanism.input.from, period: mechanism.input.period(), evaluations: 0 }
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count that is shown: not negative, and beyond the largest number nobody counts"
+    )]
+    fn progress(&mut self, state: &IntegratorState) -> Progress {
+        self.evaluations += 1;
+        if self.steady {
+            return Progress::Regime { evaluations: self.evaluations };
+        }
+        let cycles = self.period.map_or(0.0, |period| ((state.coordinate - self.start) / period).abs());
+        Progress::Motion { time: state.time, cycles: cycles as usize }
+    }
+}
+
 /// By the integrator asked for; `auto` goes on with the implicit method where the explicit one finds the equation stiff.
-fn transient(linkage: &Linkage, loads: &Loads, options: &Options) -> Result<Transient, DynamicsError> {
+fn transient(
+    linkage: &Linkage,
+    loads: &Loads,
+    options: &Options,
+    mut tell: Option<&mut Tell<'_>>,
+) -> Result<Transient, DynamicsError> {
     let named = options.integrator.as_deref();
     let own = match &linkage.mechanism.motion {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
         _ => DEFAULT_INTEGRATOR,
     };
-    match transient_by(linkage, loads, named, None) {
+    match transient_told(linkage, loads, named, None, tell.as_deref_mut()) {
         Err(DynamicsError::Integration(IntegrationError::TooManySteps {
             stiffness: Some(product), ..
         })) if named.unwrap_or(own) == DEFAULT_INTEGRATOR => {
-            let found = transient_by(linkage, loads, Some(STIFF), None)?;
+            let found = transient_told(linkage, loads, Some(STIFF), None, tell)?;
             let reason =
                 format!("the equation is stiff: an explicit method had to keep h*lambda at {product:.2}");
             Ok(Transient { reason, ..found })

@@ -24,6 +24,9 @@ pub enum AnalysisError {
         /// Why not.
         reason: String,
     },
+    /// Whoever watched it stopped it.
+    #[error("stopped on request")]
+    Stopped,
     /// There is no motion.
     #[error("{message}")]
     Motion {

@@ -13,6 +13,7 @@ mod motions;
 mod names;
 mod notes;
 mod plans;
+mod progress;
 mod proof;
 mod run;
 mod structure;
@@ -21,6 +22,7 @@ mod trajectory;
 
 pub use course::{Course, explain_motion};
 pub use error::AnalysisError;
+pub use progress::Progress;
 pub use study::{DEFAULT_ANALYZER, DEFAULT_INTEGRATOR, Options, Study, methods};
 
 #[cfg(test)]

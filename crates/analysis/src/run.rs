@@ -1,5 +1,7 @@
 //! Position after position.
 
+use std::convert::Infallible;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use assur_group::Order;
@@ -7,6 +9,7 @@ use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::Balance;
 use assur_results::{Analysis, Failure, InputReport, Named, PositionResult, Reduced};
 
+use crate::Progress;
 use crate::Study;
 use crate::angles::Angles;
 use crate::forces::Forces;
@@ -33,13 +36,26 @@ impl Study {
     /// Calculates everything that the scene asks for, without checks. A position without a solution is told among the failures, with what
     /// could still be calculated there.
     pub fn analyze(&self) -> Analysis {
+        match self.analyze_watched(&mut |_| ControlFlow::<Infallible>::Continue(())) {
+            ControlFlow::Continue(analysis) => analysis,
+            ControlFlow::Break(never) => match never {},
+        }
+    }
+
+    /// The same; `watch` is told how far it is, and may stop it.
+    pub fn analyze_watched<B>(
+        &self,
+        watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
+    ) -> ControlFlow<B, Analysis> {
         let mechanism = &self.linkage.mechanism;
         let mut run = Run::new(self);
-        for index in 0..mechanism.input.positions {
+        let total = mechanism.input.positions;
+        for index in 0..total {
+            watch(Progress::Positions { done: index, total })?;
             run.position(index);
         }
-        let (trajectory, lost_samples) = self.trajectory();
-        Analysis {
+        let (trajectory, lost_samples) = self.trajectory(watch)?;
+        ControlFlow::Continue(Analysis {
             format: Analysis::FORMAT,
             title: mechanism.title.clone(),
             input: InputReport {
@@ -60,7 +76,7 @@ impl Study {
             no_motion: self.no_motion.clone(),
             notes: self.notes(&run.lost, lost_samples),
             checks: Vec::new(),
-        }
+        })
     }
 }
 

@@ -1,12 +1,14 @@
 //! A mechanism with its plan, compiled.
 
+use std::ops::ControlFlow;
+
 use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_plan::{Methods, Plan};
 use assur_structure::Structure;
 
-use crate::{AnalysisError, Course};
+use crate::{AnalysisError, Course, Progress};
 
 /// The force analyzer that is taken where none is named.
 pub const DEFAULT_ANALYZER: &str = "groups";
@@ -48,6 +50,27 @@ impl Study {
     ///
     /// [`AnalysisError`] where the scene as a whole can't be calculated.
     pub fn of(mechanism: Mechanism, options: &Options) -> Result<Self, AnalysisError> {
+        Self::build(mechanism, options, None)
+    }
+
+    /// The same; `watch` is told how far a motion is, and may stop it.
+    ///
+    /// # Errors
+    ///
+    /// As [`of`](Self::of); [`AnalysisError::Stopped`].
+    pub fn of_watched(
+        mechanism: Mechanism,
+        options: &Options,
+        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, AnalysisError> {
+        Self::build(mechanism, options, Some(watch))
+    }
+
+    fn build(
+        mechanism: Mechanism,
+        options: &Options,
+        watch: Option<&mut dyn FnMut(Progress) -> ControlFlow<()>>,
+    ) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, &methods(&mechanism, options));
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
@@ -55,7 +78,7 @@ impl Study {
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
         let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
-        let (course, no_motion) = match Course::of(&linkage, loads.as_ref(), options) {
+        let (course, no_motion) = match Course::of(&linkage, loads.as_ref(), options, watch) {
             Ok(course) => (course, None),
             Err(error) if error.is_no_solution() => (Course::Prescribed, Some(error.to_string())),
             Err(error) => return Err(error),

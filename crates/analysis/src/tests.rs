@@ -5,6 +5,8 @@ use assur_results::Analysis;
 
 use crate::{AnalysisError, Options, Study};
 
+mod watched;
+
 fn text(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }

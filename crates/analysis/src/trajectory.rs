@@ -1,12 +1,14 @@
 //! The course over time: every sample of a transient motion, one cycle of a steady one.
 
+use std::ops::ControlFlow;
+
 use assur_force::State;
 use assur_results::{Named, Spot, Trajectory};
 
 use crate::angles::Angles;
 use crate::forces::Forces;
 use crate::names::Names;
-use crate::{Course, Study, motions};
+use crate::{Course, Progress, Study, motions};
 
 /// Rows over one cycle of a steady regime, the end included.
 const ROWS: u32 = 360;
@@ -41,7 +43,10 @@ impl Study {
 
     /// The course over time, with forces for a transient motion, whose positions have none; and at how many samples they are
     /// not determined.
-    pub(crate) fn trajectory(&self) -> (Vec<Trajectory>, usize) {
+    pub(crate) fn trajectory<B>(
+        &self,
+        watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
+    ) -> ControlFlow<B, (Vec<Trajectory>, usize)> {
         let (linkage, plan) = (&self.linkage, &self.plan);
         let names = Names::of(&linkage.mechanism);
         let mut angles = Angles::new(linkage);
@@ -54,7 +59,10 @@ impl Study {
             _ => None,
         };
         let (mut rows, mut lost) = (Vec::new(), 0);
-        for state in self.states() {
+        let states = self.states();
+        let total = states.len();
+        for (done, state) in states.into_iter().enumerate() {
+            watch(Progress::Instants { done, total })?;
             if linkage.solve(state.coordinate, plan.order, &mut position).is_err() {
                 continue;
             }
@@ -95,6 +103,6 @@ impl Study {
             }
             rows.push(row);
         }
-        (rows, lost)
+        ControlFlow::Continue((rows, lost))
     }
 }

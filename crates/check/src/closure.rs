@@ -1,5 +1,7 @@
 //! Closure: at every pair both bodies have the same place, PF1 and PF2.
 
+use std::ops::ControlFlow;
+
 use assur_group::{Body, Pair, PairGeometry};
 
 use crate::subject::{Solved, Subject};
@@ -17,10 +19,15 @@ const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units o
 /// What a pair leaves open: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
 
-pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
+pub(crate) fn checks<B>(
+    subject: &Subject<'_>,
+    solved: &[Solved],
+    step: &mut impl FnMut() -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Check>> {
     let mut worst = NAMES.map(|name| Worst::new(name, REASON));
     let linkage = subject.linkage;
     for one in solved {
+        step()?;
         let bodies = &one.position.bodies;
         let gaps: Vec<Gap> = linkage.structure.pairs.iter().map(|named| gap(&named.pair, bodies)).collect();
         let sizes = [0, 1, 2].map(|order| gaps.iter().map(|gap: &Gap| gap[order].1).fold(0.0, f64::max));
@@ -43,7 +50,7 @@ pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
             });
         }
     }
-    worst.into_iter().filter_map(Worst::into_check).collect()
+    ControlFlow::Continue(worst.into_iter().filter_map(Worst::into_check).collect())
 }
 
 fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {

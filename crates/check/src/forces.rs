@@ -1,5 +1,7 @@
 //! The checks of forces: loads, reduced quantities, equilibrium, agreement of methods, power.
 
+use std::ops::ControlFlow;
+
 use assur_force::{Loads, joint_reactions};
 use assur_group::Wrench;
 
@@ -17,7 +19,12 @@ const ROUNDINGS: f64 = 64.0;
 /// unit of the condition.
 pub(crate) const SOLUTION: f64 = 64.0;
 
-pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) -> Vec<Check> {
+pub(crate) fn checks<B>(
+    subject: &Subject<'_>,
+    loads: &Loads,
+    solved: &[Solved],
+    step: &mut impl FnMut() -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Check>> {
     let writer = Writer::new(subject);
     let mut written = Worst::new(
         "loads",
@@ -27,6 +34,7 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
     let mut equilibrium = Equilibrium::new(subject);
     let mut power = Power::new(subject);
     for one in solved {
+        step()?;
         let Some(state) = subject.states.get(one.index) else { continue };
         let items = writer.items(loads, state, &one.position.bodies);
         if items.values().all(|item| item.size == 0.0) {
@@ -47,7 +55,7 @@ pub(crate) fn checks(subject: &Subject<'_>, loads: &Loads, solved: &[Solved]) ->
     }
     let first = [written.into_check()];
     let rest = equilibrium.into_checks().into_iter().chain([agreement.into_check()]);
-    first.into_iter().chain(rest).flatten().chain(power.into_checks()).collect()
+    ControlFlow::Continue(first.into_iter().chain(rest).flatten().chain(power.into_checks()).collect())
 }
 
 fn compare_loads(subject: &Subject<'_>, items: &Items, loads: &Loads, one: &Solved, worst: &mut Worst) {

@@ -1,5 +1,8 @@
 //! What is checked: a linkage, and where there are loads their methods and states.
 
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+
 use assur_force::{ForceAnalyzer, Loads, Reactions, State, analyzers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -78,13 +81,30 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
 impl Subject<'_> {
     /// Every check that applies, over all positions of the scene that can be solved.
     pub fn checks(&self) -> Vec<Check> {
-        let solved = self.solved();
-        let mut all = closure::checks(self, &solved);
-        all.extend(test_pf::checks(self, &solved));
-        if let Some(loads) = self.loads {
-            all.extend(forces::checks(self, loads, &solved));
+        match self.checks_watched(&mut |_, _| ControlFlow::<Infallible>::Continue(())) {
+            ControlFlow::Continue(all) => all,
+            ControlFlow::Break(never) => match never {},
         }
-        all
+    }
+
+    /// The same; `tell` is called before each piece of work with how many are done and how many there are, and may stop it.
+    pub fn checks_watched<B>(
+        &self,
+        tell: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
+    ) -> ControlFlow<B, Vec<Check>> {
+        let solved = self.solved();
+        let rounds = if self.loads.is_some() { 3 } else { 2 };
+        let (mut done, total) = (0, rounds * solved.len());
+        let mut step = || {
+            done += 1;
+            tell(done - 1, total)
+        };
+        let mut all = closure::checks(self, &solved, &mut step)?;
+        all.extend(test_pf::checks(self, &solved, &mut step)?);
+        if let Some(loads) = self.loads {
+            all.extend(forces::checks(self, loads, &solved, &mut step)?);
+        }
+        ControlFlow::Continue(all)
     }
 
     fn solved(&self) -> Vec<Solved> {

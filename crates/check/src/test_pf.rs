@@ -1,6 +1,8 @@
 //! `TestPf` (S, stage 3): PF1 and PF2 of every element against numerical differentiation of PF0 and PF1, and the derivative of
 //! the reduced inertia against differences of the reduced inertia.
 
+use std::ops::ControlFlow;
+
 use assur_group::Order;
 use assur_kinematics::Position;
 
@@ -57,7 +59,11 @@ struct Around {
     close: Vec<Vec<Sample>>,
 }
 
-pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
+pub(crate) fn checks<B>(
+    subject: &Subject<'_>,
+    solved: &[Solved],
+    step: &mut impl FnMut() -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Check>> {
     let mut worst =
         [Worst::new("TestPf PF1", REASON), Worst::new("TestPf PF2", REASON), Worst::new("TestPf J'", REASON)];
     let all = elements(subject.linkage);
@@ -65,6 +71,7 @@ pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
         subject.linkage.mechanism.links.iter().skip(1).any(|link| link.mass > 0.0 || link.inertia > 0.0);
     let mut scratch = subject.linkage.position();
     for one in solved {
+        step()?;
         let Some(around) = sampled(subject, &all, one, &mut scratch) else {
             worst.iter_mut().for_each(Worst::leave_out);
             continue;
@@ -78,7 +85,7 @@ pub(crate) fn checks(subject: &Subject<'_>, solved: &[Solved]) -> Vec<Check> {
             compare_inertia(subject, one, &around, &mut worst[2]);
         }
     }
-    worst.into_iter().filter_map(Worst::into_check).collect()
+    ControlFlow::Continue(worst.into_iter().filter_map(Worst::into_check).collect())
 }
 
 fn sample(subject: &Subject<'_>, all: &[Element], position: &Position, reference: &Position) -> Sample {

@@ -16,6 +16,7 @@ mod shaft;
 mod steady;
 #[cfg(test)]
 mod tests;
+mod told;
 mod transient;
 
 pub use driven::Driven;
@@ -23,10 +24,11 @@ pub use error::DynamicsError;
 pub use machine::Machine;
 pub use motor::DriveMotor;
 pub use point::ReductionPoint;
-pub use scene::{Steady, SteadyMotor, steady};
+pub use scene::{Steady, SteadyMotor, steady, steady_told};
 pub use shaft::{Shaft, Source};
 pub use steady::{
     CycleRequest, DriveRequest, Effort, FlywheelByMethod, Regime, RegimeState, Survey, TorqueRequest, Trial,
     Turn,
 };
-pub use transient::{EnergyBalance, Transient, equation, request, transient, transient_by};
+pub use told::Tell;
+pub use transient::{EnergyBalance, Transient, equation, request, transient, transient_by, transient_told};

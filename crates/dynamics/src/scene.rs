@@ -1,6 +1,7 @@
 //! The steady regime that a scene asks for.
 
 use assur_force::Loads;
+use assur_integrator::Motion as IsMotion;
 use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
 use assur_motor::{
@@ -9,6 +10,7 @@ use assur_motor::{
 };
 
 use crate::motor::{DriveMotor, MotorWish};
+use crate::told::{Tell, Told};
 use crate::{CycleRequest, DriveRequest, DynamicsError, Machine, Regime, Survey, TorqueRequest};
 
 /// The steady regime of a scene with its drive.
@@ -70,6 +72,19 @@ impl SteadyMotor {
 ///
 /// [`DynamicsError`]: no such motion in the scene, a position that fails, no motor, no regime.
 pub fn steady(linkage: &Linkage, loads: &Loads) -> Result<Steady, DynamicsError> {
+    steady_told(linkage, loads, None)
+}
+
+/// The same; `tell` is told of every state that is evaluated, and may stop the search: then it fails.
+///
+/// # Errors
+///
+/// As [`steady`].
+pub fn steady_told(
+    linkage: &Linkage,
+    loads: &Loads,
+    tell: Option<&mut Tell<'_>>,
+) -> Result<Steady, DynamicsError> {
     let mechanism = &linkage.mechanism;
     let Some(Motion::Steady { mean_speed, unevenness }) = mechanism.motion else {
         return Err(DynamicsError::NoMotion { kind: "steady" });
@@ -81,7 +96,15 @@ pub fn steady(linkage: &Linkage, loads: &Loads) -> Result<Steady, DynamicsError>
         mean_speed,
         constant_inertia: constant_inertia(mechanism),
     };
-    let mut survey = Survey::new(&mut machine, request)?;
+    let mut told;
+    let motion: &mut dyn IsMotion = match tell {
+        Some(tell) => {
+            told = Told { motion: &mut machine, tell };
+            &mut told
+        }
+        None => &mut machine,
+    };
+    let mut survey = Survey::new(motion, request)?;
     let (drive, found) = drive_request(mechanism, &survey, unevenness)?;
     let regime = survey.solve(&drive)?;
     let motor = match (found, drive.torque) {

@@ -10,6 +10,7 @@ use assur_mechanism::{Drive, FlywheelPlace, Mechanism, Motion as Asked, Solve, T
 use assur_motor::Characteristic;
 
 use crate::motor::MotorWish;
+use crate::told::{Tell, Told};
 use crate::{DriveMotor, Driven, DynamicsError, Machine, Shaft, Source};
 
 /// A transient motion.
@@ -66,6 +67,21 @@ pub fn transient_by(
     integrator: Option<&str>,
     tolerance: Option<f64>,
 ) -> Result<Transient, DynamicsError> {
+    transient_told(linkage, loads, integrator, tolerance, None)
+}
+
+/// The same; `tell` is told of every state that is evaluated, and may stop the motion: then it fails.
+///
+/// # Errors
+///
+/// As [`transient_by`].
+pub fn transient_told(
+    linkage: &Linkage,
+    loads: &Loads,
+    integrator: Option<&str>,
+    tolerance: Option<f64>,
+    tell: Option<&mut Tell<'_>>,
+) -> Result<Transient, DynamicsError> {
     let Some(Asked::Transient { integrator: named, tolerance: scenes, .. }) = &linkage.mechanism.motion
     else {
         return Err(DynamicsError::NoMotion { kind: "transient" });
@@ -83,7 +99,11 @@ pub fn transient_by(
     } else {
         (find(named)?, "asked for by name".to_owned())
     };
-    let trajectory = (plugin.instance)().solve(&mut motion, &request)?;
+    let method = (plugin.instance)();
+    let trajectory = match tell {
+        Some(tell) => method.solve(&mut Told { motion: &mut motion, tell }, &request)?,
+        None => method.solve(&mut motion, &request)?,
+    };
     let conservative = is_conservative(&linkage.mechanism);
     let energy = balance(&mut motion, &trajectory, conservative)?;
     Ok(Transient { trajectory, integrator: plugin.name, reason, dependence, energy, shaft, motor })

@@ -5,6 +5,8 @@ use std::io::Write;
 
 use assur_results::to_ascii;
 
+use crate::locale::is_utf8;
+
 /// Which characters are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
@@ -17,7 +19,7 @@ pub(crate) struct Style {
 impl Style {
     /// ASCII if asked for; text also where the locale is not UTF-8.
     pub(crate) fn of(ascii: bool) -> Self {
-        Self { ascii: ascii || !locale_is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
+        Self { ascii: ascii || !is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
     }
 
     /// Text as it may be printed.
@@ -30,12 +32,4 @@ impl Style {
         let message = self.text(message.trim_end());
         let _ = writeln!(std::io::stderr().lock(), "{message}");
     }
-}
-
-/// Whether the first that is set of `LC_ALL`, `LC_CTYPE`, `LANG` names UTF-8.
-fn locale_is_utf8(variable: impl Fn(&str) -> Option<String>) -> bool {
-    let names = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter();
-    let locale = names.filter_map(variable).find(|value| !value.is_empty()).unwrap_or_default();
-    let locale = locale.to_ascii_lowercase();
-    locale.contains("utf-8") || locale.contains("utf8")
 }

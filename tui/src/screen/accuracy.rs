@@ -2,15 +2,15 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use assur_kinematics::Linkage;
 use assur_study::chart::{self, Clock, Options};
-use assur_study::stability::stability;
+use assur_study::stability::stability_watched;
 
+use super::running::{Cancel, PAUSE};
 use super::state::{State, Wish};
-use super::text::fill;
+use super::text::{ENGLISH, fill};
 use super::theme::Role;
 use super::work::Job;
 
@@ -21,8 +21,7 @@ pub(crate) struct Accuracy {
     pub(crate) lines: Vec<String>,
     /// How far the measurement is; `None` while none runs.
     pub(crate) progress: Option<String>,
-    /// Tells the worker to stop.
-    cancel: Arc<AtomicBool>,
+    cancel: Cancel,
 }
 
 /// What is to be measured.
@@ -30,7 +29,7 @@ pub(crate) struct Accuracy {
 pub(crate) struct Measurement {
     pub(crate) generation: usize,
     linkage: Arc<Linkage>,
-    cancel: Arc<AtomicBool>,
+    cancel: Cancel,
     ascii: bool,
 }
 
@@ -48,9 +47,9 @@ pub(crate) fn measure(state: &mut State) {
         return stop(state);
     }
     let Some(study) = &state.study else { return };
-    let cancel = Arc::new(AtomicBool::new(false));
-    state.accuracy.cancel = Arc::clone(&cancel);
-    state.accuracy.progress = Some(state.texts.calculating.to_owned());
+    let cancel = Cancel::default();
+    state.accuracy.cancel = cancel.clone();
+    state.accuracy.progress = Some(state.texts.measuring.to_owned());
     let (generation, linkage, ascii) = (state.generation, Arc::clone(&study.linkage), state.look.ascii);
     state.wishes.push(Wish::Work(Job::Measure(Measurement { generation, linkage, cancel, ascii })));
 }
@@ -58,7 +57,7 @@ pub(crate) fn measure(state: &mut State) {
 /// Stops the measurement that runs; what was measured until then is shown.
 pub(crate) fn stop(state: &mut State) {
     if state.accuracy.progress.is_some() {
-        state.accuracy.cancel.store(true, Ordering::Relaxed);
+        state.accuracy.cancel.stop();
         state.say(Role::Plain, state.texts.stopping);
     }
 }
@@ -80,20 +79,31 @@ pub(crate) fn run(wanted: &Measurement, progress: &dyn Fn(String)) -> Vec<String
             told = count;
             progress(format!("{}: {} / {}", now.stage.heading(), now.done, now.total));
         }
-        if wanted.cancel.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        wanted.cancel.flow()
     });
     let mut text = match found {
         Ok(data) => chart::text(&data, wanted.ascii),
         Err(error) => format!("{error}\n"),
     };
-    if !wanted.cancel.load(Ordering::Relaxed) {
+    if let ControlFlow::Continue(found) = stability_of(wanted, progress) {
         text.push('\n');
-        match stability(wanted.linkage.mechanism.clone()) {
-            Ok(found) => text.push_str(&found.to_text()),
-            Err(error) => text.push_str(&error.to_string()),
-        }
+        text.push_str(&found);
     }
     text.lines().map(str::to_owned).collect()
+}
+
+/// How near the mechanism comes to a singular position; nothing of a study that was stopped.
+fn stability_of(wanted: &Measurement, progress: &dyn Fn(String)) -> ControlFlow<(), String> {
+    wanted.cancel.flow()?;
+    let mut told = Instant::now();
+    let found = stability_watched(wanted.linkage.mechanism.clone(), &mut |done, total| {
+        if told.elapsed() >= PAUSE {
+            told = Instant::now();
+            progress(fill(ENGLISH.count_stability, &[&done, &total]));
+        }
+        wanted.cancel.flow()
+    })?;
+    ControlFlow::Continue(found.map_or_else(|error| error.to_string(), |found| found.to_text()))
 }
 
 impl State {

@@ -162,10 +162,21 @@ pub(crate) fn press_help(state: &mut State, key: Key) {
     }
 }
 
+/// Stops what runs beside.
+pub(crate) fn stop(state: &mut State) {
+    super::accuracy::stop(state);
+    state.stop();
+}
+
 /// Reads the scene again.
 pub(crate) fn reload(state: &mut State) {
-    let Some(study) = &state.study else { return };
+    let Some(study) = &mut state.study else { return };
     match &study.source {
+        // There is nothing to read, but an analysis that was stopped may go on.
+        Source::Shipped(_) if study.found.is_none() => {
+            study.fault = None;
+            state.analyze(false);
+        }
         Source::File(_) => state.wishes.push(Wish::Work(Job::Open(study.source.clone()))),
         Source::Shipped(_) => state.say(Role::Plain, state.texts.no_file),
     }

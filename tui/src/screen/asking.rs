@@ -1,6 +1,9 @@
 //! The analysis of the open scene: asked for, taken, and which views it fills.
 
+use assur_results::CheckRow;
+
 use super::found::Found;
+use super::running::{Cancel, Running};
 use super::state::{Pane, State, View, Wish};
 use super::text::fill;
 use super::theme::Role;
@@ -10,25 +13,66 @@ impl State {
     /// Asks for the analysis of the open scene; `other`: by [`State::analyzer`]'s successor, for the difference.
     pub(crate) fn analyze(&mut self, other: bool) {
         let Some(study) = &self.study else { return };
+        let linkage = study.linkage.clone();
+        // An analysis of the same kind that still runs has become needless; a new main one makes both so.
+        self.stop_running(|running| running.other || !other);
+        self.asked += 1;
+        let cancel = Cancel::default();
+        let running = Running { number: self.asked, other, count: String::new(), cancel: cancel.clone() };
+        self.running.push(running);
         let request = Request {
-            generation: self.generation,
-            linkage: study.linkage.clone(),
+            number: self.asked,
+            linkage,
             analyzer: self.analyzer.clone(),
             integrator: self.integrator.clone(),
             other,
+            cancel,
         };
         self.wishes.push(Wish::Work(Job::Analyze(request)));
     }
 
-    /// Takes an analysis, unless it belongs to a scene opened before; tells whether the frame may differ.
-    pub(crate) fn take_found(
-        &mut self,
-        generation: usize,
-        other: bool,
-        found: Result<Box<Found>, String>,
-    ) -> bool {
+    fn stop_running(&mut self, wanted: impl Fn(&Running) -> bool) {
+        self.running.iter().filter(|running| wanted(running)).for_each(|running| running.cancel.stop());
+        self.running.retain(|running| !wanted(running));
+    }
+
+    /// Stops the analyses that run. What was found before stays.
+    pub(crate) fn stop(&mut self) {
+        if self.running.is_empty() {
+            return;
+        }
+        self.stop_running(|_| true);
+        let stopped = fill(self.texts.stopped, &[&self.keys.first("reload")]);
+        if let Some(study) = &mut self.study {
+            match &study.found {
+                Some(found) => self.analyzer = Some(found.analyzer.clone()).filter(|name| !name.is_empty()),
+                None => study.fault = Some(stopped.clone()),
+            }
+        }
+        self.say(Role::Plain, stopped);
+    }
+
+    /// Takes a count of an analysis; tells whether the frame may differ.
+    pub(crate) fn take_count(&mut self, number: usize, count: String) -> bool {
+        match self.running.iter_mut().find(|running| running.number == number) {
+            Some(running) => running.count = count,
+            None => return false,
+        }
+        true
+    }
+
+    /// Takes an analysis, unless nobody waits for it any more; tells whether the frame may differ.
+    pub(crate) fn take_found(&mut self, number: usize, found: Result<Box<Found>, String>) -> bool {
         let texts = self.texts;
-        let Some(study) = self.study.as_mut().filter(|_| generation == self.generation) else { return false };
+        let Some(index) = self.running.iter().position(|running| running.number == number) else {
+            return false;
+        };
+        let other = self.running[index].other;
+        // After the main one its checks go on.
+        if other || found.is_err() {
+            self.running.remove(index);
+        }
+        let Some(study) = &mut self.study else { return false };
         match found {
             Ok(found) if other => study.other = Some(found),
             Ok(found) => {
@@ -39,6 +83,18 @@ impl State {
                 study.fault.get_or_insert_with(|| text.clone());
                 self.say(Role::Bad, fill(texts.no_analysis, &[&text]));
             }
+        }
+        true
+    }
+
+    /// Takes the checks of the analysis that was given before them.
+    pub(crate) fn take_checks(&mut self, number: usize, checks: Vec<CheckRow>) -> bool {
+        let Some(index) = self.running.iter().position(|running| running.number == number) else {
+            return false;
+        };
+        self.running.remove(index);
+        if let Some(found) = self.study.as_mut().and_then(|study| study.found.as_mut()) {
+            found.checks = checks;
         }
         true
     }
@@ -60,22 +116,11 @@ impl State {
         }
     }
 
-    /// Goes to a view, or says that this scene has nothing for it.
+    /// Goes to a view; one that has nothing to show says what to add to the scene.
     pub(crate) fn show(&mut self, view: View) {
-        if self.has(view) {
-            self.view = view;
-            if view != View::Forces && self.pane == Pane::Causes {
-                self.pane = Pane::Table;
-            }
-            return;
+        self.view = view;
+        if view != View::Forces && self.pane == Pane::Causes {
+            self.pane = Pane::Table;
         }
-        let study = self.study.as_ref();
-        let running = study.is_some_and(|study| study.found.is_none() && study.fault.is_none());
-        let text = match study.and_then(|study| study.fault.as_ref()) {
-            Some(fault) => fill(self.texts.no_analysis, &[fault]),
-            None if running => self.texts.still_running.to_owned(),
-            None => self.texts.nothing_here.to_owned(),
-        };
-        self.say(Role::Bad, text);
     }
 }

@@ -139,7 +139,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("write", Program, &[char('w')], SCENE, super::writing::write),
     command("redraw", Program, &[ctrl('l')], &[], |s| s.wishes.push(super::state::Wish::Redraw)),
     command("suspend", Program, &[ctrl('z')], &[], |s| s.wishes.push(super::state::Wish::Suspend)),
-    command("close", Program, &[code(KeyCode::Esc)], &[], accuracy::stop),
+    command("close", Program, &[code(KeyCode::Esc), ctrl('g')], &[], act::stop),
     command("quit", Program, &[char('q'), ctrl('c')], &[], |s| s.wishes.push(super::state::Wish::Quit)),
 ];
 

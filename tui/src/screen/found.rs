@@ -12,6 +12,7 @@ pub(crate) struct Found {
     /// Name of the force analyzer.
     pub(crate) analyzer: String,
     pub(crate) analysis: Analysis,
+    /// Empty until they are done.
     pub(crate) checks: Vec<CheckRow>,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
@@ -40,14 +41,8 @@ pub(crate) struct Reaction {
 
 impl Found {
     /// Gathers the series of an analysis.
-    pub(crate) fn of(
-        analyzer: String,
-        analysis: Analysis,
-        checks: Vec<CheckRow>,
-        plans: Planner,
-        positions: usize,
-    ) -> Self {
-        let (series, reactions, motion) = (Vec::new(), Vec::new(), Vec::new());
+    pub(crate) fn of(analyzer: String, analysis: Analysis, plans: Planner, positions: usize) -> Self {
+        let (series, reactions, motion, checks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let fastest = fastest(&analysis);
         let mut found = Self { analyzer, analysis, checks, series, reactions, plans, fastest, motion };
         let gather = Gather { positions };
@@ -175,7 +170,10 @@ impl Gather {
             }
         }
         let unit = if found.analysis.input.balancing_is_moment { "N m" } else { "N" };
-        let balancing = self.add(found, ENGLISH.balancing.into(), "balancing".into(), unit, &|p| p.balancing);
+        let balancing =
+            self.add(found, ENGLISH.balancing.into(), ENGLISH.balancing_column.into(), unit, &|p| {
+                p.balancing
+            });
         if let Some(index) = balancing {
             let (pair, link) = (String::new(), String::new());
             found.reactions.push(Reaction { pair, link, series: vec![index], moment: None });

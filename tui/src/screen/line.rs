@@ -2,8 +2,9 @@
 
 use super::command::{self, COMMANDS};
 use super::draw::raster::Marker;
+use super::found::Reaction;
 use super::series::Key;
-use super::state::{Look, State};
+use super::state::{Look, State, View};
 use super::text::fill;
 use super::theme::{Role, Theme};
 
@@ -69,6 +70,7 @@ pub(crate) fn run(state: &mut State, line: &str) {
     let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     match (word, rest.trim()) {
         ("set", rest) => set(state, rest),
+        ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
         ("point" | "link" | "slide", name) => quantity(state, word, name),
@@ -158,6 +160,26 @@ fn switch(value: &str) -> Option<bool> {
     }
 }
 
+/// Chooses the next reaction of a pair of this name, else one whose pair or link begins so; tells whether there is one.
+fn reaction(state: &mut State, wanted: &str) -> bool {
+    let Some(found) = state.study.as_ref().and_then(|study| study.found.as_ref()) else { return false };
+    let count = found.reactions.len();
+    let next = |fits: &dyn Fn(&Reaction) -> bool| {
+        let after = (1..=count).map(|step| (state.chosen.reaction + step) % count);
+        after.into_iter().find(|index| fits(&found.reactions[*index]))
+    };
+    let name = |reaction: &Reaction| reaction.pair.to_lowercase();
+    let same = next(&|reaction| name(reaction) == wanted);
+    let begins = || {
+        next(&|reaction| {
+            name(reaction).starts_with(wanted) || reaction.link.to_lowercase().starts_with(wanted)
+        })
+    };
+    let Some(index) = same.or_else(begins) else { return false };
+    state.chosen.reaction = index;
+    true
+}
+
 /// A number is a position; a word is looked for in the columns and quantities, from the present one on.
 pub(crate) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
@@ -168,6 +190,9 @@ pub(crate) fn search(state: &mut State, text: &str) {
         return;
     }
     let wanted = text.to_lowercase();
+    if state.view == View::Forces && reaction(state, &wanted) {
+        return;
+    }
     let Some(study) = &state.study else { return };
     let count = study.column_count();
     let fits = |column: &usize| {

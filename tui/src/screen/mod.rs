@@ -15,12 +15,12 @@ mod found;
 mod key;
 mod keymap;
 mod line;
-mod locale;
 mod menu;
 mod number;
 mod plans;
 mod prompt;
 mod quantities;
+mod running;
 mod series;
 mod session;
 mod state;
@@ -112,7 +112,7 @@ fn look(options: &Options) -> Look {
     let variable = |name: &str| std::env::var(name).ok();
     let colorless = variable("NO_COLOR").is_some_and(|value| !value.is_empty());
     let configured = options.config.look;
-    let ascii = options.ascii || configured.ascii || !locale::is_utf8(variable);
+    let ascii = options.ascii || configured.ascii || !crate::locale::is_utf8(variable);
     Look {
         ascii,
         marker: if ascii { draw::raster::Marker::Ascii } else { configured.marker },

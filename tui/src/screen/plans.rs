@@ -21,13 +21,13 @@ pub(crate) struct Plans {
 /// Gives the plans of any position.
 #[derive(Debug)]
 pub(crate) struct Planner {
-    study: Study,
+    study: Arc<Study>,
     /// The last position, since a view is drawn many times.
     kept: RefCell<Option<(usize, Arc<Plans>)>>,
 }
 
 impl Planner {
-    pub(crate) fn new(study: Study) -> Self {
+    pub(crate) fn new(study: Arc<Study>) -> Self {
         Self { study, kept: RefCell::new(None) }
     }
 

@@ -89,9 +89,35 @@ pub(crate) fn extent(values: &[f64]) -> Option<[f64; 2]> {
     })
 }
 
+/// Range of an axis that holds these values and is never empty; what is smaller than `floor` is rounding. A constant stands in the
+/// middle between zero and twice itself, so that it is not taken for a curve.
+pub(crate) fn axis_range(extent: [f64; 2], floor: f64) -> [f64; 2] {
+    let [low, high] = extent;
+    let most = low.abs().max(high.abs());
+    if most <= floor || most == 0.0 {
+        return [-1.0, 1.0];
+    }
+    if high - low > 1e-9 * most {
+        return extent;
+    }
+    let twice = low + high;
+    [twice.min(0.0), twice.max(0.0)]
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{extent, zeros};
+    use super::{axis_range, extent, zeros};
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "bounds are taken as they are, or doubled")]
+    fn an_axis_is_never_empty() {
+        assert_eq!(axis_range([-2.0, 3.0], 0.0), [-2.0, 3.0]);
+        assert_eq!(axis_range([0.1, 0.1], 0.0), [0.0, 0.2]);
+        assert_eq!(axis_range([-4.0, -4.0], 0.0), [-8.0, 0.0]);
+        assert_eq!(axis_range([0.0, 0.0], 0.0), [-1.0, 1.0]);
+        assert_eq!(axis_range([-1e-17, 2e-17], 1e-15), [-1.0, 1.0]);
+        assert_eq!(axis_range([-1e-17, 2e-17], 0.0), [-1e-17, 2e-17]);
+    }
 
     #[test]
     fn zeros_of_a_sine() {

@@ -8,6 +8,7 @@ use super::draw::scale::Zoom;
 use super::keymap::Keymap;
 use super::menu::Menu;
 use super::prompt::Prompt;
+use super::running::Running;
 use super::study::Study;
 use super::text::{ENGLISH, Texts, fill};
 use super::theme::{Role, Theme};
@@ -168,6 +169,10 @@ pub(crate) struct State {
     /// Force analyzer and integrator that are asked for; `None`: the scene's.
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
+    /// The analyses that run beside.
+    pub(crate) running: Vec<Running>,
+    /// Number of the last analysis that was asked for.
+    pub(crate) asked: usize,
     /// How many scenes were opened: an answer to an older one is dropped.
     pub(crate) generation: usize,
     /// Column and sense by which the table is sorted.
@@ -209,6 +214,8 @@ impl State {
             plan: PlanKind::Forces,
             analyzer: None,
             integrator: None,
+            running: Vec::new(),
+            asked: 0,
             generation: 0,
             sorted: None,
             playing: false,
@@ -269,9 +276,9 @@ impl State {
             Report::Preview(index, preview) => self.menu.keep(index, preview),
             Report::Progress { generation, count } => return self.take_progress(generation, count),
             Report::Measured { generation, lines } => return self.take_measured(generation, lines),
-            Report::Analyzed { generation, other, found } => {
-                return self.take_found(generation, other, found);
-            }
+            Report::Checked { number, checks } => return self.take_checks(number, checks),
+            Report::Counted { number, count } => return self.take_count(number, count),
+            Report::Analyzed { number, found } => return self.take_found(number, found),
         }
         true
     }

@@ -77,7 +77,7 @@ impl Study {
                 CompileError::Structure(error) => crate::cli::located(&name, text, error),
                 _ => None,
             };
-            located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
+            located.map_or_else(|| fill(ENGLISH.error_in, &[&error, &name]), |errors| errors.to_string())
         })?;
         Ok(Self::of(source, Arc::new(linkage)))
     }

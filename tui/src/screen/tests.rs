@@ -3,6 +3,8 @@
 mod forces;
 mod frames;
 mod keys;
+mod language;
+mod running;
 mod sizes;
 mod words;
 
@@ -51,7 +53,11 @@ fn state_of(study: Study) -> State {
 fn settle(state: &mut State) {
     for wish in std::mem::take(&mut state.wishes) {
         if let Wish::Work(job) = wish {
-            state.take_report(work::run(&job));
+            let told = std::cell::RefCell::new(Vec::new());
+            let last = work::run(&job, &|report| told.borrow_mut().push(report));
+            told.into_inner().into_iter().chain([last]).for_each(|report| {
+                state.take_report(report);
+            });
         }
     }
 }

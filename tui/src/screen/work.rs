@@ -1,5 +1,6 @@
 //! What is done beside the screen: reading, compiling, calculating.
 
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
@@ -7,11 +8,13 @@ use std::thread;
 
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
+use assur_results::CheckRow;
 
 use super::accuracy::{self, Measurement};
 use super::found::Found;
 use super::menu::SCENES;
 use super::plans::Planner;
+use super::running::{Cancel, Watch};
 use super::session::Event;
 use super::study::{Source, Study};
 use super::terminal::WORKER;
@@ -33,13 +36,14 @@ pub(crate) enum Job {
 /// Which analysis.
 #[derive(Debug, Clone)]
 pub(crate) struct Request {
-    /// Which opening of a scene it belongs to; an answer to an older one is dropped.
-    pub(crate) generation: usize,
+    /// An answer to another one than the last is dropped.
+    pub(crate) number: usize,
     pub(crate) linkage: Arc<Linkage>,
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
     /// Whether it is only compared with the main one.
     pub(crate) other: bool,
+    pub(crate) cancel: Cancel,
 }
 
 /// What the worker found.
@@ -54,20 +58,23 @@ pub(crate) enum Report {
     /// What was measured, a line each.
     Measured { generation: usize, lines: Result<Vec<String>, String> },
     /// An analysis, or why there is none.
-    Analyzed { generation: usize, other: bool, found: Result<Box<Found>, String> },
+    Analyzed { number: usize, found: Result<Box<Found>, String> },
+    /// The checks of an analysis that was given before.
+    Checked { number: usize, checks: Vec<CheckRow> },
+    /// How far an analysis is.
+    Counted { number: usize, count: String },
 }
 
 /// Starts a job; the report comes as an event.
 pub(crate) fn start(job: Job, sender: Sender<Event>) {
     let beside = thread::Builder::new().name(WORKER.into()).spawn(move || {
-        let report = catch_unwind(AssertUnwindSafe(|| {
-            run_telling(&job, &|report| drop(sender.send(Event::Work(report))))
-        }))
-        .unwrap_or_else(|panic| {
-            let what = panic.downcast_ref::<String>().map_or("", String::as_str);
-            let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
-            failed(&job, fill(ENGLISH.worker_failed, &[&what]))
-        });
+        let report =
+            catch_unwind(AssertUnwindSafe(|| run(&job, &|report| drop(sender.send(Event::Work(report))))))
+                .unwrap_or_else(|panic| {
+                    let what = panic.downcast_ref::<String>().map_or("", String::as_str);
+                    let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
+                    failed(&job, fill(ENGLISH.worker_failed, &[&what]))
+                });
         // Where nobody listens any more the program is leaving.
         let _ = sender.send(Event::Work(report));
     });
@@ -79,20 +86,12 @@ fn failed(job: &Job, text: String) -> Report {
         Job::Open(_) => Report::Opened(Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
         Job::Measure(wanted) => Report::Measured { generation: wanted.generation, lines: Err(text) },
-        Job::Analyze(request) => {
-            Report::Analyzed { generation: request.generation, other: request.other, found: Err(text) }
-        }
+        Job::Analyze(request) => Report::Analyzed { number: request.number, found: Err(text) },
     }
 }
 
-/// Does a job and tells nobody how far it is.
-#[cfg(test)]
-pub(crate) fn run(job: &Job) -> Report {
-    run_telling(job, &|_| ())
-}
-
 /// Does a job; what it reports on the way goes to `tell`.
-fn run_telling(job: &Job, tell: &dyn Fn(Report)) -> Report {
+pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
         Job::Preview(index) => {
@@ -105,32 +104,42 @@ fn run_telling(job: &Job, tell: &dyn Fn(Report)) -> Report {
             let lines = accuracy::run(wanted, &|count| tell(Report::Progress { generation, count }));
             Report::Measured { generation, lines: Ok(lines) }
         }
-        Job::Analyze(request) => Report::Analyzed {
-            generation: request.generation,
-            other: request.other,
-            found: analyze(request).map(Box::new),
-        },
+        Job::Analyze(request) => analyze(request, tell),
     }
 }
 
-/// Calculates a scene, and checks it where it is not only compared.
-fn analyze(request: &Request) -> Result<Found, String> {
-    let mechanism = &request.linkage.mechanism;
-    let options = assur_analysis::Options {
-        analyzer: request.analyzer.clone(),
-        integrator: request.integrator.clone(),
+/// Calculates a scene and gives what was found, then checks it; one that is only compared is not checked.
+fn analyze(request: &Request, tell: &dyn Fn(Report)) -> Report {
+    use assur_analysis::{AnalysisError, Options, Study};
+    let (mechanism, number) = (&request.linkage.mechanism, request.number);
+    let options = Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
+    let count = |count| tell(Report::Counted { number, count });
+    let mut watch = Watch::new(&request.cancel, &count);
+    let mut watch = |progress| watch.see(progress);
+    let failed = |text: String| Report::Analyzed { number, found: Err(text) };
+    let study = match Study::of_watched(mechanism.clone(), &options, &mut watch) {
+        Ok(study) => study,
+        Err(error) => return failed(error.to_string()),
     };
-    let study = assur_analysis::Study::of(mechanism.clone(), &options).map_err(|error| error.to_string())?;
-    let analysis = study.analyze();
+    let ControlFlow::Continue(analysis) = study.analyze_watched(&mut watch) else {
+        return failed(AnalysisError::Stopped.to_string());
+    };
     let analyzer = study.analyzer.map_or("", |plugin| plugin.name).to_owned();
     // The whole mechanism is checked and has plans, whatever the scene asks for.
     let whole = mechanism.output.as_ref().and_then(|_| {
         let whole = Mechanism { output: None, ..mechanism.clone() };
-        assur_analysis::Study::of(whole, &options).ok()
+        Study::of_watched(whole, &options, &mut watch).ok()
     });
-    let whole = whole.unwrap_or(study);
-    let checks = if request.other { Vec::new() } else { whole.checks() };
-    Ok(Found::of(analyzer, analysis, checks, Planner::new(whole), mechanism.input.positions))
+    let whole = Arc::new(whole.unwrap_or(study));
+    let planner = Planner::new(Arc::clone(&whole));
+    let found = Box::new(Found::of(analyzer, analysis, planner, mechanism.input.positions));
+    let report = Report::Analyzed { number, found: Ok(found) };
+    if request.other {
+        return report;
+    }
+    tell(report);
+    let checks = whole.checks_watched(&mut watch);
+    Report::Checked { number, checks: checks.continue_value().unwrap_or_default() }
 }
 
 /// Reads a scene from where it is.

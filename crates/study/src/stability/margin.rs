@@ -1,5 +1,7 @@
 //! How far a mechanism is from not assembling: the least change of each length that breaks it.
 
+use std::ops::ControlFlow;
+
 use assur_group::Order;
 use assur_kinematics::{Chain, Linkage};
 use assur_mechanism::{LinkId, Mechanism};
@@ -43,18 +45,33 @@ enum Length {
 /// Each trial takes the mechanism apart anew: beyond so many lengths the search would take minutes.
 pub(crate) const MOST_LENGTHS: usize = 60;
 
-/// The margins, the smallest first; none for a mechanism of more than [`MOST_LENGTHS`] lengths.
-pub(crate) fn margins(linkage: &Linkage, critical: &[f64]) -> Vec<Margin> {
+/// How many lengths [`margins`] searches.
+pub(crate) fn count(linkage: &Linkage) -> usize {
+    let count = lengths(&linkage.mechanism).len();
+    if count > MOST_LENGTHS { 0 } else { count }
+}
+
+/// The margins, the smallest first; none for a mechanism of more than [`MOST_LENGTHS`] lengths. `step` is called before each
+/// length, and may stop the search.
+pub(crate) fn margins<B>(
+    linkage: &Linkage,
+    critical: &[f64],
+    step: &mut impl FnMut() -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Margin>> {
     let mut grid: Vec<f64> = super::cycle::coordinates(linkage).into_iter().step_by(STRIDE).collect();
     grid.extend(critical);
     let lengths = lengths(&linkage.mechanism);
     if lengths.len() > MOST_LENGTHS {
-        return Vec::new();
+        return ControlFlow::Continue(Vec::new());
     }
-    let mut found: Vec<Margin> = lengths.iter().map(|length| margin(linkage, length, &grid)).collect();
+    let mut found = Vec::with_capacity(lengths.len());
+    for length in &lengths {
+        step()?;
+        found.push(margin(linkage, length, &grid));
+    }
     let key = |margin: &Margin| margin.least().unwrap_or(f64::INFINITY);
     found.sort_by(|a, b| key(a).total_cmp(&key(b)));
-    found
+    ControlFlow::Continue(found)
 }
 
 fn lengths(mechanism: &Mechanism) -> Vec<Length> {

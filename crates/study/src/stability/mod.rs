@@ -25,7 +25,7 @@ mod walk_group;
 pub use bench::bench;
 pub use cycle::GroupHealth;
 pub use margin::Margin;
-pub use report::{Stability, stability};
+pub use report::{Stability, stability, stability_watched};
 pub use row::{DISTANCES, Law, Row};
 pub use walk_group::FACTOR;
 

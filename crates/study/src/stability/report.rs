@@ -1,6 +1,8 @@
 //! The stability of a scene's mechanism, as data, JSON and text.
 
+use std::convert::Infallible;
 use std::fmt::Write;
+use std::ops::ControlFlow;
 
 use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
@@ -36,12 +38,39 @@ pub struct Stability {
 /// # Errors
 ///
 /// [`CompileError`] if it can't be taken apart into registered groups.
-pub fn stability(mut mechanism: Mechanism) -> Result<Stability, CompileError> {
+pub fn stability(mechanism: Mechanism) -> Result<Stability, CompileError> {
+    match stability_watched(mechanism, &mut |_, _| ControlFlow::<Infallible>::Continue(())) {
+        ControlFlow::Continue(found) => found,
+        ControlFlow::Break(never) => match never {},
+    }
+}
+
+/// The same; `tell` is called with the pieces of work that are done and their number before each piece, and may stop it.
+///
+/// # Errors
+///
+/// As [`stability`].
+pub fn stability_watched<B>(
+    mut mechanism: Mechanism,
+    tell: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
+) -> ControlFlow<B, Result<Stability, CompileError>> {
     // The walks load every link themselves, with the balancing load on the input link.
     mechanism.balance = None;
-    let linkage = Linkage::compile(mechanism)?;
+    let linkage = match Linkage::compile(mechanism) {
+        Ok(linkage) => linkage,
+        Err(error) => return ControlFlow::Continue(Err(error)),
+    };
+    let different = different(&linkage);
+    // The walks of the cycle are at most as many as the groups; the search for the least health is one piece of them each.
+    let total = different.len() + linkage.structure.groups.len() + margin::count(&linkage);
+    let mut done = 0;
+    let mut step = || {
+        done += 1;
+        tell(done - 1, total)
+    };
     let mut rows = Vec::new();
-    for (name, group) in different(&linkage) {
+    for (name, group) in different {
+        step()?;
         rows.extend(walk_group::walk(&name, &linkage.structure.groups[group]));
     }
     let (groups, failure) = match cycle::healths(&linkage) {
@@ -50,6 +79,7 @@ pub fn stability(mut mechanism: Mechanism) -> Result<Stability, CompileError> {
     };
     if let Some(walk) = Walk::new(&linkage) {
         for target in targets(&linkage, &groups) {
+            step()?;
             walk.to(&target, &mut rows);
         }
         if let Some(q) = cycle::healthiest(&linkage) {
@@ -59,9 +89,10 @@ pub fn stability(mut mechanism: Mechanism) -> Result<Stability, CompileError> {
         }
     }
     let critical: Vec<f64> = groups.iter().map(|group| group.coordinate).collect();
-    let lengths = if failure.is_none() { margin::margins(&linkage, &critical) } else { Vec::new() };
+    let lengths =
+        if failure.is_none() { margin::margins(&linkage, &critical, &mut step)? } else { Vec::new() };
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
-    Ok(Stability { title, angular, groups, lengths, rows, failure })
+    ControlFlow::Continue(Ok(Stability { title, angular, groups, lengths, rows, failure }))
 }
 
 /// Groups that differ in kind or lengths, with a name that counts those alike.

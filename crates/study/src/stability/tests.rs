@@ -66,6 +66,21 @@ fn groups_keep_the_bound_of_a_backward_stable_method() {
     }
 }
 
+#[test]
+fn a_study_that_is_stopped_ends_there() {
+    use std::ops::ControlFlow;
+    let mut told = Vec::new();
+    let found = stability_watched(scene(CRANK_ROD), &mut |done, total| {
+        told.push((done, total));
+        if done == 2 { ControlFlow::Break("stopped") } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!(found.break_value(), Some("stopped"));
+    // One group: its own walk and that of the cycle; then the lengths of crank and rod, and the offset of the slide.
+    assert_eq!(told, [(0, 5), (1, 5), (2, 5)]);
+    let all = stability_watched(scene(CRANK_ROD), &mut |_, _| ControlFlow::<()>::Continue(()));
+    assert_eq!(all.continue_value().unwrap().unwrap(), stability(scene(CRANK_ROD)).unwrap());
+}
+
 /// n = 4: the rod makes asin(1/4) with the guide at the worst, and the offset may grow to rod - crank.
 #[test]
 fn figures_of_a_slider_crank() {

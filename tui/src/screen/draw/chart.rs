@@ -7,7 +7,7 @@ use ratatui::style::Style;
 use super::label::Labels;
 use super::raster::{Raster, Stroke, short, whole};
 use crate::screen::number::plain;
-use crate::screen::series::extent;
+use crate::screen::series::{axis_range, extent};
 use crate::screen::state::Look;
 use crate::screen::theme::Role;
 use crate::screen::view::put;
@@ -39,6 +39,8 @@ pub(crate) struct Chart<'a> {
     /// Places as position numbers (also between two), and what is there.
     pub(crate) marks: Vec<(f64, Mark)>,
     pub(crate) cursor: usize,
+    /// Sizes below this are rounding.
+    pub(crate) floor: f64,
     /// Where each value lies on the axis, 0 to 1; `None`: equally spaced.
     pub(crate) places: Option<&'a [f64]>,
 }
@@ -95,17 +97,9 @@ impl Chart<'_> {
 
     /// Range of all curves, never empty.
     fn range(&self) -> Option<[f64; 2]> {
-        let [low, high] = self
-            .curves
-            .iter()
-            .filter_map(|(values, _)| extent(values))
-            .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
-        let least = 1e-9 * low.abs().max(high.abs()).max(1e-12);
-        Some(if high - low > least {
-            [low, high]
-        } else {
-            [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())]
-        })
+        let each = self.curves.iter().filter_map(|(values, _)| extent(values));
+        let all = each.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        Some(axis_range(all, self.floor))
     }
 
     fn draw_marks(&self, frame: &Frame<'_>, raster: &Raster, style: Style, buffer: &mut Buffer) {

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::label::Labels;
 use super::raster::{Raster, Stroke, short};
 use crate::screen::number::plain;
+use crate::screen::series::axis_range;
 use crate::screen::state::Look;
 use crate::screen::theme::Role;
 use crate::screen::view::put;
@@ -37,7 +38,8 @@ impl Lines<'_> {
         if area.width <= LABELS + 2 || area.height < 4 {
             return;
         }
-        put(buffer, area, 1, 0, &self.heading(), look.theme.style(Role::Header));
+        let heading = self.heading(usize::from(area.width));
+        put(buffer, area, 1, 0, &heading, look.theme.style(Role::Header));
         let plot = Rect {
             x: area.x + LABELS,
             y: area.y + 1,
@@ -78,12 +80,15 @@ impl Lines<'_> {
         self.axes(area, [left, right], [low, high], look, buffer);
     }
 
-    /// `moments, N m: 1 drive  2 resistance`.
-    fn heading(&self) -> String {
+    /// `moments, N m: 1 drive  2 resistance`; where that is too long, the names alone: what the numbers mean must be seen.
+    fn heading(&self, width: usize) -> String {
         let names = self.curves.iter().enumerate().map(|(i, line)| format!("{} {}", i + 1, line.0));
+        let names = names.collect::<Vec<_>>().join("  ");
+        let whole = format!("{}: {names}", self.title);
         match self.curves.len() {
             0 | 1 => self.title.to_owned(),
-            _ => format!("{}: {}", self.title, names.collect::<Vec<_>>().join("  ")),
+            _ if whole.chars().count() + 1 < width => whole,
+            _ => format!("{}: {names}", self.title.rsplit(", ").next().unwrap_or_default()),
         }
     }
 
@@ -112,14 +117,6 @@ impl Lines<'_> {
 
 /// Least and greatest, never the same.
 fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let [low, high] = values
-        .filter(|value| value.is_finite())
-        .map(|value| [value, value])
-        .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
-    let least = 1e-9 * low.abs().max(high.abs()).max(1e-12);
-    Some(if high - low > least {
-        [low, high]
-    } else {
-        [low - 1.0_f64.max(low.abs()), high + 1.0_f64.max(high.abs())]
-    })
+    let finite = values.filter(|value| value.is_finite()).map(|value| [value, value]);
+    finite.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).map(|extent| axis_range(extent, 0.0))
 }

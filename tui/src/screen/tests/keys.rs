@@ -173,6 +173,9 @@ fn the_line_understands_positions_points_views_and_settings() {
     let mut state = opened("shaper.toml");
     write(&mut state, ":42");
     assert_eq!(state.position, 42);
+    write(&mut state, ":position 12");
+    assert_eq!(state.position, 12);
+    write(&mut state, ":42");
     write(&mut state, ":point D");
     assert_eq!(state.study.as_ref().unwrap().transfers[state.chosen.transfer].name, "point D x");
     write(&mut state, ":view checks");
@@ -218,6 +221,19 @@ fn search_finds_rows_and_columns() {
     write(&mut state, "/ram");
     let study = state.study.as_ref().unwrap();
     assert!(study.column(state.chosen.column).unwrap().of.contains("ram"));
+}
+
+#[test]
+fn search_among_the_forces_finds_pairs() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "3");
+    for (wanted, pair) in [("c", "C"), ("A", "A"), ("stone4", "stone4/ram"), ("ram", "ram/ground")] {
+        write(&mut state, &format!("/{wanted}"));
+        let found = state.study.as_ref().unwrap().found.as_ref().unwrap();
+        assert_eq!(found.reactions[state.chosen.reaction].pair, pair);
+    }
+    write(&mut state, "/31");
+    assert_eq!(state.position, 31);
 }
 
 #[test]

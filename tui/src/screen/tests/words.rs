@@ -44,7 +44,7 @@ fn a_scene_that_is_wrong_keeps_the_old_result() {
 #[test]
 fn an_answer_to_an_older_scene_is_dropped() {
     let mut state = opened("shaper.toml");
-    let report = Report::Analyzed { generation: 99, other: false, found: Err("late".into()) };
+    let report = Report::Analyzed { number: 99, found: Err("late".into()) };
     assert!(!state.take_report(report));
     assert!(state.message.is_none());
 }
@@ -59,7 +59,7 @@ fn the_drive_shows_motor_moments_flywheels_and_places() {
     let shown: f64 = frame
         .split("unevenness ")
         .nth(1)
-        .and_then(|rest| rest.split_whitespace().next()?.parse().ok())
+        .and_then(|rest| rest.split([' ', ',']).next()?.parse().ok())
         .unwrap();
     let unevenness = dynamics.unevenness.unwrap();
     assert!((shown - unevenness).abs() <= 1e-4 * unevenness, "{frame}");
@@ -76,4 +76,47 @@ fn the_drive_shows_motor_moments_flywheels_and_places() {
     assert!(text(&state, 80, 24).contains("on the motor shaft"));
     press(&mut state, "5");
     assert!(text(&state, 80, 24).contains("iteration to the periodic regime"));
+}
+
+const BARE: &str = "
+[ground]
+points = { O = [0, 0] }
+[link.crank]
+points = { O = 0, A = \"100 mm\" }
+[input]
+link = \"crank\"
+";
+
+#[test]
+fn a_view_without_content_says_what_to_add() {
+    let mut state = scene(BARE);
+    for (key, example) in
+        [("3", "[[force]]"), ("4", "[[force]]"), ("5", "speed = \"60 rpm\""), ("6", "flywheel = \"solve\"")]
+    {
+        press(&mut state, key);
+        let frame = text(&state, 80, 24);
+        assert!(frame.contains(&format!("    {example}\n")), "{key}: {frame}");
+    }
+    // A mass alone has an inertia to show, but no speed.
+    let mut state = scene(&BARE.replace("[input]", "mass = 2\ncenter = \"A\"\n[input]"));
+    press(&mut state, "5");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("no [motion] in the scene") && frame.contains("speed = \"60 rpm\"\n"), "{frame}");
+}
+
+#[test]
+fn all_views_are_named_in_80_columns() {
+    let state = opened("shaper-drive.toml");
+    let frame = text(&state, 80, 24);
+    assert!(frame.lines().nth(1).unwrap().ends_with("tTable"), "{frame}");
+    assert!(text(&state, 100, 24).contains("9 Groups t Table"));
+}
+
+#[test]
+fn the_unevenness_stands_in_the_heading() {
+    for key in ["5", "6"] {
+        let mut state = opened("shaper-drive.toml");
+        press(&mut state, key);
+        assert!(text(&state, 80, 24).lines().nth(2).unwrap().starts_with(" unevenness 0.05"), "{key}");
+    }
 }

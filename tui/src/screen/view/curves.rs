@@ -42,6 +42,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
             curves: vec![(series.values.as_slice(), theme.style(role))],
             marks,
             cursor: state.position,
+            floor: series.floor,
             places: None,
         };
         chart.draw(stacked[order], LABELS, state.look, buffer);

@@ -4,7 +4,7 @@ use assur_results::{Dynamics, MotorReport};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::motion::numbers;
+use super::motion::{numbers, speed_unit};
 use super::{put, regime};
 use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
@@ -24,6 +24,9 @@ type Row = (Role, String);
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &study.found else { return };
     let Some(dynamics) = &found.analysis.dynamics else { return };
+    let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    let heading = heading(state.texts, dynamics, found.analysis.input.angular);
+    put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
     match state.pane {
         Pane::Table | Pane::Causes => {
             let left = motor_and_flywheel(state, dynamics);
@@ -41,6 +44,17 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         }
         Pane::Curves => draw_plots(state, study, dynamics, area, false, buffer),
         Pane::Hodograph => write(state, &places_and_motors(state, dynamics), area, 1, buffer),
+    }
+}
+
+/// What the reader looks for first.
+fn heading(texts: &Texts, dynamics: &Dynamics, angular: bool) -> String {
+    let [unevenness, mean] =
+        [dynamics.unevenness, dynamics.mean_speed].map(|x| digits(x.unwrap_or_default(), 5));
+    let unit = speed_unit(angular);
+    match dynamics.flywheel {
+        Some(flywheel) => fill(texts.drive_heading, &[&unevenness, &mean, &unit, &digits(flywheel, 5)]),
+        None => fill(texts.motion_heading, &[&unevenness, &mean, &unit]),
     }
 }
 

@@ -9,7 +9,8 @@ use unicode_width::UnicodeWidthStr;
 use super::put;
 use crate::screen::command::{COMMANDS, Command, named};
 use crate::screen::draw::raster::short;
-use crate::screen::state::State;
+use crate::screen::key::Key;
+use crate::screen::state::{State, View};
 use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
@@ -38,15 +39,16 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 1, 0, text, theme.style(*role));
     } else if let Some(failure) = failure(state) {
         put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
-    } else if state.study.as_ref().is_some_and(|study| study.found.is_none() && study.fault.is_none()) {
-        put(buffer, area, 1, 0, state.texts.calculating, theme.style(Role::Dim));
+    } else if let Some(running) = state.running.first() {
+        let text = running.words(state);
+        put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
     }
     draw_hints(state, area, buffer);
 }
 
 /// Why this position, or else another one, has no assembly.
 fn failure(state: &State) -> Option<String> {
-    let study = state.study.as_ref().filter(|_| state.view != crate::screen::state::View::Menu)?;
+    let study = state.study.as_ref().filter(|_| state.view != View::Menu)?;
     let here = study.failures.get(state.position)?;
     here.clone().or_else(|| study.failures.iter().flatten().next().cloned())
 }
@@ -57,7 +59,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let more = fill(state.texts.keys_more, &[&state.keys.first("help")]);
     let room = area.width.saturating_sub(short(more.width()) + 2);
     for command in hinted(state) {
-        let (_, hint) = texts_of(state.texts, command.name);
+        let hint = hint(state, command);
         if hint.is_empty() || state.keys.of(command).is_empty() {
             continue;
         }
@@ -76,22 +78,40 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
 /// Commands of the view, what belongs to it alone before what all views have; stepping comes first.
 fn hinted(state: &State) -> Vec<&'static Command> {
     let mut fit: Vec<_> = COMMANDS.iter().filter(|command| command.fits(state.view)).collect();
+    let own = |command: &Command| !command.views.is_empty() && command.views.len() <= OWN;
     fit.sort_by_key(|command| match command.name {
         "next-position" => 0,
-        _ if !command.views.is_empty() && command.views.len() <= OWN => 1,
-        _ => 2,
+        "search" if state.view == View::Forces => 2,
+        "analyzer" | "difference" => 3,
+        _ if own(command) => 1,
+        _ => 4,
     });
     fit
 }
 
-/// Pairs of opposite keys stand together: `Left/Right step`.
+/// The word of a command in the last row; a search among forces finds pairs.
+fn hint(state: &State, command: &Command) -> &'static str {
+    match (command.name, state.view) {
+        ("search", View::Forces) => state.texts.find_pair,
+        _ => texts_of(state.texts, command.name).1,
+    }
+}
+
+/// Pairs of opposite keys stand together: `←/→ step`.
 fn keys_of_hint(state: &State, command: &'static Command) -> String {
-    let key = state.keys.first(command.name);
+    let shown = |key: &Key| match key.code {
+        KeyCode::Left if !state.look.ascii => "←".to_owned(),
+        KeyCode::Right if !state.look.ascii => "→".to_owned(),
+        KeyCode::Up if !state.look.ascii => "↑".to_owned(),
+        KeyCode::Down if !state.look.ascii => "↓".to_owned(),
+        _ => key.name(),
+    };
+    let key = state.keys.of(command).first().map(shown).unwrap_or_default();
     let opposite = command.name.strip_prefix("next-").and_then(|what| named(&format!("previous-{what}")));
     let opposite = opposite.and_then(|opposite| state.keys.of(opposite).first());
     // Tab goes back with Shift everywhere; that needs no room.
     match opposite.filter(|key| key.code != KeyCode::BackTab) {
-        Some(opposite) => format!("{}/{key}", opposite.name()),
+        Some(opposite) => format!("{}/{key}", shown(opposite)),
         None => key,
     }
 }

@@ -165,6 +165,7 @@ pub(crate) fn draw_curves(
             curves: all,
             marks: Vec::new(),
             cursor: state.position,
+            floor: series.floor,
             places: None,
         };
         chart.draw(*place, curves::LABELS, state.look, buffer);

@@ -73,12 +73,20 @@ fn place(state: &State, study: &Study) -> String {
 }
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let tabs: Vec<_> =
+        TABS.iter().map(|(command, view)| (state.keys.first(command), name(state, *view), *view)).collect();
+    let whole: usize = tabs.iter().map(|(key, name, _)| key.width() + name.width() + 2).sum();
+    // Where all would not fit, the key stands close to its name.
+    let gap = whole <= usize::from(area.width) + 1;
     let mut column = 0;
-    for (command, view) in TABS.iter().filter(|(_, view)| state.has(*view)) {
-        let key = state.keys.first(command);
-        let text = format!("{key} {}", name(state, *view));
-        let role = if *view == state.view { Role::Tab } else { Role::Dim };
-        put(buffer, area, column, 1, &text, state.look.theme.style(role));
-        column += short(text.width()) + 1;
+    for (key, name, view) in tabs {
+        let here = view == state.view;
+        let [key_role, role] = if here { [Role::Tab; 2] } else { [Role::Key, Role::Dim] };
+        let key = format!("{key}{}", if gap || key.width() > 1 { " " } else { "" });
+        put(buffer, area, column, 1, &key, theme.style(key_role));
+        column += short(key.width());
+        put(buffer, area, column, 1, name, theme.style(role));
+        column += short(name.width()) + 1;
     }
 }

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 
 use super::footer::texts_of;
+use super::panel::wrapped;
 use super::put;
 use crate::screen::command::{COMMANDS, Command, Group};
 use crate::screen::draw::raster::short;
@@ -19,7 +20,9 @@ const HELP_AT: u16 = 36;
 /// One row of the help.
 enum Row {
     Title(&'static str),
-    Command(&'static Command),
+    Command(&'static Command, String),
+    /// What a line of help has more than fits.
+    More(String),
     Text(&'static str),
     Empty,
 }
@@ -41,17 +44,11 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             Row::Title(title) => put(buffer, inner, 0, line, title, theme.style(Role::Header)),
             Row::Text(text) => put(buffer, inner, 0, line, text, theme.style(Role::Plain)),
             Row::Empty => {}
-            Row::Command(command) => {
+            Row::More(text) => put(buffer, inner, HELP_AT, line, text, theme.style(Role::Plain)),
+            Row::Command(command, text) => {
                 put(buffer, inner, KEYS_AT, line, &keys(state, command), theme.style(Role::Key));
                 put(buffer, inner, NAME_AT, line, command.name, theme.style(Role::Plain));
-                put(
-                    buffer,
-                    inner,
-                    HELP_AT,
-                    line,
-                    texts_of(state.texts, command.name).0,
-                    theme.style(Role::Plain),
-                );
+                put(buffer, inner, HELP_AT, line, text, theme.style(Role::Plain));
             }
         }
     }
@@ -91,11 +88,20 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
             continue;
         }
         rows.push(Row::Title(title(state.texts, group)));
-        rows.extend(of_group.into_iter().map(Row::Command));
+        rows.extend(of_group.into_iter().flat_map(|command| rows_of(state, command)));
         rows.push(Row::Empty);
     }
     rows.push(Row::Text(state.texts.help_linear));
     rows
+}
+
+/// A command in as many rows as its line of help needs.
+fn rows_of(state: &State, command: &'static Command) -> Vec<Row> {
+    // The border takes a column at each side.
+    let width = usize::from(state.size.0.saturating_sub(HELP_AT + 2)).max(20);
+    let mut lines = wrapped(texts_of(state.texts, command.name).0, width).into_iter();
+    let first = Row::Command(command, lines.next().unwrap_or_default());
+    std::iter::once(first).chain(lines.map(Row::More)).collect()
 }
 
 /// Title of a group of commands.

@@ -1,6 +1,7 @@
 //! Views: pure functions from the state to a frame.
 
 pub(crate) mod accuracy;
+pub(crate) mod advice;
 pub(crate) mod arrows;
 pub(crate) mod ascii;
 pub(crate) mod causes;
@@ -62,6 +63,9 @@ fn parts(area: Rect) -> [Rect; 3] {
 
 /// Draws what is between header and footer.
 pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
+    if let Some(study) = state.study.as_ref().filter(|_| !state.has(state.view)) {
+        return advice::draw(state, study, area, buffer);
+    }
     match (state.view, &state.study) {
         (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
         (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),

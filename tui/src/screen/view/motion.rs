@@ -11,7 +11,7 @@ use crate::screen::found::Found;
 use crate::screen::number::{digits, number, plain};
 use crate::screen::state::{Pane, State};
 use crate::screen::study::Study;
-use crate::screen::text::Texts;
+use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
 /// Rows that a chart needs to be read.
@@ -28,20 +28,22 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         .as_ref()
         .map(|d| numbers(state.texts, d, found.analysis.input.angular))
         .unwrap_or_default();
+    let (role, text) = heading(state, study, found);
+    let [title, area] =
+        Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
+    put(buffer, title, 1, 0, &text, state.look.theme.style(role));
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
+    let regime = found.analysis.dynamics.as_ref().and_then(|dynamics| dynamics.regime.as_ref());
+    // Its table needs the whole width.
+    if let (Some(regime), Pane::Hodograph) = (regime, state.pane) {
+        return regime::draw_iteration(state, regime, area, buffer);
+    }
     for (row, line) in lines.iter().enumerate() {
         put(buffer, numbers, 1, short(row), line, state.look.theme.style(Role::Plain));
     }
-    let regime = found.analysis.dynamics.as_ref().and_then(|dynamics| dynamics.regime.as_ref());
-    match (regime, state.pane) {
-        (Some(regime), Pane::Curves) => {
-            return regime::draw_course(state, study, regime, charts, buffer);
-        }
-        (Some(regime), Pane::Hodograph) => {
-            return regime::draw_iteration(state, regime, charts, buffer);
-        }
-        _ => {}
+    if let (Some(regime), Pane::Curves) = (regime, state.pane) {
+        return regime::draw_course(state, study, regime, charts, buffer);
     }
     let over_time =
         matches!(state.pane, Pane::Curves | Pane::Hodograph) && !found.analysis.trajectory.is_empty();
@@ -50,6 +52,27 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     } else {
         draw_positions(state, study, found, charts, buffer);
     }
+}
+
+/// What the reader looks for first: the unevenness of a regime; or why there is no speed.
+fn heading(state: &State, study: &Study, found: &Found) -> (Role, String) {
+    let texts = state.texts;
+    if let Some(dynamics) = &found.analysis.dynamics {
+        let unit = speed_unit(found.analysis.input.angular);
+        let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed].map(Option::unwrap_or_default);
+        let text = fill(texts.motion_heading, &[&digits(unevenness, 5), &digits(mean, 5), &unit]);
+        return (Role::Header, text);
+    }
+    match (&found.analysis.no_motion, &study.linkage.mechanism.motion) {
+        (Some(reason), _) => (Role::Bad, fill(texts.motion_not_found, &[reason]).replace('\n', " ")),
+        (None, None) => (Role::Dim, texts.no_motion_heading.to_owned()),
+        (None, Some(_)) => (Role::Plain, String::new()),
+    }
+}
+
+/// Unit of the speed of the input.
+pub(crate) fn speed_unit(angular: bool) -> &'static str {
+    if angular { "rad/s" } else { "m/s" }
 }
 
 fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
@@ -66,6 +89,7 @@ fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffe
             curves: vec![(series.values.as_slice(), state.look.theme.style(Role::First))],
             marks: Vec::new(),
             cursor: state.position,
+            floor: series.floor,
             places: None,
         };
         chart.draw(*place, curves::LABELS, state.look, buffer);
@@ -94,6 +118,7 @@ fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buff
             curves: vec![(values.as_slice(), state.look.theme.style(Role::First))],
             marks: Vec::new(),
             cursor,
+            floor: 0.0,
             places: Some(&times),
         };
         chart.draw(place, curves::LABELS, state.look, buffer);
@@ -107,7 +132,7 @@ fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buff
 
 /// The numbers of the regime, one a line.
 pub(crate) fn numbers(texts: &Texts, dynamics: &Dynamics, angular: bool) -> Vec<String> {
-    let speed = if angular { "rad/s" } else { "m/s" };
+    let speed = speed_unit(angular);
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
     let all: [(&str, Option<f64>, &str); 10] = [
