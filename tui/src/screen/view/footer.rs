@@ -1,4 +1,4 @@
-//! The last two rows: a message or the `:` line, and the keys of this view.
+//! The last two rows: the keys of this view, and what is answered or typed, which stands in the last row while it is there.
 
 use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
@@ -30,13 +30,13 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         // The end of a long line is what is being written.
         let skip = text.chars().count().saturating_sub(usize::from(area.width).saturating_sub(2));
         let text: String = text.chars().skip(skip).collect();
-        put(buffer, area, 0, 0, &text, theme.style(Role::Plain));
-        put(buffer, area, short(text.width()), 0, " ", theme.style(Role::Cursor));
+        put(buffer, area, 0, 1, &text, theme.style(Role::Plain));
+        put(buffer, area, short(text.width()), 1, " ", theme.style(Role::Cursor));
     } else if let Some(file) = &state.question {
         let text = fill(state.texts.exists, &[&file.path.display()]);
-        put(buffer, area, 1, 0, &text, theme.style(Role::Bad));
+        put(buffer, area, 1, 1, &text, theme.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
-        put(buffer, area, 1, 0, text, theme.style(*role));
+        put(buffer, area, 1, 1, text, theme.style(*role));
     } else if let Some(failure) = failure(state) {
         put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
     } else if let Some(running) = state.running.first() {
@@ -55,6 +55,8 @@ fn failure(state: &State) -> Option<String> {
 
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
+    let answered = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
+    let row = u16::from(!answered);
     let mut column = 1;
     let more = fill(state.texts.keys_more, &[&state.keys.first("help")]);
     let room = area.width.saturating_sub(short(more.width()) + 2);
@@ -68,11 +70,11 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
         if column + width > room {
             break;
         }
-        put(buffer, area, column, 1, &key, theme.style(Role::Key));
-        put(buffer, area, column + short(key.width()) + 1, 1, hint, theme.style(Role::Plain));
+        put(buffer, area, column, row, &key, theme.style(Role::Key));
+        put(buffer, area, column + short(key.width()) + 1, row, hint, theme.style(Role::Plain));
         column += width;
     }
-    put(buffer, area, room, 1, &more, theme.style(Role::Plain));
+    put(buffer, area, room, row, &more, theme.style(Role::Plain));
 }
 
 /// Commands of the view, what belongs to it alone before what all views have; stepping comes first.
