@@ -6,6 +6,7 @@
 mod context;
 pub mod document;
 mod drive;
+pub mod edit;
 mod error;
 mod input;
 mod joints;

@@ -2,11 +2,10 @@
 
 use std::ops::Range;
 
+use assur_scene::edit::{Document, Place, replaced, split};
 use assur_scene::{Dimension, quantity};
-use toml::de::DeTable;
 
-use crate::find::{Found, find};
-use crate::range::{between, split};
+use crate::range::between;
 use crate::unit::{self, Takes};
 use crate::{SweepError, Vary};
 
@@ -45,13 +44,13 @@ impl Axis {
     /// Finds the parameter in the scene, and what it measures.
     pub(crate) fn of(
         vary: &Vary,
-        document: &DeTable<'_>,
+        document: &Document<'_>,
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
         let key = vary.key();
         let fault = |problem: String| SweepError::vary(&key, problem);
-        let found = find(document, &vary.steps).map_err(fault)?;
+        let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
         let dimension = dimension(vary, &found, [&from, &to], file, scene).map_err(fault)?;
         let values = values(vary.range.count, from, to, dimension).map_err(fault)?;
@@ -86,7 +85,7 @@ impl End {
 /// What the parameter measures; `None` for a count.
 fn dimension(
     vary: &Vary,
-    found: &Found,
+    found: &Place,
     ends: [&End; 2],
     file: &str,
     scene: &str,
@@ -144,21 +143,4 @@ fn values(count: usize, from: End, to: End, dimension: Option<Dimension>) -> Res
         Ok(AxisValue { toml, shown: end.text(), si: si(&end)? })
     };
     (0..count).map(value).collect()
-}
-
-/// The scene with other values in it; the spans don't overlap.
-pub(crate) fn replaced<'v>(
-    scene: &str,
-    values: impl IntoIterator<Item = (&'v Range<usize>, &'v str)>,
-) -> String {
-    let mut values: Vec<_> = values.into_iter().collect();
-    values.sort_by_key(|(span, _)| span.start);
-    let mut text = String::with_capacity(scene.len() + 32 * values.len());
-    let mut done = 0;
-    for (span, value) in values {
-        text += scene.get(done..span.start).unwrap_or_default();
-        text += value;
-        done = span.end;
-    }
-    text + scene.get(done..).unwrap_or_default()
 }

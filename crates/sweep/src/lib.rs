@@ -38,8 +38,6 @@
 mod axis;
 pub mod csv;
 mod error;
-mod find;
-mod key;
 mod measure;
 pub mod parquet;
 mod point;

@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use assur_analysis::Options;
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
+use assur_scene::edit::{Document, replaced};
 use rayon::ThreadPoolBuilder;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use toml::de::DeTable;
 
-use crate::axis::{Axis, AxisValue, replaced};
+use crate::axis::{Axis, AxisValue};
 use crate::row::{Layouts, Row};
 use crate::{Status, SweepError, Table, Vary, point};
 
@@ -38,9 +38,8 @@ impl Sweep {
             return Err(SweepError::Nothing);
         }
         let points = points(vary)?;
-        // The reader has just found it to be TOML.
-        let (document, _) = DeTable::parse_recoverable(scene);
-        let axis = |vary| Axis::of(vary, document.get_ref(), file_name, scene);
+        let document = Document::of(scene);
+        let axis = |vary| Axis::of(vary, &document, file_name, scene);
         let axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for (index, axis) in axes.iter().enumerate() {
             if let Some(same) = axes[..index].iter().find(|other| other.span == axis.span) {

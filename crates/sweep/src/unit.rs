@@ -1,8 +1,7 @@
 //! What a parameter measures, and the units of columns.
 
 use assur_scene::Dimension;
-
-use crate::range::split;
+use assur_scene::edit::split;
 
 /// Every kind of quantity of a scene, with the unit as a column writes it.
 const ALL: [(Dimension, &str); 15] = [

@@ -1,7 +1,8 @@
 //! A parameter as a user writes it.
 
+use assur_scene::edit::Key;
+
 use crate::SweepError;
-use crate::key::{self, Step};
 use crate::range::{self, Range};
 
 /// One parameter of the grid: where it stands in the scene, and its values.
@@ -18,7 +19,7 @@ use crate::range::{self, Range};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vary {
-    pub(crate) steps: Vec<Step>,
+    pub(crate) key: Key,
     pub(crate) range: Range,
 }
 
@@ -32,11 +33,11 @@ impl Vary {
         let fault = |problem: String| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
         let range = range::parse(range).map_err(fault)?;
-        Ok(Self { steps: key::parse(key).map_err(fault)?, range })
+        Ok(Self { key: Key::parse(key).map_err(fault)?, range })
     }
 
     /// The key.
     pub fn key(&self) -> String {
-        key::shown(&self.steps)
+        self.key.to_string()
     }
 }

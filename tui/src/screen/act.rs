@@ -20,7 +20,7 @@ pub(crate) fn jump(state: &mut State, sense: isize) {
 }
 
 /// The next index of so many, round.
-fn round(now: usize, by: isize, count: usize) -> usize {
+pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     let count = isize::try_from(count.max(1)).unwrap_or(isize::MAX);
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
 }
@@ -137,7 +137,7 @@ pub(crate) fn help(state: &mut State) {
 
 /// A key while the help is open: letters search, arrows scroll.
 pub(crate) fn press_help(state: &mut State, key: Key) {
-    let meant = state.keys.command(key, state.view).map(|command| command.name);
+    let meant = state.command(key).map(|command| command.name);
     let Some(help) = &mut state.help else { return };
     match key.code {
         KeyCode::Down => help.scroll += 1,
@@ -163,7 +163,7 @@ pub(crate) fn press_help(state: &mut State, key: Key) {
 }
 
 /// Stops what runs beside.
-pub(crate) fn stop(state: &mut State) {
+fn stop(state: &mut State) {
     super::accuracy::stop(state);
     state.stop();
 }
@@ -179,6 +179,15 @@ pub(crate) fn reload(state: &mut State) {
         }
         Source::File(_) => state.wishes.push(Wish::Work(Job::Open(study.source.clone()))),
         Source::Shipped(_) => state.say(Role::Plain, state.texts.no_file),
+    }
+}
+
+/// Closes the list of values, or else stops what runs beside.
+pub(crate) fn close(state: &mut State) {
+    if state.values_open() {
+        super::whatif::toggle(state);
+    } else {
+        stop(state);
     }
 }
 

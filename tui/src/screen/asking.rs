@@ -104,9 +104,12 @@ impl State {
         let found = self.study.as_ref().and_then(|study| study.found.as_ref());
         match view {
             View::Menu => true,
-            View::Mechanism | View::Curves | View::Accuracy | View::Structure | View::Table => {
-                self.study.is_some()
-            }
+            View::Mechanism
+            | View::Curves
+            | View::Accuracy
+            | View::Structure
+            | View::Table
+            | View::Values => self.study.is_some(),
             View::Forces | View::Plans => found.is_some_and(|found| found.has_forces()),
             View::Motion => {
                 found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())

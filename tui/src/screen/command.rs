@@ -4,13 +4,14 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use super::key::{Key, char, code, ctrl};
 use super::state::{State, View};
-use super::{accuracy, act, prompt};
+use super::{accuracy, act, prompt, whatif};
 
 /// Groups of the help screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Group {
     Move,
     Choose,
+    Change,
     Views,
     Look,
     Program,
@@ -18,7 +19,8 @@ pub(crate) enum Group {
 
 impl Group {
     /// In the order of the help screen.
-    pub(crate) const ALL: [Self; 5] = [Self::Move, Self::Choose, Self::Views, Self::Look, Self::Program];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Move, Self::Choose, Self::Change, Self::Views, Self::Look, Self::Program];
 }
 
 /// One thing that the user can do. Its texts are found by its name.
@@ -51,8 +53,10 @@ const fn command(
     Command { name, group, keys, views, run }
 }
 
-use Group::{Choose, Look, Move, Program, Views};
-use View::{Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table};
+use Group::{Change, Choose, Look, Move, Program, Views};
+use View::{
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table, Values,
+};
 
 const SCENE: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
 const DRAWN: &[View] = &[Mechanism, Structure];
@@ -109,6 +113,15 @@ pub(crate) const COMMANDS: &[Command] = &[
         act::scene(s, -1);
     }),
     command("open-scene", Choose, &[code(KeyCode::Enter)], &[Menu], act::open_scene),
+    command("what-if", Change, &[char('e')], SCENE, whatif::toggle),
+    command("next-value", Change, &[code(KeyCode::Down), char('j')], &[Values], |s| whatif::choose(s, 1)),
+    command("previous-value", Change, &[code(KeyCode::Up), char('k')], &[Values], |s| whatif::choose(s, -1)),
+    command("raise", Change, &[char('+'), char('=')], &[Values], whatif::raise),
+    command("lower", Change, &[char('-')], &[Values], whatif::lower),
+    command("step-size", Change, &[char('%')], &[Values], whatif::step),
+    command("exact-value", Change, &[code(KeyCode::Enter)], &[Values], whatif::exact),
+    command("undo", Change, &[char('u')], SCENE, whatif::undo),
+    command("save", Change, &[char('S')], SCENE, whatif::save),
     command("mechanism", Views, &[char('1')], SCENE, |s| s.show(Mechanism)),
     command("curves", Views, &[char('2')], SCENE, |s| s.show(Curves)),
     command("forces", Views, &[char('3')], SCENE, |s| s.show(Forces)),
@@ -139,8 +152,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("write", Program, &[char('w')], SCENE, super::writing::write),
     command("redraw", Program, &[ctrl('l')], &[], |s| s.wishes.push(super::state::Wish::Redraw)),
     command("suspend", Program, &[ctrl('z')], &[], |s| s.wishes.push(super::state::Wish::Suspend)),
-    command("close", Program, &[code(KeyCode::Esc), ctrl('g')], &[], act::stop),
-    command("quit", Program, &[char('q'), ctrl('c')], &[], |s| s.wishes.push(super::state::Wish::Quit)),
+    command("close", Program, &[code(KeyCode::Esc), ctrl('g')], &[], act::close),
+    command("quit", Program, &[char('q'), ctrl('c')], &[], whatif::quit),
 ];
 
 /// The command of a name.
@@ -151,7 +164,7 @@ pub(crate) fn named(name: &str) -> Option<&'static Command> {
 /// Gives a key to what is open: a question, the `:` line, the help, or else the view.
 pub(crate) fn press(state: &mut State, event: KeyEvent) {
     let key = Key::from(event);
-    let meant = state.keys.command(key, state.view);
+    let meant = state.command(key);
     let always = meant.filter(|command| key.control && command.group == Program);
     if let Some(command) = always {
         (command.run)(state);

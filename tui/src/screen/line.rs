@@ -7,6 +7,7 @@ use super::series::Key;
 use super::state::{Look, State, View};
 use super::text::fill;
 use super::theme::{Role, Theme};
+use super::whatif;
 
 /// Names farther than this from what was typed are no suggestion.
 const FAR: usize = 3;
@@ -55,7 +56,15 @@ pub(crate) fn completions(state: &State, typed: &str) -> Vec<String> {
         all.extend(values.iter().map(|value| format!("set {setting} {value}")));
     }
     all.retain(|line| line.starts_with(typed));
+    all.extend(values(state, typed));
     all
+}
+
+/// Keys of values with the typed piece anywhere in them: nobody remembers their beginning.
+fn values(state: &State, typed: &str) -> Vec<String> {
+    let Some(piece) = typed.strip_prefix("value ") else { return Vec::new() };
+    let keys = state.what_if.values.iter().map(|value| &value.key);
+    keys.filter(|key| key.contains(piece)).map(|key| format!("value {key}")).collect()
 }
 
 /// Runs a line.
@@ -73,9 +82,11 @@ pub(crate) fn run(state: &mut State, line: &str) {
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
+        ("save", name) => whatif::save_line(state, name),
+        ("value", rest) => value(state, rest),
         ("point" | "link" | "slide", name) => quantity(state, word, name),
         (name, "") => match command::named(name) {
-            Some(command) if command.fits(state.view) => (command.run)(state),
+            Some(command) if state.takes(command) => (command.run)(state),
             _ => unknown(state, name),
         },
         _ => unknown(state, word),
@@ -95,6 +106,16 @@ fn suggestion(state: &State, name: &str, known: &[String]) -> String {
         Some((distance, candidate)) if distance <= FAR => fill(state.texts.did_you_mean, &[candidate]),
         _ => String::new(),
     }
+}
+
+fn value(state: &mut State, rest: &str) {
+    if whatif::set(state, rest) {
+        return;
+    }
+    let name = rest.split_whitespace().next().unwrap_or_default();
+    let known: Vec<String> = state.what_if.values.iter().map(|value| value.key.clone()).collect();
+    let offer = suggestion(state, name, &known);
+    state.say(Role::Bad, fill(state.texts.unknown_name, &[&format!("value {name}"), &offer]));
 }
 
 fn view(state: &mut State, name: &str) {
@@ -187,6 +208,10 @@ pub(crate) fn search(state: &mut State, text: &str) {
     }
     if let Ok(position) = text.parse::<usize>() {
         state.go_to(position);
+        return;
+    }
+    if state.values_open() {
+        whatif::search(state, text);
         return;
     }
     let wanted = text.to_lowercase();

@@ -30,6 +30,7 @@ mod terminal;
 mod text;
 mod theme;
 mod view;
+mod whatif;
 mod work;
 mod writing;
 

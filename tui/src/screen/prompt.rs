@@ -37,6 +37,11 @@ pub(crate) fn open(state: &mut State, kind: Kind) {
     state.prompt = Some(Prompt { kind, text: String::new(), completing: None });
 }
 
+/// Opens the `:` line with something written already.
+pub(crate) fn open_with(state: &mut State, text: String) {
+    state.prompt = Some(Prompt { kind: Kind::Command, text, completing: None });
+}
+
 /// A key while the line is open.
 pub(crate) fn press(state: &mut State, key: Key) {
     let Some(mut prompt) = state.prompt.take() else { return };

@@ -3,8 +3,10 @@
 use std::ops::RangeInclusive;
 
 use super::accuracy::Accuracy;
+use super::command::Command;
 use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
+use super::key::Key;
 use super::keymap::Keymap;
 use super::menu::Menu;
 use super::prompt::Prompt;
@@ -12,6 +14,7 @@ use super::running::Running;
 use super::study::Study;
 use super::text::{ENGLISH, Texts, fill};
 use super::theme::{Role, Theme};
+use super::whatif::{self, WhatIf};
 use super::work::{Job, Report};
 use super::writing::OutputFile;
 
@@ -29,11 +32,13 @@ pub(crate) enum View {
     Accuracy,
     Structure,
     Table,
+    /// The list of the scene's numbers below any of the others but the menu.
+    Values,
 }
 
 impl View {
     /// All.
-    pub(crate) const ALL: [Self; 11] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Menu,
         Self::Mechanism,
         Self::Curves,
@@ -45,6 +50,7 @@ impl View {
         Self::Accuracy,
         Self::Structure,
         Self::Table,
+        Self::Values,
     ];
 }
 
@@ -155,6 +161,7 @@ pub(crate) struct State {
     pub(crate) texts: &'static Texts,
     pub(crate) keys: Keymap,
     pub(crate) study: Option<Study>,
+    pub(crate) what_if: WhatIf,
     pub(crate) accuracy: Accuracy,
     pub(crate) menu: Menu,
     pub(crate) view: View,
@@ -200,6 +207,7 @@ impl State {
         Self {
             texts: &ENGLISH,
             keys: Keymap::default(),
+            what_if: WhatIf::of(study.as_ref()),
             study,
             accuracy: Accuracy::default(),
             menu: Menu::default(),
@@ -229,6 +237,17 @@ impl State {
             wishes: Vec::new(),
             leaving: false,
         }
+    }
+
+    /// Whether a command has a meaning now.
+    pub(crate) fn takes(&self, command: &Command) -> bool {
+        command.fits(self.view) || (self.values_open() && command.fits(View::Values))
+    }
+
+    /// What a key means now: to the list of values where it is shown, or else to the view.
+    pub(crate) fn command(&self, key: Key) -> Option<&'static Command> {
+        let list = Some(View::Values).filter(|_| self.values_open());
+        list.and_then(|list| self.keys.command(key, list)).or_else(|| self.keys.command(key, self.view))
     }
 
     /// Whether the clock moves the mechanism.
@@ -273,6 +292,7 @@ impl State {
         match report {
             Report::Opened(Ok(study)) => self.open(*study),
             Report::Opened(Err(text)) => self.fault = Some((self.texts.fault_title, text)),
+            Report::Changed(change, study) => return whatif::take(self, &change, study),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
             Report::Progress { generation, count } => return self.take_progress(generation, count),
             Report::Measured { generation, lines } => return self.take_measured(generation, lines),
@@ -299,13 +319,11 @@ impl State {
         let Chosen { transfer, group, column, .. } = self.chosen;
         self.chosen = Chosen { transfer, group, column, ..Chosen::default() };
         self.fault = None;
+        whatif::reloaded(self, &study, again);
         self.study = Some(study);
         super::accuracy::stop(self);
         self.accuracy = Accuracy::default();
         self.generation += 1;
         self.analyze(false);
-        if again {
-            self.say(Role::Good, self.texts.reloaded);
-        }
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, Range};
+use assur_scene::edit::{Document, SceneValue};
 
 use super::draw::scale::Bounds;
 use super::found::Found;
@@ -37,6 +38,9 @@ impl Source {
 #[derive(Debug)]
 pub(crate) struct Study {
     pub(crate) source: Source,
+    /// Its text, and the numbers in it.
+    pub(crate) text: String,
+    pub(crate) values: Vec<SceneValue>,
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
@@ -79,7 +83,8 @@ impl Study {
             };
             located.map_or_else(|| fill(ENGLISH.error_in, &[&error, &name]), |errors| errors.to_string())
         })?;
-        Ok(Self::of(source, Arc::new(linkage)))
+        let values = Document::of(text).values();
+        Ok(Self { text: text.to_owned(), values, ..Self::of(source, Arc::new(linkage)) })
     }
 
     /// Solves all positions of a linkage.
@@ -98,6 +103,8 @@ impl Study {
         let (series, transfers) = quantities::of(&linkage, &poses);
         Self {
             source,
+            text: String::new(),
+            values: Vec::new(),
             linkage,
             poses,
             failures,

@@ -6,6 +6,7 @@ mod keys;
 mod language;
 mod running;
 mod sizes;
+mod whatif;
 mod words;
 
 use assur_all as _;
@@ -16,7 +17,7 @@ use ratatui::buffer::Buffer;
 
 use super::state::{Look, State, View, Wish};
 use super::study::{Source, Study};
-use super::{command, view, work};
+use super::{command, view, work, writing};
 
 const VIEWS: [View; 9] = [
     View::Mechanism,
@@ -49,15 +50,24 @@ fn state_of(study: Study) -> State {
     state
 }
 
+/// Does a job and takes all its reports.
+fn run(state: &mut State, job: &work::Job) {
+    let told = std::cell::RefCell::new(Vec::new());
+    let last = work::run(job, &|report| told.borrow_mut().push(report));
+    told.into_inner().into_iter().chain([last]).for_each(|report| {
+        state.take_report(report);
+    });
+}
+
 /// Does at once what the session would have done beside.
 fn settle(state: &mut State) {
-    for wish in std::mem::take(&mut state.wishes) {
-        if let Wish::Work(job) = wish {
-            let told = std::cell::RefCell::new(Vec::new());
-            let last = work::run(&job, &|report| told.borrow_mut().push(report));
-            told.into_inner().into_iter().chain([last]).for_each(|report| {
-                state.take_report(report);
-            });
+    while !state.wishes.is_empty() {
+        for wish in std::mem::take(&mut state.wishes) {
+            match wish {
+                Wish::Work(job) => run(state, &job),
+                Wish::Write(file) => writing::grant(state, file),
+                _ => {}
+            }
         }
     }
 }

@@ -19,6 +19,7 @@ use super::session::Event;
 use super::study::{Source, Study};
 use super::terminal::WORKER;
 use super::text::{ENGLISH, fill};
+use super::whatif::Change;
 
 /// What the worker is asked.
 #[derive(Debug)]
@@ -27,6 +28,8 @@ pub(crate) enum Job {
     Open(Source),
     /// Compile a shipped scene for its picture.
     Preview(usize),
+    /// Read the open scene with other numbers in it.
+    Change(Change),
     /// Calculate all that a scene asks for.
     Analyze(Request),
     /// Measure the methods.
@@ -51,6 +54,8 @@ pub(crate) struct Request {
 pub(crate) enum Report {
     /// A scene, or its faults.
     Opened(Result<Box<Study>, String>),
+    /// The open scene with other numbers, or why that is none.
+    Changed(Change, Result<Box<Study>, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Study>, String>),
     /// How far a measurement is.
@@ -84,6 +89,7 @@ pub(crate) fn start(job: Job, sender: Sender<Event>) {
 fn failed(job: &Job, text: String) -> Report {
     match job {
         Job::Open(_) => Report::Opened(Err(text)),
+        Job::Change(change) => Report::Changed(change.clone(), Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
         Job::Measure(wanted) => Report::Measured { generation: wanted.generation, lines: Err(text) },
         Job::Analyze(request) => Report::Analyzed { number: request.number, found: Err(text) },
@@ -94,6 +100,10 @@ fn failed(job: &Job, text: String) -> Report {
 pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
+        Job::Change(change) => {
+            let study = Study::read(change.source.clone(), &change.text);
+            Report::Changed(change.clone(), study.map(Box::new))
+        }
         Job::Preview(index) => {
             let study = SCENES.get(*index).ok_or_else(String::new);
             let study = study.and_then(|(name, text)| Study::read(Source::Shipped(name), text));

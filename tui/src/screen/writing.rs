@@ -19,6 +19,8 @@ pub(crate) struct OutputFile {
     pub(crate) content: String,
     /// Whether an old file of this name may go.
     pub(crate) overwrite: bool,
+    /// Whether it is the open scene with its changes.
+    pub(crate) scene: bool,
 }
 
 /// Asks for a file of the present view.
@@ -33,7 +35,7 @@ pub(crate) fn write(state: &mut State) {
         _ => ("csv", csv::of_columns(study, &(0..study.column_count()).collect::<Vec<_>>())),
     };
     let name = file_name(state, study, ending);
-    let file = OutputFile { path: PathBuf::from(name), content, overwrite: false };
+    let file = OutputFile { path: PathBuf::from(name), content, overwrite: false, scene: false };
     state.wishes.push(Wish::Write(file));
 }
 
@@ -66,7 +68,12 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
         return;
     }
     match replace(&path, &file.content) {
-        Ok(()) => state.say(Role::Good, fill(state.texts.written, &[&path.display()])),
+        Ok(()) => {
+            if file.scene {
+                state.what_if.keep_saved();
+            }
+            state.say(Role::Good, fill(state.texts.written, &[&path.display()]));
+        }
         Err(error) => state.say(Role::Bad, fill(state.texts.not_written, &[&path.display(), &error])),
     }
 }

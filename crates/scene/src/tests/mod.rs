@@ -6,14 +6,14 @@ mod robust;
 mod values;
 
 /// A scene with one of each, that the tests change.
-const BASE: &str = include_str!("base.toml");
+pub(crate) const BASE: &str = include_str!("base.toml");
 
 /// The base scene with a motion that a drive can give.
 fn steady() -> String {
     BASE.replace("speed = \"900 rpm\"", "kind = \"steady\"\nmean_speed = \"900 rpm\"\nunevenness = 0.05")
 }
 
-fn fixtures() -> Vec<(String, String)> {
+pub(crate) fn fixtures() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {

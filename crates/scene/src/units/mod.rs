@@ -81,6 +81,11 @@ pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     if value.abs() <= MOST { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
 }
 
+/// Whether a text is a unit, of whatever quantity.
+pub(crate) fn is_unit(text: &str) -> bool {
+    parse::unit(text, Dimension::Number).is_ok()
+}
+
 /// Whether a text is a number without a unit.
 pub(crate) fn is_bare(text: &str, wanted: Dimension) -> bool {
     matches!(parse::split(text, wanted), Ok((_, "")))

@@ -1,5 +1,7 @@
 //! The default configuration as a file with comments, made from the table of commands and the defaults themselves.
 
+use assur_scene::edit::quoted;
+
 use super::Config;
 use crate::screen::command::{COMMANDS, Command, Group};
 use crate::screen::draw::raster::Marker;
@@ -56,9 +58,4 @@ fn of_command(command: &Command) -> String {
     let keys: Vec<String> = command.keys.iter().map(|key| quoted(&key.name())).collect();
     let line = format!("{} = [{}]", command.name, keys.join(", "));
     format!("{line:COMMENT_AT$} # {}", footer::texts_of(&ENGLISH, command.name).0)
-}
-
-/// A text as TOML has it; of what a key can be, only `"` and `\` need an escape.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }

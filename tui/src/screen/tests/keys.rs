@@ -7,18 +7,27 @@ use crate::screen::command::{self, COMMANDS};
 use crate::screen::key::Key;
 use crate::screen::keymap::Keymap;
 use crate::screen::state::{Look, State, Wish};
+use crate::screen::whatif;
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
     let rest =
         (&state.view, &state.wishes, &state.prompt, &state.look, &state.chosen, state.playing, state.plan);
-    format!("{}{rest:?}", text(state, 120, 40))
+    format!("{}{rest:?}{:?}", text(state, 120, 40), state.what_if)
+}
+
+/// Goes to a view; the list of values is opened below the mechanism.
+fn enter(state: &mut State, view: View) {
+    if state.values_open() != (view == View::Values) {
+        whatif::toggle(state);
+    }
+    state.view = if view == View::Values { View::Mechanism } else { view };
 }
 
 #[test]
 fn every_key_in_every_view_is_survived() {
     let mut state = opened("shaper.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
+    for view in View::ALL {
         for code in (' '..='~').map(KeyCode::Char).chain([
             KeyCode::Enter,
             KeyCode::Esc,
@@ -39,7 +48,7 @@ fn every_key_in_every_view_is_survived() {
         ]) {
             for modifiers in [KeyModifiers::NONE, KeyModifiers::CONTROL] {
                 (state.help, state.prompt, state.question) = (None, None, None);
-                state.view = view;
+                enter(&mut state, view);
                 command::press(&mut state, KeyEvent::new(code, modifiers));
                 state.wishes.clear();
             }
@@ -52,11 +61,9 @@ fn every_key_in_every_view_is_survived() {
 fn every_command_does_something() {
     for command in COMMANDS.iter().filter(|command| command.name != "close") {
         let mut acts = false;
-        for view in
-            super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]).filter(|view| command.fits(*view))
-        {
+        for view in View::ALL.into_iter().filter(|view| command.fits(*view)) {
             let mut state = opened("shaper.toml");
-            state.view = view;
+            enter(&mut state, view);
             (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
             state.accuracy.lines = vec![String::new(); 9];
             let before = fingerprint(&state);

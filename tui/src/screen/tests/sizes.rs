@@ -28,6 +28,25 @@ fn every_size_is_drawn_in_every_view() {
 }
 
 #[test]
+fn every_size_is_drawn_with_the_list_of_values() {
+    let mut state = opened("slider-crank.toml");
+    crate::screen::whatif::toggle(&mut state);
+    for view in super::VIEWS {
+        state.view = view;
+        for (width, height) in [(0, 0), (79, 24), (80, 23), (80, 24), (81, 25), (100, 30), (200, 60)] {
+            let _ = frame(&state, width, height);
+        }
+    }
+    for width in 0..=60 {
+        for height in 0..=20 {
+            let area = ratatui::layout::Rect::new(0, 0, width, height);
+            let mut buffer = ratatui::buffer::Buffer::empty(area);
+            crate::screen::view::values::draw(&state, area, &mut buffer);
+        }
+    }
+}
+
+#[test]
 fn every_view_survives_any_area() {
     let mut state = opened("slider-crank.toml");
     for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {

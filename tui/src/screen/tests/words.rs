@@ -20,6 +20,23 @@ positions = 12
 B = [0.3, 0.2]
 ";
 
+/// Turns fully, by Grashof: 100 + 400 < 350 + 250; with a rod of 200 mm it does not.
+pub(super) const TURNS: &str = "
+[ground]
+points = { O = [0, 0], C = [0.4, 0] }
+[link.crank]
+points = { O = 0, A = \"100 mm\" }
+[link.rod]
+points = { A = 0, B = \"350 mm\" }
+[link.rocker]
+points = { C = 0, B = \"250 mm\" }
+[input]
+link = \"crank\"
+positions = 12
+[assembly]
+B = [0.3, 0.2]
+";
+
 #[test]
 fn positions_without_assembly_are_told_and_keys_still_work() {
     let mut state = scene(SHORT);

@@ -62,7 +62,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let room = area.width.saturating_sub(short(more.width()) + 2);
     for command in hinted(state) {
         let hint = hint(state, command);
-        if hint.is_empty() || state.keys.of(command).is_empty() {
+        if hint.is_empty() {
             continue;
         }
         let key = keys_of_hint(state, command);
@@ -77,16 +77,24 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, room, row, &more, theme.style(Role::Plain));
 }
 
-/// Commands of the view, what belongs to it alone before what all views have; stepping comes first.
+/// Commands that have a key now; stepping first, then the list of values, what belongs to the view alone, and the rest.
 fn hinted(state: &State) -> Vec<&'static Command> {
-    let mut fit: Vec<_> = COMMANDS.iter().filter(|command| command.fits(state.view)).collect();
+    let has_key = |command: &&'static Command| {
+        let meant = state.keys.of(command).first().and_then(|key| state.command(*key));
+        meant.is_some_and(|meant| meant.name == command.name)
+    };
     let own = |command: &Command| !command.views.is_empty() && command.views.len() <= OWN;
+    let mut fit: Vec<_> = COMMANDS.iter().filter(|command| state.takes(command)).filter(has_key).collect();
     fit.sort_by_key(|command| match command.name {
         "next-position" => 0,
-        "search" if state.view == View::Forces => 2,
-        "analyzer" | "difference" => 3,
-        _ if own(command) => 1,
-        _ => 4,
+        "undo" | "save" if state.what_if.changes() > 0 => 2,
+        "undo" | "save" => 8,
+        "exact-value" => 3,
+        "search" if state.view == View::Forces => 5,
+        "analyzer" | "difference" => 6,
+        _ if command.views == [View::Values] => 1,
+        _ if own(command) => 4,
+        _ => 7,
     });
     fit
 }
@@ -109,6 +117,9 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
         _ => key.name(),
     };
     let key = state.keys.of(command).first().map(shown).unwrap_or_default();
+    if command.name == "raise" {
+        return format!("{key}/{}", state.keys.first("lower"));
+    }
     let opposite = command.name.strip_prefix("next-").and_then(|what| named(&format!("previous-{what}")));
     let opposite = opposite.and_then(|opposite| state.keys.of(opposite).first());
     // Tab goes back with Shift everywhere; that needs no room.

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::put;
+use super::{put, values};
 use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
 use crate::screen::quantities::coordinate_unit;
@@ -32,6 +32,7 @@ pub(crate) fn name_in(texts: &Texts, view: View) -> &'static str {
         View::Accuracy => texts.accuracy,
         View::Structure => texts.structure,
         View::Table => texts.table,
+        View::Values => texts.group_change,
     }
 }
 
@@ -57,10 +58,27 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     };
     let place = place(state, study);
     put(buffer, area, 1, 0, &place, style);
-    let title = &study.linkage.mechanism.title;
     let column = short(place.width() + 4);
-    put(buffer, area, column, 0, title, state.look.theme.style(Role::Plain));
+    let room = usize::from(area.width.saturating_sub(column));
+    let (role, text) = match changed(state, room) {
+        Some(text) if state.what_if.refused() => (Role::Bad, text),
+        Some(text) => (Role::Header, text),
+        None => (Role::Plain, study.linkage.mechanism.title.clone()),
+    };
+    put(buffer, area, column, 0, &text, state.look.theme.style(role));
     draw_tabs(state, area, buffer);
+}
+
+/// `* link.crank.points.A 100 mm -> 101 mm`: the last change, how many others there are, and whether they were taken.
+fn changed(state: &State, room: usize) -> Option<String> {
+    let what = &state.what_if;
+    let last = what.last()?;
+    let others = what.changes() - 1;
+    let more = if others > 0 { fill(state.texts.more_changes, &[&others]) } else { String::new() };
+    let refused = if what.refused() { state.texts.not_taken } else { "" };
+    let value = format!(" {}{more}{refused}", what.shown(last));
+    let key = values::tail(&what.values[last].key, room.saturating_sub(value.width() + 2).max(6));
+    Some(format!("* {key}{value}"))
 }
 
 /// `position 12 of 48   90.00 deg`.

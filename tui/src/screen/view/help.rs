@@ -109,6 +109,7 @@ pub(crate) fn title(texts: &Texts, group: Group) -> &'static str {
     match group {
         Group::Move => texts.group_move,
         Group::Choose => texts.group_choose,
+        Group::Change => texts.group_change,
         Group::Views => texts.group_view,
         Group::Look => texts.group_look,
         Group::Program => texts.group_program,

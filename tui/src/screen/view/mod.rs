@@ -20,6 +20,7 @@ pub(crate) mod plans;
 pub(crate) mod regime;
 pub(crate) mod structure;
 pub(crate) mod table;
+pub(crate) mod values;
 
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::Frame;
@@ -43,7 +44,11 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     } else {
         let [header, body, footer] = parts(area);
         header::draw(state, header, buffer);
-        draw_view(state, body, buffer);
+        let [view, list] = shared(state, body);
+        draw_view(state, view, buffer);
+        if list.height > 0 {
+            values::draw(state, list, buffer);
+        }
         footer::draw(state, footer, buffer);
         if state.help.is_some() {
             help::draw(state, body, buffer);
@@ -59,6 +64,12 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
 /// Header, body, footer.
 fn parts(area: Rect) -> [Rect; 3] {
     Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
+}
+
+/// The body for the view, and for the list of values below it.
+fn shared(state: &State, body: Rect) -> [Rect; 2] {
+    let list = if state.values_open() { values::height(body) } else { 0 };
+    Layout::vertical([Constraint::Min(0), Constraint::Length(list)]).areas(body)
 }
 
 /// Draws what is between header and footer.
@@ -77,7 +88,7 @@ pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
         (View::Accuracy, Some(_)) => accuracy::draw(state, area, buffer),
         (View::Structure, Some(study)) => structure::draw(state, study, area, buffer),
         (View::Table, Some(study)) => table::draw(state, study, area, buffer),
-        (View::Menu, _) | (_, None) => menu::draw(state, area, buffer),
+        (View::Menu | View::Values, _) | (_, None) => menu::draw(state, area, buffer),
     }
 }
 
@@ -90,7 +101,7 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     if !pressed || state.view != View::Curves {
         return false;
     }
-    let body = parts(Rect::new(0, 0, state.size.0, state.size.1))[1];
+    let [body, _] = shared(state, parts(Rect::new(0, 0, state.size.0, state.size.1))[1]);
     match curves::position_at(state, body, mouse.column) {
         Some(position) => std::mem::replace(&mut state.position, position) != position,
         None => false,

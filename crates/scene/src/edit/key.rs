@@ -1,16 +1,47 @@
-//! Keys: dotted paths with indices.
+//! Keys of values: dotted paths with indices.
 
 /// One step into the scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Step {
+pub(super) enum Step {
     /// A key of a table, or the name of an element of a list.
     Name(String),
     /// An element of a list, from 0.
     Index(usize),
 }
 
-/// Reads `link.crank.points.A[0]`; a name with a point or bracket in it stands in quotes.
-pub(crate) fn parse(text: &str) -> Result<Vec<Step>, String> {
+/// Where a value stands in a scene: `link.crank.points.A[0]`. A name with a point or bracket in it stands in quotes; an
+/// element of a list is named by its number, from 0, or by its `name`, a slide also by `<link>/<on>`.
+///
+/// # Examples
+///
+/// ```
+/// use assur_scene::edit::Key;
+///
+/// let key = Key::parse("force.cutting.value").unwrap();
+/// assert_eq!(key.to_string(), "force.cutting.value");
+/// assert_eq!(Key::parse("link[x]").unwrap_err(), "`[x]` is no element: write a whole number from 0");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Key(pub(super) Vec<Step>);
+
+impl Key {
+    /// Reads a key.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with it, in words.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        parse(text).map(Self)
+    }
+}
+
+impl std::fmt::Display for Key {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&shown(&self.0))
+    }
+}
+
+fn parse(text: &str) -> Result<Vec<Step>, String> {
     let mut steps = Vec::new();
     let mut rest = text.trim();
     loop {
@@ -52,7 +83,7 @@ fn name(text: &str) -> Result<(String, &str), String> {
 }
 
 /// The steps as a key.
-pub(crate) fn shown(steps: &[Step]) -> String {
+pub(super) fn shown(steps: &[Step]) -> String {
     let mut text = String::new();
     for step in steps {
         match step {

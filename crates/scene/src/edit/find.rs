@@ -1,26 +1,17 @@
 //! Finds a value of the scene by its key.
 
-use std::ops::Range;
-
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-use crate::key::{Step, shown};
-
-/// A number or quantity of the scene.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Found {
-    /// Bytes of the file.
-    pub(crate) span: Range<usize>,
-    /// The text of a string; `None` for a bare number.
-    pub(crate) text: Option<String>,
-}
+use super::Place;
+use super::key::{Step, shown};
+use crate::text::nearest;
 
 /// Names that a message lists.
 const MOST: usize = 24;
 
 /// The value of a key, or what is wrong with the key.
-pub(crate) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Found, String> {
+pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, String> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {
@@ -74,14 +65,14 @@ fn in_array<'a, 'b>(
 }
 
 /// The name of a load, or the name or default name of a slide.
-fn element_name(value: &DeValue<'_>) -> Option<String> {
+pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     let default = || Some(format!("{}/{}", text("link")?, text("on")?));
     text("name").map(str::to_owned).or_else(default)
 }
 
-fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Found, String> {
+fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, String> {
     let key = shown(steps);
     let text = match at.get_ref() {
         DeValue::Integer(_) | DeValue::Float(_) => None,
@@ -94,7 +85,7 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Found, String> {
         DeValue::Boolean(_) => return Err(format!("`{key}` is true or false, not a number")),
         DeValue::Datetime(_) => return Err(format!("`{key}` is a date, not a number")),
     };
-    Ok(Found { span: at.span(), text })
+    Ok(Place { span: at.span(), text })
 }
 
 /// Keys in the order of the file.
@@ -109,7 +100,7 @@ fn owner(steps: &[Step]) -> String {
 }
 
 fn absent(owner: &str, steps: &[Step], depth: usize, name: &str, names: &[String]) -> String {
-    let near = nearest(name, names).map(|near| {
+    let near = nearest(name, names.iter().map(String::as_str)).map(|near| {
         let mut steps = steps[..=depth].to_vec();
         steps[depth] = Step::Name(near.to_owned());
         format!("; did you mean `{}`?", shown(&steps))
@@ -127,15 +118,4 @@ fn listed(names: &[String]) -> String {
     let more = names.len().saturating_sub(MOST);
     let list = names[..names.len() - more].join(", ");
     if more == 0 { list } else { format!("{list} and {more} more") }
-}
-
-/// The name that is spelled nearly so: a third of the letters may be wrong.
-fn nearest<'n>(word: &str, names: &'n [String]) -> Option<&'n str> {
-    let limit = (word.chars().count() / 3).max(1);
-    let distance = |name: &str| strsim::damerau_levenshtein(&word.to_lowercase(), &name.to_lowercase());
-    let all = names.iter().filter(|_| word.len() <= 64).map(|name| (distance(name), name.as_str()));
-    let near = all.filter(|(distance, name)| {
-        *distance <= limit && *distance < name.chars().count().min(word.chars().count())
-    });
-    near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }

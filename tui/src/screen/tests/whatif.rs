@@ -1,0 +1,217 @@
+//! Numbers changed by keys: every view follows, undo leads back to the same screen, what is saved is the file but for them.
+
+use super::{View, opened, press, scene, settle, text, write};
+use crate::screen::state::{State, Wish};
+use crate::screen::study::{Source, Study};
+use crate::screen::work::{Job, Report};
+use crate::screen::{command, whatif};
+
+const LENGTH: &str = "link.crank.points.A";
+
+/// A state in a view with the list open at the length of the crank.
+fn at_length(view: View) -> State {
+    let mut state = opened("shaper.toml");
+    state.view = view;
+    press(&mut state, "e");
+    write(&mut state, "/crank.points.A");
+    state
+}
+
+fn header(state: &State) -> String {
+    text(state, 80, 24).lines().next().unwrap_or_default().to_owned()
+}
+
+fn shipped() -> &'static str {
+    crate::screen::menu::SCENES.iter().find(|scene| scene.0 == "shaper.toml").unwrap().1
+}
+
+#[test]
+fn a_longer_crank_shows_in_every_view_and_undo_leads_back_to_the_same_screen() {
+    for view in super::VIEWS.into_iter().filter(|view| *view != View::Drive) {
+        let mut state = at_length(view);
+        press(&mut state, "Right Right Right");
+        // The speed is given; what the crank changes comes after it.
+        state.chosen.motion = 2;
+        let before = text(&state, 80, 24);
+        press(&mut state, "+");
+        let changed = text(&state, 80, 24);
+        assert!(changed.contains("* link.crank.points.A 100 mm -> 101 mm"), "{changed}");
+        let follows = before.lines().zip(changed.lines()).skip(2).take(12).any(|(old, new)| old != new);
+        assert!(follows, "{view:?}: {changed}");
+        press(&mut state, "+ - u u u");
+        assert_eq!(text(&state, 80, 24), before, "{view:?}");
+        assert_eq!(state.what_if.changes(), 0);
+    }
+}
+
+#[test]
+fn the_numbers_are_those_of_the_changed_scene() {
+    // The crank lies along x in position 0, so that its end is its length away from the origin.
+    let mut state = at_length(View::Mechanism);
+    press(&mut state, "e");
+    for (keys, length) in
+        [("e + e", "101.000"), ("e % + e", "111.000"), ("e % - e", "110.900"), ("u u", "101.000")]
+    {
+        press(&mut state, keys);
+        let frame = text(&state, 80, 24);
+        assert!(frame.contains(&format!("PF0 {length} mm")), "{keys}: {frame}");
+    }
+}
+
+#[test]
+fn the_list_of_values() {
+    let mut state = at_length(View::Mechanism);
+    press(&mut state, "+ Down Down % +");
+    insta::assert_snapshot!(text(&state, 80, 24));
+}
+
+#[test]
+fn an_exact_value_is_typed_with_its_name_completed() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, ": v a l u e Space c r a n k . p Tab");
+    assert_eq!(state.prompt.as_ref().unwrap().text, format!("value {LENGTH}.O").replace("A.O", "O"));
+    press(&mut state, "Tab Space 1 2 Space c m Enter");
+    assert!(header(&state).contains("* link.crank.points.A 100 mm -> 12 cm"), "{}", header(&state));
+    assert!(text(&state, 80, 24).contains("PF0 120.000 mm"));
+    write(&mut state, ":value link.crank.points.A 130");
+    assert!(header(&state).contains("100 mm -> 130 mm"), "{}", header(&state));
+    write(&mut state, ":value link.crank.mass 5");
+    assert!(header(&state).contains("crank.mass 4 kg -> 5 kg (+1 more)"), "{}", header(&state));
+    write(&mut state, ":value link.crank.mass");
+    assert!(text(&state, 80, 24).contains("link.crank.mass is 4 kg -> 5 kg"));
+    write(&mut state, ":value link.crank.mas 5");
+    assert!(text(&state, 80, 24).contains("did you mean `link.crank.mass`?"));
+}
+
+#[test]
+fn a_change_that_makes_no_scene_is_told_and_taken_back() {
+    for wrong in ["5 kg", "nothing", "1e40"] {
+        let mut state = opened("shaper.toml");
+        let before = text(&state, 80, 24);
+        write(&mut state, &format!(":value {LENGTH} {wrong}"));
+        let frame = text(&state, 80, 24);
+        assert!(frame.contains("The change was not taken") && frame.contains("line 9, column 23"), "{frame}");
+        assert!(header(&state).contains("(not taken)"), "{frame}");
+        press(&mut state, "Right Left");
+        assert!(text(&state, 80, 24).contains("PF0 100.000 mm"), "the old result stays");
+        press(&mut state, "u");
+        assert_eq!(text(&state, 80, 24), before, "{wrong}");
+    }
+}
+
+#[test]
+fn a_change_without_assembly_is_told_and_taken_back() {
+    let mut state = scene(super::words::TURNS);
+    let before = text(&state, 80, 24);
+    assert!(!before.contains("no assembly"), "{before}");
+    write(&mut state, ":value link.rod.points.B 200 mm");
+    assert!(text(&state, 80, 24).contains("no assembly"), "{}", text(&state, 80, 24));
+    press(&mut state, "u");
+    assert_eq!(text(&state, 80, 24), before);
+}
+
+#[test]
+fn what_is_saved_is_the_file_but_for_the_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("new.toml");
+    let mut state = at_length(View::Mechanism);
+    press(&mut state, "+");
+    let save = |state: &mut State, answer: &str| {
+        write(state, &format!(":save {}", path.display()));
+        if state.question.is_some() {
+            press(state, answer);
+        }
+        std::fs::read_to_string(&path).unwrap_or_default()
+    };
+    let changed = shipped().replace("A = \"100 mm\"", "A = \"101 mm\"");
+    assert_eq!(save(&mut state, "n"), changed);
+    assert!(changed.contains("# the stone at D"), "comments are kept");
+    press(&mut state, "+");
+    assert_eq!(save(&mut state, "n"), changed, "asked, and not overwritten");
+    assert_eq!(save(&mut state, "y"), shipped().replace("A = \"100 mm\"", "A = \"102 mm\""));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing lies beside");
+}
+
+#[test]
+fn reading_the_file_again_drops_the_changes_and_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.toml");
+    std::fs::write(&path, shipped()).unwrap();
+    let mut state = super::state_of(Study::read(Source::File(path), shipped()).unwrap());
+    let before = text(&state, 80, 24);
+    write(&mut state, ":value link.crank.points.A 120 mm");
+    write(&mut state, ":value link.crank.mass 5 kg");
+    press(&mut state, "r");
+    assert!(text(&state, 80, 24).contains("changes dropped: 2"));
+    state.message = None;
+    assert_eq!(text(&state, 80, 24), before);
+    press(&mut state, "u");
+    assert!(text(&state, 80, 24).contains("there is no change to take back"));
+}
+
+#[test]
+fn a_key_that_is_held_down_asks_once_at_a_time() {
+    let mut state = at_length(View::Mechanism);
+    let key = crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('+'));
+    (0..20).for_each(|_| command::press(&mut state, key));
+    assert!(matches!(state.wishes[..], [Wish::Work(Job::Change(_))]), "{:?}", state.wishes);
+    settle(&mut state);
+    assert!(header(&state).contains("100 mm -> 120 mm"));
+    assert!(text(&state, 80, 24).contains("PF0 120.000 mm"));
+    assert!(state.running.is_empty() && state.study.as_ref().unwrap().found.is_some());
+}
+
+#[test]
+fn a_change_of_a_scene_that_was_left_is_dropped() {
+    let mut state = opened("shaper.toml");
+    write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
+    let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
+    let other = Study::read(Source::Shipped("press.toml"), crate::screen::menu::SCENES[3].1);
+    state.take_report(Report::Opened(other.map(Box::new)));
+    let title = header(&state);
+    assert!(!state.take_report(crate::screen::work::run(&job, &|_| ())));
+    assert_eq!(header(&state), title);
+}
+
+fn write_without_reading(state: &mut State, line: &str) {
+    for letter in line.chars() {
+        command::press(state, crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char(letter)));
+    }
+    command::press(state, crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Enter));
+}
+
+#[test]
+fn leaving_with_changes_is_asked_once() {
+    let mut state = at_length(View::Mechanism);
+    press(&mut state, "+");
+    whatif::quit(&mut state);
+    assert!(state.wishes.is_empty());
+    assert!(text(&state, 80, 24).contains("changes are not saved: S saves them, q once more leaves"));
+    whatif::quit(&mut state);
+    assert!(matches!(state.wishes[..], [Wish::Quit]));
+}
+
+#[test]
+fn a_zero_has_no_per_cent() {
+    let mut state = opened("shaper.toml");
+    press(&mut state, "e");
+    write(&mut state, "/ground.points.O");
+    press(&mut state, "+");
+    assert!(text(&state, 80, 24).contains("has no per cent: Enter takes an exact value"));
+    press(&mut state, "Enter");
+    assert_eq!(state.prompt.as_ref().unwrap().text, "value ground.points.O[0] ");
+}
+
+#[test]
+fn the_list_gives_the_keys_back() {
+    let mut state = at_length(View::Curves);
+    let chosen = state.chosen.transfer;
+    press(&mut state, "Down Up");
+    assert_eq!(state.chosen.transfer, chosen, "the list has them");
+    press(&mut state, "Right");
+    assert_eq!(state.position, 1, "what the list does not take goes to the view");
+    press(&mut state, "Esc Down");
+    assert_eq!(state.chosen.transfer, chosen + 1);
+    press(&mut state, "e o");
+    assert!(!state.values_open(), "the menu has no scene to change");
+}
