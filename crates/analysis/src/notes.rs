@@ -1,5 +1,6 @@
 //! What had to be left out, and what of a request has no use.
 
+use assur_group::{GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism, Motion};
 
 use crate::{Options, Study};
@@ -8,14 +9,15 @@ use crate::{Options, Study};
 const SAME: f64 = 1e-6;
 
 /// Where no forces are told, in words.
-const LOST: &str = "the mechanism stands at a change point (nearer than 0.001 rad, or parts of its size): constraints of a \
-                    group coincide there and its reactions are not determined";
+const LOST: &str = "the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group \
+                    coincide there and its reactions are not determined";
 
 impl Study {
     /// Notes for the results; `positions` and number of `samples` of a motion at which forces are not determined.
     pub(crate) fn notes(&self, positions: &[usize], samples: usize) -> Vec<String> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
+        notes.extend(self.barriers());
         if !positions.is_empty() {
             let numbers: Vec<_> = positions.iter().map(ToString::to_string).collect();
             notes.push(format!("No forces in positions {}: {LOST}.", numbers.join(", ")));
@@ -57,6 +59,39 @@ impl Study {
                 words.join("; ")
             )
         })
+    }
+
+    /// Positions that can be assembled, but lie behind a gap, seen from the first one: it may be too narrow for a position to
+    /// fall into it.
+    fn barriers(&self) -> Option<String> {
+        let linkage = &self.linkage;
+        let input = &linkage.mechanism.input;
+        let mut position = linkage.position();
+        let mut behind = Vec::new();
+        let mut first = None;
+        for index in 0..input.positions {
+            let Some(barrier) = linkage.barrier(input.coordinate(index)) else { continue };
+            if linkage.solve_index(index, Order::Place, &mut position).is_ok() {
+                first = first.or(Some(barrier));
+                behind.push(index.to_string());
+            }
+        }
+        let (end, failure) = first?;
+        let place = if linkage.angular() {
+            format!("{:.4} deg", end.to_degrees())
+        } else {
+            format!("{:.4} mm", end * 1e3)
+        };
+        let gap = match failure.source {
+            GroupError::NoAssembly { gap_m } => format!("it misses by {:.3e} mm or more", gap_m * 1e3),
+            other => other.to_string(),
+        };
+        Some(format!(
+            "Behind {place} {} can't be assembled ({gap}): the motion from the first position ends there. Positions {} \
+             are places of the mechanism, but not of that motion.",
+            linkage.structure.group_name(&linkage.mechanism, failure.group),
+            behind.join(", ")
+        ))
     }
 
     fn change_point(&self, coordinate: f64, groups: &[usize]) -> String {

@@ -73,6 +73,14 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         health_generally(self.frame(), bodies)
     }
 
+    /// Least determinant that is not rounding: what the last places of the lengths make of one that is zero. Below it
+    /// two ways of the group are one.
+    ///
+    /// The default is for determinants that are a square root of what the lengths say. `bodies` hold the placed group.
+    fn resolution(&self, _bodies: &[Body<T>]) -> f64 {
+        (256.0 * T::EPSILON).sqrt()
+    }
+
     /// Reactions in all pairs of the group that balance the loads on its links.
     ///
     /// `loads`: one wrench for each body, about the origin of its frame; those of the group's links are read, and the

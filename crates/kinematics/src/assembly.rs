@@ -1,5 +1,7 @@
 //! The way of each group as a function of the coordinate.
 
+use std::f64::consts::TAU;
+
 /// Where a mechanism can be assembled around its first position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
@@ -9,6 +11,19 @@ pub struct Range {
     pub high: f64,
     /// Whether it turns fully: `low` and `high` are then one period apart and mean nothing else.
     pub full: bool,
+}
+
+impl Range {
+    /// An angle within the turn that begins at the lower end; one that is the lower end but for rounding stays there.
+    pub(crate) fn place(&self, angle: f64) -> f64 {
+        /// Rounding of an end, rad.
+        const HAIR: f64 = 1e-9;
+        if self.high - self.low >= TAU {
+            return angle;
+        }
+        let place = self.low + (angle - self.low).rem_euclid(TAU);
+        if place > self.low + TAU - HAIR { place - TAU } else { place }
+    }
 }
 
 /// The way of each group at every coordinate: the first ones, and where they change.

@@ -1,23 +1,32 @@
 //! The assembly of the first position.
 
-use assur_group::Body;
+use assur_group::plane::{dot, minus, vector};
+use assur_group::{Body, Number};
 use assur_mechanism::Mechanism;
+use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::read::motion_of;
+use crate::wide::{Wide, converted};
 use crate::{Chain, ChainError};
+
+/// Places nearer than this (in parts of the scale) are one: near a change point the wanted places decide by less than
+/// what 16 digits see, but not by less than they are written with.
+const SAME: f64 = 1e-14;
 
 /// The way of each group, and the placed links.
 type First = (Vec<u8>, Vec<Body<f64>>);
 
-/// The way of each group in the first position, the one closest to the places of `[assembly]`; and the placed links.
+/// The way of each group at the coordinate `from`, the one closest to the places of `[assembly]`; and the placed links.
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
     structure: &Structure,
     chain: &Chain<f64>,
+    wide: Option<&Wide>,
+    from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
     let mut bodies = guessed_bodies(mechanism, chain);
-    chain.set_input(mechanism.input.from, &mut bodies);
+    chain.set_input(from, &mut bodies);
+    let mut extended = wide.map(|wide| wide.bodies(Dd::from_f64(from), &bodies));
     let mut ways = vec![0_u8; chain.groups.len()];
     for (i, kernel) in chain.groups.iter().enumerate().filter(|(i, _)| chain.is_needed(*i)) {
         let links = &structure.groups[i].frame.links;
@@ -27,8 +36,15 @@ pub(crate) fn first_ways(
             let mut tried = bodies.clone();
             match kernel.place(&mut tried, usize::from(way)) {
                 Ok(_) => {
-                    let miss = miss(mechanism, links, &tried);
-                    if best.as_ref().is_none_or(|(least, ..)| miss < *least) {
+                    // Twice the digits where they can be had: close to a change point the ways differ by little.
+                    let exact = wide.zip(extended.as_ref()).and_then(|(wide, extended)| {
+                        let mut tried = extended.clone();
+                        wide.kernel(i).place(&mut tried, usize::from(way)).ok()?;
+                        Some(miss(mechanism, links, &tried))
+                    });
+                    let miss = exact.unwrap_or_else(|| miss(mechanism, links, &tried));
+                    let hair = SAME * structure.scale;
+                    if best.as_ref().is_none_or(|(least, ..)| miss < *least - hair) {
                         best = Some((miss, way, tried));
                     }
                 }
@@ -39,6 +55,14 @@ pub(crate) fn first_ways(
             (Some((_, way, placed)), _) => (ways[i], bodies) = (way, placed),
             (None, Some(failure)) => return Err((ways, failure)),
             (None, None) => {}
+        }
+        if let (Some(wide), Some(extended)) = (wide, &mut extended)
+            && wide.kernel(i).place(extended, usize::from(ways[i])).is_err()
+        {
+            // A gap that is rounding only: the place of 16 digits must do.
+            for &link in links {
+                extended[link] = converted(&bodies[link], Dd::from_f64);
+            }
         }
     }
     Ok((ways, bodies))
@@ -68,15 +92,15 @@ fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
     bodies
 }
 
-/// Sum of squares of the distances of a group's points from their wanted places.
-fn miss(mechanism: &Mechanism, links: &[usize], bodies: &[Body<f64>]) -> f64 {
-    let mut sum = 0.0;
+/// Root of the sum of squares of the distances of a group's points from their wanted places, m.
+fn miss<T: Number>(mechanism: &Mechanism, links: &[usize], bodies: &[Body<T>]) -> f64 {
+    let mut sum = T::ZERO;
     for (point, wanted) in &mechanism.assembly {
         let place = mechanism.points[*point].places.iter().find(|place| links.contains(&place.link));
         if let Some(place) = place {
-            let found = motion_of(&bodies[place.link], place.at).pf0;
-            sum += (found[0] - wanted[0]).powi(2) + (found[1] - wanted[1]).powi(2);
+            let off = minus(bodies[place.link].point(vector(place.at)), vector(*wanted));
+            sum += dot(off, off);
         }
     }
-    sum
+    sum.sqrt().to_f64()
 }

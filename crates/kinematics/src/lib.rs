@@ -12,13 +12,16 @@ mod assembly;
 mod chain;
 mod error;
 mod first;
+mod leg;
 mod linkage;
+mod meeting;
 mod patch;
 mod patches;
 mod rank;
 mod read;
 mod seeds;
 mod walk;
+mod wide;
 
 pub use assembly::{Range, Ways};
 pub use chain::{Chain, ChainError, Input};

@@ -9,6 +9,9 @@ use crate::patch::{Across, Patch};
 use crate::seeds::Seeds;
 use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
 
+/// Rounding of an end of the range, rad (or parts of the scale).
+const HAIR: f64 = 1e-9;
+
 /// A mechanism, taken apart and compiled: everything that positions need.
 #[derive(Debug)]
 pub struct Linkage {
@@ -24,6 +27,8 @@ pub struct Linkage {
     pub range: Option<Range>,
     /// Why the first position can't be assembled, if so.
     pub(crate) first_failure: Option<ChainError>,
+    /// What ends the range, below and above.
+    pub(crate) ends: [Option<ChainError>; 2],
     pub(crate) patches: Vec<Patch>,
     /// For kinds that iterate.
     pub(crate) seeds: Option<Seeds>,
@@ -77,6 +82,7 @@ impl Linkage {
             ways: walked.ways,
             range: walked.range,
             first_failure: walked.failure,
+            ends: walked.ends,
             patches: walked.patches,
             seeds: walked.seeds,
         })
@@ -109,10 +115,11 @@ impl Linkage {
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
+        let place = self.place(coordinate);
         if let Some(seeds) = &self.seeds {
-            seeds.put(coordinate, &mut position.bodies);
+            seeds.put(place, &mut position.bodies);
         }
-        let ways = self.ways.at(coordinate);
+        let ways = self.ways.at(place);
         let (bodies, health) = (&mut position.bodies, &mut position.health);
         let solved = if self.patches.iter().any(|patch| patch.covers(coordinate)) {
             let across = |group: usize, bodies: &mut [Body<f64>]| {
@@ -125,6 +132,28 @@ impl Linkage {
             self.chain.solve(coordinate, ways, order, bodies, health)
         };
         solved.map_err(|failure| self.explain(coordinate, failure))
+    }
+
+    /// The coordinate as the walk over the cycle knows it: where the mechanism does not turn fully, an angle counts from
+    /// the lower end.
+    #[inline]
+    fn place(&self, coordinate: f64) -> f64 {
+        match self.range {
+            Some(range) if !range.full && self.angular() => range.place(coordinate),
+            _ => coordinate,
+        }
+    }
+
+    /// What is in the way where a mechanism that does not turn fully would have to pass a gap to come from the first
+    /// position to a coordinate: the coordinate of the end, and what the group says beyond it.
+    pub fn barrier(&self, coordinate: f64) -> Option<(f64, ChainError)> {
+        let range = self.range.filter(|range| !range.full)?;
+        let hair = HAIR * if self.angular() { 1.0 } else { self.structure.scale };
+        match self.ends {
+            [Some(below), _] if coordinate < range.low - hair => Some((range.low, below)),
+            [_, Some(above)] if coordinate > range.high + hair => Some((range.high, above)),
+            _ => None,
+        }
     }
 
     /// Solves position `index` of the scene.
@@ -145,8 +174,8 @@ impl Linkage {
     /// Whether a solved position lies so near to a change point that forces are not determined there: two ways of a group
     /// meet, its constraints coincide, and its reactions have the form 0/0.
     pub fn is_at_change_point(&self, position: &Position) -> bool {
-        /// Distance, rad (or parts of the scale): nearer, the error of the interpolated motion would show in the forces.
-        const NEAR: f64 = 1e-3;
+        /// Determinant of the group whose ways meet: with less, of the 16 digits of the places too few are left in it.
+        const NEAR: f64 = 1e-5;
         let mut covering = self.patches.iter().filter(|patch| patch.covers(position.coordinate));
         covering.any(|patch| position.health[patch.group].abs() < NEAR)
     }

@@ -1,24 +1,23 @@
 //! One walk over the cycle that finds where ways meet and where the mechanism ends.
 
-use assur_group::{AssurGroup, Body, GroupError, Order};
+use assur_group::{Body, GroupError};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
 use crate::assembly::Ways;
 use crate::first::first_ways;
+use crate::leg::Leg;
 use crate::patch::Patch;
 use crate::patches::patches;
 use crate::seeds::{Seeds, iterated};
+use crate::wide::Wide;
 use crate::{Chain, ChainError, Range};
 
 /// Samples over one turn (or over the range of a sliding input).
 const SAMPLES: usize = 720;
 
-/// Two ways meet where the dimensionless determinant falls below this: it is the square root of a length's rounding.
-const MEETING: f64 = 2e-7;
-
-/// A local minimum of the determinant above this can't be the foot of a meeting between two samples.
-const SUSPECT: f64 = 0.2;
+/// Where the first position itself is singular, its assembly is chosen so far behind it, rad (or parts of the scale).
+const BESIDE: f64 = 1e-4;
 
 /// Longest motion that is walked before ways must repeat, in periods.
 const MOST_PERIODS: usize = 4;
@@ -31,66 +30,87 @@ pub(crate) struct Walked {
     pub(crate) failure: Option<ChainError>,
     pub(crate) patches: Vec<Patch>,
     pub(crate) seeds: Option<Seeds>,
+    /// What ends the range, below and above.
+    pub(crate) ends: [Option<ChainError>; 2],
 }
 
 /// Chooses the assembly of the first position and follows it.
 pub(crate) fn walk(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Walked {
     let from = mechanism.input.from;
-    let (first, start) = match first_ways(mechanism, structure, chain) {
+    let wide = Wide::of(mechanism, structure);
+    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
+    let begin = |q: f64| first_ways(mechanism, structure, chain, wide.as_ref(), q);
+    let found = match begin(from) {
+        // Equal links upon each other may point anywhere: what they do on the way through says how they stand.
+        Err((_, ChainError { source: GroupError::Singular { .. }, .. })) => begin(from + BESIDE * unit),
+        found => found,
+    };
+    let (first, start) = match found {
         Ok(found) => found,
         Err((ways, failure)) => {
             let ways = Ways { low: from, period: None, changes: Vec::new(), rows: vec![ways] };
-            return Walked { ways, range: None, failure: Some(failure), patches: Vec::new(), seeds: None };
+            return Walked {
+                ways,
+                range: None,
+                failure: Some(failure),
+                patches: Vec::new(),
+                seeds: None,
+                ends: [None; 2],
+            };
         }
     };
     let iterated = iterated(structure);
-    let mut walker = Walker { chain, groups: chain.groups.len(), start, iterated };
-    let (ways, range, seeds) = match mechanism.input.pair {
+    let mut walker = Walker { chain, wide: wide.as_ref(), groups: chain.groups.len(), start, iterated, unit };
+    let Path { ways, range, seeds, ends } = match mechanism.input.pair {
         InputPair::Pin(_) => walker.turn(from, &first),
         InputPair::Slide(_) => walker.slide(mechanism, structure.scale, &first),
     };
     let patches = patches(mechanism, structure, chain, &ways, seeds.as_ref());
-    Walked { ways, range: Some(range), failure: None, patches, seeds }
+    Walked { ways, range: Some(range), failure: None, patches, seeds, ends }
 }
 
-struct Walker<'a> {
-    chain: &'a Chain<f64>,
-    groups: usize,
+pub(crate) struct Walker<'a> {
+    pub(crate) chain: &'a Chain<f64>,
+    /// The same in twice the digits.
+    pub(crate) wide: Option<&'a Wide>,
+    pub(crate) groups: usize,
     /// The links in the first position: where kinds that iterate begin.
-    start: Vec<Body<f64>>,
+    pub(crate) start: Vec<Body<f64>>,
     /// Links of such kinds.
-    iterated: Vec<usize>,
+    pub(crate) iterated: Vec<usize>,
+    /// Unit of the coordinate: 1 rad, or the scale in m.
+    pub(crate) unit: f64,
 }
 
-/// One direction of a walk: where it ended, and the changes on the way (distance from the start, group).
-struct Leg {
-    reached: f64,
-    complete: bool,
-    changes: Vec<(f64, usize)>,
-    last: Vec<u8>,
-    grid: Vec<Vec<Body<f64>>>,
+/// Both legs of a walk as one.
+struct Path {
+    ways: Ways,
+    range: Range,
+    seeds: Option<Seeds>,
+    ends: [Option<ChainError>; 2],
 }
 
 impl Walker<'_> {
     /// A pinned input: a full turn if it can, else both ways to where it ends.
-    fn turn(&mut self, from: f64, first: &[u8]) -> (Ways, Range, Option<Seeds>) {
+    fn turn(&mut self, from: f64, first: &[u8]) -> Path {
         let period = std::f64::consts::TAU;
         let mut periods = 1;
         loop {
             let length = period * periods as f64;
-            let leg = self.leg(from, length, SAMPLES * periods, first);
+            let mut leg = self.leg(from, length, SAMPLES * periods, first, false);
             if !leg.complete {
-                let back = self.leg(from, -length, SAMPLES * periods, first);
-                let (ways, range) = joined(from, &leg, &back, first);
-                return (ways, range, self.seeds(from, period / SAMPLES as f64, &leg, &back));
+                let back = self.leg(from, -length, SAMPLES * periods, first, true);
+                return self.path(from, period / SAMPLES as f64, &leg, &back, first);
             }
+            leg.close(length);
             // With an odd number of meetings the mechanism comes back to the other assembly: its true cycle is longer.
             if leg.last == first || periods == MOST_PERIODS {
                 let range = Range { low: from, high: from + period, full: true };
                 let rows = rows_of(first, &leg.changes);
                 let seeds = Seeds::keep(&self.iterated, from, period / SAMPLES as f64, true, &leg.grid);
                 let changes = leg.changes.into_iter().map(|(d, group)| (from + d, group)).collect();
-                return (Ways { low: from, period: Some(length), changes, rows }, range, seeds);
+                let ways = Ways { low: from, period: Some(length), changes, rows };
+                return Path { ways, range, seeds, ends: [None; 2] };
             }
             periods *= 2;
         }
@@ -98,14 +118,18 @@ impl Walker<'_> {
 
     /// A sliding input: over the range of the scene, and as far again on both sides (the reader wants to know where the
     /// mechanism ends).
-    fn slide(&mut self, mechanism: &Mechanism, scale: f64, first: &[u8]) -> (Ways, Range, Option<Seeds>) {
+    fn slide(&mut self, mechanism: &Mechanism, scale: f64, first: &[u8]) -> Path {
         let from = mechanism.input.from;
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - from).abs());
-        let forth = self.leg(from, length, 4 * SAMPLES, first);
-        let back = self.leg(from, -length, 4 * SAMPLES, first);
-        let (ways, range) = joined(from, &forth, &back, first);
-        (ways, range, self.seeds(from, length / (4 * SAMPLES) as f64, &forth, &back))
+        let forth = self.leg(from, length, 4 * SAMPLES, first, false);
+        let back = self.leg(from, -length, 4 * SAMPLES, first, true);
+        self.path(from, length / (4 * SAMPLES) as f64, &forth, &back, first)
+    }
+
+    fn path(&self, from: f64, step: f64, forth: &Leg, back: &Leg, first: &[u8]) -> Path {
+        let (ways, range) = joined(from, forth, back, first);
+        Path { ways, range, seeds: self.seeds(from, step, forth, back), ends: [back.failure, forth.failure] }
     }
 
     /// Both legs as one row of samples.
@@ -113,228 +137,6 @@ impl Walker<'_> {
         let before = back.grid.len().saturating_sub(1);
         let grid: Vec<_> = back.grid.iter().skip(1).rev().chain(&forth.grid).cloned().collect();
         Seeds::keep(&self.iterated, from - before as f64 * step, step, false, &grid)
-    }
-
-    /// Walks `length` from the start in equal steps, group after group.
-    fn leg(&mut self, from: f64, length: f64, samples: usize, first: &[u8]) -> Leg {
-        let at = |i: usize| from + length * (i as f64) / (samples as f64);
-        let mut grid: Vec<Vec<Body<f64>>> = Vec::with_capacity(samples + 1);
-        for i in 0..=samples {
-            let mut bodies = self.start.clone();
-            self.chain.set_input(at(i), &mut bodies);
-            grid.push(bodies);
-        }
-        let mut leg = Leg {
-            reached: length,
-            complete: true,
-            changes: Vec::new(),
-            last: first.to_vec(),
-            grid: Vec::new(),
-        };
-        for group in (0..self.groups).filter(|group| self.chain.is_needed(*group)) {
-            let health = self.healths(group, first[group], &mut grid);
-            let flips = self.meetings(group, &at, &health, &mut leg, first);
-            self.replace(group, first[group], &at, &flips, &mut grid);
-            if health.len() < grid.len() {
-                let near = &grid[health.len().saturating_sub(1)];
-                let end = self.end(group, &at, (health.len(), near), &leg, first);
-                leg.complete = false;
-                leg.reached = end - from;
-                grid.truncate(health.len());
-            }
-            leg.changes.extend(flips.iter().map(|q| (q - from, group)));
-            leg.changes.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        }
-        let reached = leg.reached.abs();
-        leg.changes.retain(|change| change.0.abs() <= reached);
-        for (_, group) in &leg.changes {
-            leg.last[*group] = 1 - leg.last[*group];
-        }
-        leg.grid = grid;
-        leg
-    }
-
-    /// Places one group at every sample in its first way; stops at the first that can't be assembled for good.
-    fn healths(&self, group: usize, way: u8, grid: &mut [Vec<Body<f64>>]) -> Vec<f64> {
-        let kernel = &self.chain.groups[group];
-        let mut health = Vec::with_capacity(grid.len());
-        for i in 0..grid.len() {
-            // A kind that iterates starts from the sample before.
-            if i > 0 {
-                for &link in &kernel.frame().links {
-                    grid[i][link] = grid[i - 1][link];
-                }
-            }
-            match kernel.place(&mut grid[i], usize::from(way)) {
-                Ok(found) => health.push(found.abs()),
-                // At a change point itself a group may say "singular": it is passed, not the end.
-                Err(GroupError::Singular { .. }) if i > 0 => health.push(0.0),
-                Err(_) => break,
-            }
-        }
-        health
-    }
-
-    /// Coordinates where two ways of a group meet: the determinant touches zero.
-    fn meetings(
-        &self,
-        group: usize,
-        at: &impl Fn(usize) -> f64,
-        health: &[f64],
-        leg: &mut Leg,
-        first: &[u8],
-    ) -> Vec<f64> {
-        let mut found: Vec<f64> = Vec::new();
-        if self.chain.groups[group].ways() != 2 {
-            return found;
-        }
-        for i in 0..health.len() {
-            let before = if i > 0 { health[i - 1] } else { f64::INFINITY };
-            let after = health.get(i + 1).copied().unwrap_or(f64::INFINITY);
-            if health[i] > before || health[i] >= after || health[i] > SUSPECT {
-                continue;
-            }
-            // The first position itself may be a meeting; the leg then begins behind it.
-            let (low, high) = (at(i.saturating_sub(1)), at((i + 1).min(health.len() - 1)));
-            let (place, least) = self.least_health(group, low, high, leg, first, at(0));
-            let start = (place - at(0)).abs() < 1e-9;
-            let meets = least < MEETING && self.is_undetermined(group, place, leg, first, at(0));
-            if meets && !start && found.last().is_none_or(|last| (last - place).abs() > 1e-6) {
-                found.push(place);
-            }
-        }
-        found
-    }
-
-    /// Golden-section search for the least determinant of a group.
-    fn least_health(
-        &self,
-        group: usize,
-        low: f64,
-        high: f64,
-        leg: &Leg,
-        first: &[u8],
-        from: f64,
-    ) -> (f64, f64) {
-        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let f = |q: f64| self.health_at(group, q, leg, first, from);
-        let (mut a, mut b) = (low, high);
-        let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
-        let (mut fx, mut fy) = (f(x), f(y));
-        for _ in 0..90 {
-            if fx <= fy {
-                (b, y, fy) = (y, x, fx);
-                x = b - ratio * (b - a);
-                fx = f(x);
-            } else {
-                (a, x, fx) = (x, y, fy);
-                y = a + ratio * (b - a);
-                fy = f(y);
-            }
-        }
-        if fx <= fy { (x, fx) } else { (y, fy) }
-    }
-
-    /// Determinant of a group at any coordinate, the groups before it in their known ways; 0 where it does not assemble.
-    fn health_at(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> f64 {
-        self.at(group, q, leg, first, from, |kernel, bodies, way| kernel.place(bodies, way)).unwrap_or(0.0)
-    }
-
-    /// Whether a group says that it is not determined there: that the rounding of its data may make its ways meet. Ways may
-    /// come as close as 1e-9 and pass each other, where the determinant is no root of what the lengths say (pins of a
-    /// guide that almost meet). A kind that iterates is not asked, nor a group next to a change point of another one.
-    fn is_undetermined(&self, group: usize, q: f64, leg: &Leg, first: &[u8], from: f64) -> bool {
-        /// So far from a change point the places of other groups are noise, rad or m.
-        const NOISE: f64 = 1e-6;
-        if leg.changes.iter().any(|(d, _)| (from + d - q).abs() < NOISE) {
-            return true;
-        }
-        let links = &self.chain.groups[group].frame().links;
-        let solved = self
-            .at(group, q, leg, first, from, |kernel, bodies, way| kernel.solve(bodies, way, Order::First));
-        solved.is_err() || links.iter().any(|link| self.iterated.contains(link))
-    }
-
-    /// Asks a group at any coordinate, the groups before it in their known ways.
-    fn at(
-        &self,
-        group: usize,
-        q: f64,
-        leg: &Leg,
-        first: &[u8],
-        from: f64,
-        ask: impl Fn(&dyn AssurGroup<f64>, &mut [Body<f64>], usize) -> Result<f64, GroupError>,
-    ) -> Result<f64, GroupError> {
-        let mut bodies = self.start.clone();
-        self.chain.set_input(q, &mut bodies);
-        let way = |i: usize| {
-            let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
-            (usize::from(first[i]) ^ (flips & 1)).min(self.chain.groups[i].ways() - 1)
-        };
-        for i in (0..group).filter(|i| self.chain.is_needed(*i)) {
-            self.chain.groups[i].place(&mut bodies, way(i))?;
-        }
-        Ok(ask(&*self.chain.groups[group], &mut bodies, way(group))?.abs())
-    }
-
-    /// Places a group again behind its meetings, in the other way.
-    fn replace(
-        &self,
-        group: usize,
-        way: u8,
-        at: &impl Fn(usize) -> f64,
-        flips: &[f64],
-        grid: &mut [Vec<Body<f64>>],
-    ) {
-        let start = at(0);
-        for (i, bodies) in grid.iter_mut().enumerate() {
-            let passed = flips.iter().filter(|q| (**q - start).abs() < (at(i) - start).abs()).count();
-            if passed % 2 == 1 {
-                // A sample on the meeting itself keeps the place that both ways share.
-                let _ = self.chain.groups[group].place(bodies, usize::from(1 - way));
-            }
-        }
-    }
-
-    /// Where a group stops assembling, by bisection between the sample that failed and the one before, with its links.
-    fn end(
-        &self,
-        group: usize,
-        at: &impl Fn(usize) -> f64,
-        (failed, near): (usize, &[Body<f64>]),
-        leg: &Leg,
-        first: &[u8],
-    ) -> f64 {
-        let (mut good, mut bad) = (at(failed.saturating_sub(1)), at(failed));
-        for _ in 0..60 {
-            let middle = 0.5 * (good + bad);
-            if self.assembles(group, (middle, near), leg, first, at(0)) {
-                good = middle;
-            } else {
-                bad = middle;
-            }
-        }
-        good
-    }
-
-    fn assembles(
-        &self,
-        group: usize,
-        (q, near): (f64, &[Body<f64>]),
-        leg: &Leg,
-        first: &[u8],
-        from: f64,
-    ) -> bool {
-        let mut bodies = near.to_vec();
-        self.chain.set_input(q, &mut bodies);
-        self.chain.groups.iter().enumerate().take(group + 1).all(|(i, kernel)| {
-            if !self.chain.is_needed(i) {
-                return true;
-            }
-            let flips = leg.changes.iter().filter(|(d, g)| *g == i && d.abs() < (q - from).abs()).count();
-            let way = usize::from(first[i]) ^ (flips & 1);
-            kernel.place(&mut bodies, way.min(kernel.ways() - 1)).is_ok()
-        })
     }
 }
 

@@ -25,9 +25,11 @@ pub struct Rpp<T> {
     across: T,
     /// Height of the outer guide over the origin of its carrier, m.
     height: T,
-    /// Sine of the angle between the guides: it never changes.
+    /// Sine of the angle between the guides, from the inner to the outer: it never changes.
     d: T,
     inverse: T,
+    /// Its cosine.
+    cosine: T,
 }
 
 /// What the closed forms know of one position.
@@ -52,7 +54,12 @@ impl<T: Real> Rpp<T> {
         let inner = SlideJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
         let outer = SlideJoint::<T>::new(&dyad.second, dyad.turned[2])?;
         let inner_along = times(outer.turn, inner.along);
-        let d = cross(inner_along, outer.along);
+        // Link 2 alone holds the angle between the guides, and the sum of two angles keeps its digits: the directions of
+        // the guides would leave those that are nearly parallel a difference of products of order 1.
+        let angle = dyad.inner.slide_end().map_or(0.0, |end| end.angle);
+        let tilt = dyad.second.slide_end().map_or(0.0, |end| end.tilt);
+        let (sine, cosine) = (T::from_f64(tilt) + T::from_f64(angle)).sin_cos();
+        let d = -sine;
         Ok(Self {
             frame: frame.clone(),
             links: dyad.links,
@@ -65,6 +72,7 @@ impl<T: Real> Rpp<T> {
             height: outer.height(),
             d,
             inverse: T::ONE / d,
+            cosine,
         })
     }
 
@@ -82,7 +90,10 @@ impl<T: Real> Rpp<T> {
         let t = self.guides(bodies);
         let a = bodies[self.end.body].point(self.end.at);
         let b = self.height + dot(perp(t[1]), minus([carrier.x, carrier.y], a));
-        let p = plus(a, scaled(self.inverse, minus(scaled(self.across, t[1]), scaled(b, t[0]))));
+        // (across t2 - b t1) / D with t1 = cosine t2 - D n2: the part across the outer guide is b itself, however far P
+        // lies along it.
+        let along = (self.across - b * self.cosine) * self.inverse;
+        let p = plus(a, plus(scaled(along, t[1]), scaled(b, perp(t[1]))));
         GroupError::if_nan(p[0] + p[1])?;
         let [one, two] = self.links;
         [bodies[one].c, bodies[one].s] = carrier.turned(self.turn);

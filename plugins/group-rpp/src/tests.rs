@@ -64,6 +64,33 @@ fn a_push_on_the_yoke_reaches_the_crank_across_the_guide() {
 }
 
 #[test]
+fn nearly_parallel_guides_keep_the_digits_of_their_angle() {
+    // n1 (P - A) = 0 and P on the x axis: P = A - 2 sin q / tan(angle), exactly; d/dq = -2 sin q - 2 cos q / tan(angle).
+    let q = 0.7;
+    for angle in [1e-3, 1e-6, -1e-9, 1e-12] {
+        // The link between the guides turned by -0.8 and its guide by 0.8 + angle: the same guides, seen otherwise.
+        for tilt in [0.0, -0.8] {
+            let mut frame = frame(angle - tilt);
+            if let PairGeometry::Slide { tilt: turned, .. } = &mut frame.outer[0].geometry {
+                *turned = tilt;
+            }
+            let between = (angle - tilt) + tilt;
+            let group = Rpp::new(&frame).unwrap();
+            let mut bodies = bodies(q);
+            let health = group.solve(&mut bodies, 0, Order::Second).unwrap();
+            let relative = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 4e-15;
+            let cotangent = 1.0 / between.tan();
+            assert!(relative(health, between.sin().abs()), "{angle}");
+            assert!(relative(bodies[2].x, 2.0 * q.cos() - 2.0 * q.sin() * cotangent), "{angle}");
+            assert!(relative(bodies[2].x1, -2.0 * q.sin() - 2.0 * q.cos() * cotangent), "{angle}");
+            assert!(relative(bodies[2].x2, -2.0 * q.cos() + 2.0 * q.sin() * cotangent), "{angle}");
+            // On the guide itself, however far away.
+            assert!(bodies[2].y.abs() < 1e-15, "{angle}");
+        }
+    }
+}
+
+#[test]
 fn parallel_guides_give_no_place() {
     let group = Rpp::new(&frame(0.0)).unwrap();
     assert_eq!(group.place(&mut bodies(1.0), 0), Err(GroupError::Singular { health: 0.0 }));

@@ -207,6 +207,11 @@ impl<T: Real> AssurGroup<T> for Rpr<T> {
         self.health_of(self.read(bodies).s).least()
     }
 
+    fn resolution(&self, _: &[Body<T>]) -> f64 {
+        // s² = D² - e²; with a central guide s is the distance of the pins, and no root enlarges its rounding.
+        (self.slack / (self.e * self.e + self.scale).to_f64()).sqrt()
+    }
+
     fn reactions(
         &self,
         bodies: &[Body<T>],

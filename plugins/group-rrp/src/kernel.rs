@@ -213,6 +213,11 @@ impl<T: Real> AssurGroup<T> for Rrp<T> {
         (self.read(bodies).sigma * self.inverse_length).abs().least()
     }
 
+    fn resolution(&self, _: &[Body<T>]) -> f64 {
+        // The determinant is sqrt(ahead behind) / l, and the factor that is not small is 2 l.
+        (2.0 * self.slack * self.inverse_length.to_f64()).sqrt()
+    }
+
     fn reactions(
         &self,
         bodies: &[Body<T>],

@@ -232,6 +232,15 @@ impl<T: Real> AssurGroup<T> for Rrr<T> {
         (self.read(bodies).d * self.inverse_product).abs().least()
     }
 
+    fn resolution(&self, bodies: &[Body<T>]) -> f64 {
+        let d = minus(self.pins(bodies)[1], self.pins(bodies)[0]);
+        let square = dot(d, d).to_f64();
+        let (stretched, folded) = (self.stretched.to_f64(), self.folded.to_f64());
+        // The determinant is sqrt(far near) / 2 l1 l2, and the factor that is not small is 4 l1 l2.
+        let slack = self.slack[usize::from(2.0 * square < stretched + folded)];
+        (slack * self.inverse_product.to_f64()).sqrt()
+    }
+
     fn reactions(
         &self,
         bodies: &[Body<T>],
