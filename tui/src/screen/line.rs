@@ -4,10 +4,12 @@ use super::command::{self, COMMANDS};
 use super::draw::raster::Marker;
 use super::found::Reaction;
 use super::series::Key;
-use super::state::{Look, State, View};
+use super::state::{Look, State, View, Wish};
+use super::study::Source;
 use super::text::fill;
 use super::theme::{Role, Theme};
 use super::whatif;
+use super::work::Job;
 
 /// Names farther than this from what was typed are no suggestion.
 const FAR: usize = 3;
@@ -79,6 +81,7 @@ pub(crate) fn run(state: &mut State, line: &str) {
     let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     match (word, rest.trim()) {
         ("set", rest) => set(state, rest),
+        ("compare", file) => compare(state, file),
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
@@ -91,6 +94,20 @@ pub(crate) fn run(state: &mut State, line: &str) {
         },
         _ => unknown(state, word),
     }
+}
+
+/// Reads a second scene, a file or a shipped one, or ends the comparison.
+fn compare(state: &mut State, file: &str) {
+    if state.study.is_none() || matches!(file, "" | "off") {
+        state.compared = None;
+        return;
+    }
+    let shipped = super::menu::SCENES.iter().find(|(name, _)| *name == file);
+    let source = match shipped {
+        Some((name, _)) if !std::path::Path::new(file).exists() => Source::Shipped(name),
+        _ => Source::File(file.into()),
+    };
+    state.wishes.push(Wish::Work(Job::Compare(source)));
 }
 
 fn unknown(state: &mut State, name: &str) {

@@ -8,6 +8,7 @@ mod accuracy;
 mod act;
 mod asking;
 mod command;
+mod compare;
 mod config;
 mod csv;
 mod draw;

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::accuracy::Accuracy;
 use super::command::Command;
+use super::compare::Compared;
 use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
 use super::key::Key;
@@ -176,6 +177,8 @@ pub(crate) struct State {
     /// Force analyzer and integrator that are asked for; `None`: the scene's.
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
+    /// A second scene beside the open one.
+    pub(crate) compared: Option<Compared>,
     /// The analyses that run beside.
     pub(crate) running: Vec<Running>,
     /// Number of the last analysis that was asked for.
@@ -222,6 +225,7 @@ impl State {
             plan: PlanKind::Forces,
             analyzer: None,
             integrator: None,
+            compared: None,
             running: Vec::new(),
             asked: 0,
             generation: 0,
@@ -296,6 +300,7 @@ impl State {
             Report::Preview(index, preview) => self.menu.keep(index, preview),
             Report::Progress { generation, count } => return self.take_progress(generation, count),
             Report::Measured { generation, lines } => return self.take_measured(generation, lines),
+            Report::Compared(other) => self.take_compared(other),
             Report::Checked { number, checks } => return self.take_checks(number, checks),
             Report::Counted { number, count } => return self.take_count(number, count),
             Report::Analyzed { number, found } => return self.take_found(number, found),
@@ -311,6 +316,9 @@ impl State {
             self.chosen = Chosen::default();
             self.zoom = Zoom::WHOLE;
             self.view = View::Mechanism;
+        }
+        if self.study.as_ref().is_none_or(|old| !again || old.positions() != study.positions()) {
+            self.compared = None;
         }
         self.position = self.position.min(study.positions().saturating_sub(1));
         self.chosen.transfer = self.chosen.transfer.min(study.transfers.len().saturating_sub(1));

@@ -32,6 +32,14 @@ impl Source {
             Self::Shipped(name) => (*name).to_owned(),
         }
     }
+
+    /// The name without its folder.
+    pub(crate) fn short_name(&self) -> String {
+        match self {
+            Self::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            Self::Shipped(name) => (*name).to_owned(),
+        }
+    }
 }
 
 /// An open scene.

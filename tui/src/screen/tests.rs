@@ -1,5 +1,6 @@
 //! Frames, keys and sizes, without a terminal.
 
+mod compare;
 mod forces;
 mod frames;
 mod keys;

@@ -26,6 +26,8 @@ use super::whatif::Change;
 pub(crate) enum Job {
     /// Read a scene (again).
     Open(Source),
+    /// Read a second scene, to be compared.
+    Compare(Source),
     /// Compile a shipped scene for its picture.
     Preview(usize),
     /// Read the open scene with other numbers in it.
@@ -56,6 +58,8 @@ pub(crate) enum Report {
     Opened(Result<Box<Study>, String>),
     /// The open scene with other numbers, or why that is none.
     Changed(Change, Result<Box<Study>, String>),
+    /// A second scene, or its faults.
+    Compared(Result<Box<Study>, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Study>, String>),
     /// How far a measurement is.
@@ -90,6 +94,7 @@ fn failed(job: &Job, text: String) -> Report {
     match job {
         Job::Open(_) => Report::Opened(Err(text)),
         Job::Change(change) => Report::Changed(change.clone(), Err(text)),
+        Job::Compare(_) => Report::Compared(Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
         Job::Measure(wanted) => Report::Measured { generation: wanted.generation, lines: Err(text) },
         Job::Analyze(request) => Report::Analyzed { number: request.number, found: Err(text) },
@@ -104,6 +109,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             let study = Study::read(change.source.clone(), &change.text);
             Report::Changed(change.clone(), study.map(Box::new))
         }
+        Job::Compare(source) => Report::Compared(open(source.clone()).map(Box::new)),
         Job::Preview(index) => {
             let study = SCENES.get(*index).ok_or_else(String::new);
             let study = study.and_then(|(name, text)| Study::read(Source::Shipped(name), text));

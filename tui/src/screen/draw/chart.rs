@@ -45,6 +45,9 @@ pub(crate) struct Chart<'a> {
     pub(crate) places: Option<&'a [f64]>,
 }
 
+/// Stars on a curve at most.
+const MOST_STARS: usize = 24;
+
 /// Column of a position in so many columns.
 pub(crate) fn column_of(position: usize, count: usize, width: u16) -> u16 {
     short(whole(column(position as f64, count, width)))
@@ -90,6 +93,7 @@ impl Chart<'_> {
             curve(&frame, values, number == 0, *style, &mut raster);
         }
         raster.paint(plot, buffer);
+        self.draw_stars(&frame, &raster, buffer);
         self.draw_marks(&frame, &raster, plain_style, buffer);
         self.draw_cursor(&frame, look, buffer);
         frame.axis(area, labels, plain_style, buffer);
@@ -100,6 +104,18 @@ impl Chart<'_> {
         let each = self.curves.iter().filter_map(|(values, _)| extent(values));
         let all = each.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
         Some(axis_range(all, self.floor))
+    }
+
+    /// Stars on the curves after the first: dots alone are hard to tell from a line that is near.
+    fn draw_stars(&self, frame: &Frame<'_>, raster: &Raster, buffer: &mut Buffer) {
+        let mut labels = Labels::new(frame.plot);
+        for (values, style) in self.curves.iter().skip(1) {
+            let step = values.len().div_ceil(MOST_STARS).max(1);
+            for (position, value) in values.iter().enumerate().step_by(step).filter(|(_, v)| v.is_finite()) {
+                labels.put([frame.column(position as f64), frame.row(*value)], "*", *style);
+            }
+        }
+        labels.write(raster, buffer);
     }
 
     fn draw_marks(&self, frame: &Frame<'_>, raster: &Raster, style: Style, buffer: &mut Buffer) {

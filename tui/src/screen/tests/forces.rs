@@ -19,7 +19,7 @@ fn two_analyzers_agree_on_the_screen() {
     let mut state = opened("shaper.toml");
     press(&mut state, "3 d");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("difference to"), "{frame}");
+    assert!(frame.contains("1 groups (line)  2 newton-euler (stars)   largest difference"), "{frame}");
     press(&mut state, "d f");
     assert!(!text(&state, 80, 24).contains("force analyzer: groups"));
 }

@@ -9,6 +9,7 @@ use crate::screen::number::number;
 use crate::screen::series::zeros;
 use crate::screen::state::State;
 use crate::screen::study::Study;
+use crate::screen::text::fill;
 use crate::screen::theme::Role;
 
 /// Columns for the axis labels.
@@ -24,6 +25,18 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     let legend = format!("{}  {}  {}", state.texts.extremes, state.texts.zero, state.texts.inflection);
     let column = title.width.saturating_sub(u16::try_from(legend.len()).unwrap_or(0) + 1);
     put(buffer, title, column, 0, &legend, theme.style(Role::Dim));
+    if let Some(compared) = &state.compared {
+        let names = fill(state.texts.two_curves, &[&study.source.short_name(), &compared.name]);
+        let names = format!("{}   {names}", transfer.name);
+        put(
+            buffer,
+            title,
+            1,
+            0,
+            &format!("{names:<width$}", width = usize::from(title.width)),
+            theme.style(Role::Header),
+        );
+    }
     let closed = study.closed();
     let zero = transfer.orders.map(|index| zeros(&study.series[index].values, closed));
     let stacked: [Rect; 3] = Layout::vertical([Constraint::Ratio(1, 3); 3]).areas(charts);
@@ -37,14 +50,18 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
             marks.extend(next.iter().map(|at| (*at, Mark::Inflection)));
         }
         let value = series.values.get(state.position).copied().unwrap_or(f64::NAN);
-        let chart = Chart {
-            title: format!("PF{order}  {} {}", number(value), series.unit),
-            curves: vec![(series.values.as_slice(), theme.style(role))],
-            marks,
-            cursor: state.position,
-            floor: series.floor,
-            places: None,
-        };
+        let mut title = format!("PF{order}  {} {}", number(value), series.unit);
+        let mut all = vec![(series.values.as_slice(), theme.style(role))];
+        if let Some(compared) = &state.compared
+            && let Some(other) = compared.series(series)
+        {
+            all.push((other.values.as_slice(), theme.style(Role::Plain)));
+            let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
+            title.push_str("   ");
+            title.push_str(&fill(state.texts.less_other, &[&number(difference), &series.unit]));
+        }
+        let chart =
+            Chart { title, curves: all, marks, cursor: state.position, floor: series.floor, places: None };
         chart.draw(stacked[order], LABELS, state.look, buffer);
     }
     coordinate_axis(state, study, axis, buffer);

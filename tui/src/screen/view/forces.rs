@@ -46,10 +46,13 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
 }
 
 fn heading(state: &State, study: &Study, found: &Found) -> String {
-    let name = fill(state.texts.analyzer, &[&found.analyzer]);
     match &study.other {
-        Some(other) => format!("{name}   {}", fill(state.texts.difference_to, &[&other.analyzer])),
-        None => name,
+        Some(other) => {
+            let names = fill(state.texts.two_curves, &[&found.analyzer, &other.analyzer]);
+            let largest = format!("{:.1e}", largest_difference(found, other));
+            format!("{names}   {}", fill(state.texts.largest_difference, &[&largest]))
+        }
+        None => fill(state.texts.analyzer, &[&found.analyzer]),
     }
 }
 
@@ -134,6 +137,26 @@ fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) 
     let parts = reaction.series.iter().zip(&same.series).take(2.min(reaction.series.len()));
     let squares: Option<f64> = parts.map(|(a, b)| Some((at(found, *a)? - at(other, *b)?).powi(2))).sum();
     squares.map_or_else(|| "-".to_owned(), |sum| format!("{:.1e}", sum.sqrt()))
+}
+
+/// Greatest modulus of the difference of a reaction over all positions, N.
+fn largest_difference(found: &Found, other: &Found) -> f64 {
+    let mut most = 0.0_f64;
+    for reaction in &found.reactions {
+        let same = other.reactions.iter().find(|r| r.pair == reaction.pair && r.link == reaction.link);
+        let (&[x, y, _], Some(&[other_x, other_y, _])) =
+            (reaction.series.as_slice(), same.map(|same| same.series.as_slice()))
+        else {
+            continue;
+        };
+        let apart = |own: usize, theirs: usize| {
+            let pairs = found.series[own].values.iter().zip(&other.series[theirs].values);
+            pairs.map(|(a, b)| a - b).collect::<Vec<_>>()
+        };
+        let sizes = apart(x, other_x).into_iter().zip(apart(y, other_y)).map(|(x, y)| x.hypot(y));
+        most = sizes.filter(|size| size.is_finite()).fold(most, f64::max);
+    }
+    most
 }
 
 /// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.

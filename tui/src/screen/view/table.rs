@@ -7,6 +7,8 @@ use ratatui::layout::Rect;
 
 use super::put;
 use crate::screen::draw::raster::short;
+use crate::screen::number::number;
+use crate::screen::series::Series;
 use crate::screen::state::State;
 use crate::screen::study::Study;
 use crate::screen::text::fill;
@@ -94,10 +96,24 @@ fn draw_row(
     let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
-        let value = study.column(column).map_or_else(String::new, |series| series.bare(position));
+        let value =
+            study.column(column).map_or_else(String::new, |series| value(state, column, series, position));
         let _ = write!(text, "{value:>0$} ", usize::from(width) - 1);
     }
     put(buffer, Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, style);
+}
+
+/// What stands in a cell: the value, or the difference to a second scene; of the coordinate always the value.
+fn value(state: &State, column: usize, series: &Series, position: usize) -> String {
+    match &state.compared {
+        Some(compared) if column > 0 => compared.difference(series, position).map_or_else(
+            || "-".to_owned(),
+            |difference| {
+                if difference.abs() <= series.floor { "0".to_owned() } else { number(difference) }
+            },
+        ),
+        _ => series.bare(position),
+    }
 }
 
 /// The columns from the chosen one's page, with their widths.
@@ -134,6 +150,10 @@ fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, bu
         text.push_str("   ");
         text.push_str(&fill(state.texts.sorted_by, &[&name]));
         text.push(if up { '^' } else { 'v' });
+    }
+    if let Some(compared) = &state.compared {
+        text.push_str("   ");
+        text.push_str(&fill(state.texts.table_less, &[&compared.name]));
     }
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));
 }
