@@ -115,6 +115,17 @@ impl Walls {
             || (swung && near(self.value[2], self.value[3], w0, w1, reach_w))
     }
 
+    /// The wall that a step which was aimed at it has passed by a rounding: its dense output then ends on the wall itself and
+    /// shows no exit.
+    pub(crate) fn passed_by_rounding(&self, from: &State, to: &State) -> Option<Side> {
+        const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
+        SIDES.into_iter().find(|&side| {
+            let (before, beyond) = (self.inside(side, from), -self.inside(side, to));
+            let size = self.value(side).abs() + before.abs();
+            before > 0.0 && beyond > 0.0 && beyond <= ROUNDINGS * size
+        })
+    }
+
     /// First instant at which the step leaves the box, as θ, and through which wall.
     pub(crate) fn first_exit(&self, dense: &Dense) -> Option<(f64, Side)> {
         let mut first: Option<(f64, Side)> = None;

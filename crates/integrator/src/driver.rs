@@ -227,6 +227,11 @@ impl<'a, S: Stepper> Drive<'a, S> {
                 self.record(&dense, state.time)?;
                 return self.land(side, state);
             }
+            if let Some(side) = self.walls.passed_by_rounding(&self.node.state, &to.state) {
+                self.pace_on(&Plan { wall: Some(side), ..plan }, error);
+                self.record(&dense, to.state.time)?;
+                return self.land(side, to.state);
+            }
         }
         self.accept(plan, error, to)
     }

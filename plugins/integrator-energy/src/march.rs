@@ -13,6 +13,10 @@ use crate::record::Part;
 /// A turning point nearer than this part of the panel to its start has the panel fitted anew, as short as that.
 const TOO_NEAR: f64 = 0.2;
 
+/// The kinetic energy may grow so much over a panel: of a start that is slower the speed would be lost in the roundings of
+/// the work, and the time, in which 1/w is nearly singular there, with it. What is lost is eps times its root.
+const RISE: f64 = 1e6;
+
 /// First panel, rad (m), where nothing else limits it.
 const FIRST_PANEL: f64 = 0.5;
 
@@ -57,7 +61,7 @@ impl<'a> March<'a> {
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory, IntegrationError> {
-        self.enter()?;
+        self.enter_first()?;
         let first = self.sample_here();
         let (inertia, _) = self.equation.work(&self.state).map_err(|source| self.failed(source))?;
         self.energy = 0.5 * inertia * self.state.speed * self.state.speed;
@@ -87,6 +91,17 @@ impl<'a> March<'a> {
         let steps = self.statistics.steps + self.statistics.rejected;
         let step = self.length / self.state.speed.abs().max(f64::MIN_POSITIVE);
         IntegrationError::TooManySteps { at: self.state, steps, step, stiffness: None }
+    }
+
+    /// Enters the first piece, with any speed however small; or rests.
+    fn enter_first(&mut self) -> Result<(), IntegrationError> {
+        match enter(&mut self.equation, &self.state, false)? {
+            Entered::Moving(piece, acceleration) => {
+                (self.piece, self.acceleration) = (piece, acceleration);
+                Ok(())
+            }
+            Entered::Held => self.rest(),
+        }
     }
 
     /// Enters the piece ahead, or rests.
@@ -176,7 +191,9 @@ impl<'a> March<'a> {
         if panel.error > self.tolerance() {
             return self.shorten(length, factor(self.tolerance(), panel.error).clamp(0.1, 0.7), None);
         }
+        let rise = panel.most_energy() / self.energy.max(f64::MIN_POSITIVE);
         match panel.turning() {
+            None if self.energy > 0.0 && rise > RISE => self.shorten_start(length, RISE / rise),
             Some(x) if 0.5 * (x + 1.0) < TOO_NEAR => {
                 let nearer = 0.75 * (x + 1.0);
                 if length * nearer < self.least() {
@@ -195,7 +212,17 @@ impl<'a> March<'a> {
 
     /// Length that the roundings of the coordinate swallow.
     fn least(&self) -> f64 {
-        16.0 * f64::EPSILON * self.state.coordinate.abs().max(1e-6)
+        16.0 * f64::EPSILON * self.state.coordinate.abs().max(1e-12)
+    }
+
+    /// A panel over which the energy grows too much from a slow start; the start is one from rest where the way that its speed
+    /// stands for is swallowed by roundings.
+    fn shorten_start(&mut self, length: f64, by: f64) -> Result<(), IntegrationError> {
+        if length * by > self.least() {
+            return self.shorten(length, by, None);
+        }
+        (self.state.speed, self.energy) = (0.0, 0.0);
+        self.enter()
     }
 
     fn shorten(&mut self, length: f64, by: f64, source: Option<MotionError>) -> Result<(), IntegrationError> {

@@ -173,3 +173,27 @@ proptest! {
         }
     }
 }
+
+/// w² = w0² + 2 e q and t = 2 q/(w0 + w), however slow the start; and back, after a reversal in w0/e.
+#[test]
+fn a_start_is_exact_however_slow() {
+    let constant = problems::CONSTANT;
+    for exponent in 1..=15 {
+        let w0 = 10.0_f64.powi(-exponent);
+        let initial = State { speed: w0, ..State::default() };
+        for (moment, target) in [(2.0, 1.0), (-2.0, -1.0)] {
+            let formula = move |_: problems::Place, _: &State| Reduced {
+                inertia: 1.0,
+                inertia_derivative: 0.0,
+                moment,
+            };
+            let mut motion = Example::new(constant, formula);
+            let request = Request { initial, ..from_rest(Until::Coordinate(target), 1e-12) };
+            let end = Energy.solve(&mut motion, &request).unwrap().end;
+            let speed = (w0 * w0 + 4.0).sqrt();
+            assert_close(end.speed, speed * target, 1e-12);
+            let time = if target > 0.0 { 2.0 / (w0 + speed) } else { 0.5 * (w0 + speed) };
+            assert_close(end.time, time, 1e-11);
+        }
+    }
+}

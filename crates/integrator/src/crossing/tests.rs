@@ -29,3 +29,17 @@ fn roots_are_exact_to_rounding() {
         assert!((found - place).abs() < 4e-16, "{found} {place}");
     }
 }
+
+/// A step that was aimed at a wall may end a rounding behind it; its dense output then ends on it and shows no exit.
+#[test]
+fn a_wall_passed_by_a_rounding_is_met() {
+    let at = |coordinate: f64| State { time: 0.0, coordinate, speed: 1.0 };
+    let node = Node { state: at(0.0), acceleration: 1000.0 };
+    let piece = Piece { coordinate: [0.0, 1e-3], ..Piece::UNBOUNDED };
+    let walls = Walls::new(&piece, &Request::new(at(0.0), Until::Coordinate(1.0)), &node);
+    let passed = |from: f64, to: f64| walls.passed_by_rounding(&at(from), &at(to));
+    assert_eq!(passed(0.0, 1e-3 + 2.2e-19), Some(Side::CoordinateHigh));
+    assert_eq!(passed(0.0, 1e-3), None);
+    assert_eq!(passed(0.0, 1.1e-3), None);
+    assert_eq!(passed(1e-3, 1e-3 + 2.2e-19), None);
+}

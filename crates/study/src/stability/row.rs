@@ -7,7 +7,7 @@ pub const DISTANCES: [f64; 15] =
     [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
 
 /// A refusal is right where less than three digits could be left, or this close to the singular position.
-const REFUSABLE: f64 = 1e-3;
+pub(crate) const REFUSABLE: f64 = 1e-3;
 const NEAR: f64 = 1e-4;
 
 /// A number with a relative error above this is wrong, whatever the bound allows.

@@ -2,16 +2,26 @@
 
 mod closed;
 mod jet;
+mod motion;
 mod passing;
 mod places;
 
 use super::report::Stability;
 
+/// Turns of a motion without a moment, whose energy must not drift.
+const MOST_TURNS: f64 = 1e4;
+
 /// Runs every walk of the bench.
 pub fn bench() -> Stability {
+    bench_of(MOST_TURNS)
+}
+
+/// With motions of so many turns at most.
+pub(crate) fn bench_of(most_turns: f64) -> Stability {
     let mut rows = Vec::new();
     rows.extend(passing::rows());
     rows.extend(places::rows());
+    rows.extend(motion::rows(most_turns));
     Stability {
         title: "Bench: where methods fail".to_owned(),
         angular: true,
