@@ -27,6 +27,7 @@ use clap::error::ErrorKind;
 
 use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
 use fault::{Fault, Status};
+pub(crate) use output::write;
 use plans::PlanArgs;
 pub(crate) use scene::located;
 use style::Style;

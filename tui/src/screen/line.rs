@@ -33,6 +33,7 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
         ("link", names(|key| matches!(key, Key::Link(_)))),
         ("slide", names(|key| matches!(key, Key::Slide(_)))),
         ("view", views.collect()),
+        ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
     ]
 }
 
@@ -62,11 +63,13 @@ pub(crate) fn completions(state: &State, typed: &str) -> Vec<String> {
     all
 }
 
-/// Keys of values with the typed piece anywhere in them: nobody remembers their beginning.
+/// Keys of values with the typed piece inside: nobody remembers how they begin.
 fn values(state: &State, typed: &str) -> Vec<String> {
     let Some(piece) = typed.strip_prefix("value ") else { return Vec::new() };
     let keys = state.what_if.values.iter().map(|value| &value.key);
-    keys.filter(|key| key.contains(piece)).map(|key| format!("value {key}")).collect()
+    keys.filter(|key| key.contains(piece) && !key.starts_with(piece))
+        .map(|key| format!("value {key}"))
+        .collect()
 }
 
 /// Runs a line.

@@ -1,6 +1,5 @@
 //! Writing what is shown to a file: SVG of the drawing, CSV of the rest.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use crossterm::event::KeyCode;
@@ -67,14 +66,14 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
         state.question = Some(file);
         return;
     }
-    match replace(&path, &file.content) {
+    match crate::cli::write(&path, &file.content) {
         Ok(()) => {
             if file.scene {
                 state.what_if.keep_saved();
             }
             state.say(Role::Good, fill(state.texts.written, &[&path.display()]));
         }
-        Err(error) => state.say(Role::Bad, fill(state.texts.not_written, &[&path.display(), &error])),
+        Err(fault) => state.say(Role::Bad, fault.to_string()),
     }
 }
 
@@ -86,21 +85,4 @@ pub(crate) fn answer(state: &mut State, file: OutputFile, key: Key) {
     } else {
         state.say(Role::Plain, fill(state.texts.kept, &[&file.path.display()]));
     }
-}
-
-/// Writes beside and renames, so that a good file is never replaced by a part of one.
-fn replace(path: &std::path::Path, content: &str) -> std::io::Result<()> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(format!(".{}.part", std::process::id()));
-    let beside = PathBuf::from(beside);
-    let written =
-        std::fs::OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
-            file.write_all(content.as_bytes())?;
-            file.sync_all()
-        });
-    let renamed = written.and_then(|()| std::fs::rename(&beside, path));
-    if renamed.is_err() {
-        let _ = std::fs::remove_file(&beside);
-    }
-    renamed
 }

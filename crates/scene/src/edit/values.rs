@@ -76,7 +76,11 @@ pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     in_table(text, table, &mut Vec::new(), &mut values);
     values.sort_by_key(|value| value.span.start);
     if crate::read("", text).is_ok() {
-        for value in values.iter_mut().filter(|value| value.written.parse::<i64>().is_ok()) {
+        // A zero does not move, and no count stands in a list: most integers need no trial.
+        let may_count = |value: &&mut SceneValue| {
+            value.written.parse::<i64>().is_ok_and(|number| number != 0) && !value.key.ends_with(']')
+        };
+        for value in values.iter_mut().filter(may_count) {
             // The reader says what is a count: there is no second list of that.
             let fraction = format!("{}.0", value.written);
             value.whole = crate::read("", &replaced(text, [(&value.span, fraction.as_str())])).is_err();

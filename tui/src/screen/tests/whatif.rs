@@ -79,6 +79,9 @@ fn an_exact_value_is_typed_with_its_name_completed() {
     assert!(header(&state).contains("crank.mass 4 kg -> 5 kg (+1 more)"), "{}", header(&state));
     write(&mut state, ":value link.crank.mass");
     assert!(text(&state, 80, 24).contains("link.crank.mass is 4 kg -> 5 kg"));
+    press(&mut state, ": v a Tab");
+    assert_eq!(state.prompt.as_ref().unwrap().text, "value gravity");
+    press(&mut state, "Esc");
     write(&mut state, ":value link.crank.mas 5");
     assert!(text(&state, 80, 24).contains("did you mean `link.crank.mass`?"));
 }
@@ -214,4 +217,28 @@ fn the_list_gives_the_keys_back() {
     assert_eq!(state.chosen.transfer, chosen + 1);
     press(&mut state, "e o");
     assert!(!state.values_open(), "the menu has no scene to change");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_overwritten_keeps_its_link_and_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    let (file, link) = (folder.path().join("own.toml"), folder.path().join("link.toml"));
+    std::fs::write(&file, "old").unwrap();
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o600)).unwrap();
+    std::os::unix::fs::symlink(&file, &link).unwrap();
+    let mut state = opened("shaper.toml");
+    write(&mut state, &format!(":save {}", link.display()));
+    press(&mut state, "y");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), shipped());
+    assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+}
+
+#[test]
+fn what_cannot_be_written_is_told() {
+    let mut state = opened("shaper.toml");
+    write(&mut state, ":save /nowhere/x.toml");
+    assert!(text(&state, 80, 24).contains("/nowhere/x.toml: there is no folder /nowhere"));
 }
