@@ -110,7 +110,8 @@ impl State {
             | View::Structure
             | View::Table
             | View::Values => self.study.is_some(),
-            View::Forces | View::Plans => found.is_some_and(|found| found.has_forces()),
+            View::Forces => found.is_some_and(|found| found.has_forces()),
+            View::Plans => found.is_some(),
             View::Motion => {
                 found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
             }

@@ -220,6 +220,8 @@ Two commands that meet in a view can't share a key.",
     add_loads: "This scene has no loads, so that there are no forces. Add to the scene, for example:\n\n    [[force]]\n    \
                 link = \"ram\"\n    at = \"K\"\n    angle = \"180 deg\"\n    value = \"1500 N\"\n\nor gravity = \"9.81 m/s^2\" \
                 and masses. Then {0} reads it again.",
+    forces_over_time: "In a motion from an initial state forces belong to its instants, not to the positions: assur analyze \
+                       SCENE tells them over time.",
     motion_not_found: "The motion that the scene asks for is not found:\n{0}",
     forces_not_found: "There are no forces, since the motion that the scene asks for is not found:\n{0}",
     motion_heading: "unevenness {0}, mean speed {1} {2}",

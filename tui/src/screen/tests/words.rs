@@ -137,3 +137,24 @@ fn the_unevenness_stands_in_the_heading() {
         assert!(text(&state, 80, 24).lines().nth(2).unwrap().starts_with(" unevenness 0.05"), "{key}");
     }
 }
+
+#[test]
+fn plans_of_velocities_need_no_loads() {
+    let mut state = scene(&BARE.replace("[input]", "[motion]\nspeed = 2\n[input]"));
+    press(&mut state, "4 Tab");
+    let frame = text(&state, 80, 24);
+    // 100 mm at 2 rad/s.
+    assert!(frame.contains("v(A)") && frame.contains("0.20000 m/s"), "{frame}");
+    press(&mut state, "Tab");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("a(A)") && frame.contains("0.40000 m/s^2"), "{frame}");
+}
+
+#[test]
+fn a_motion_over_time_says_where_its_forces_are() {
+    let mut state = opened("run-up.toml");
+    for key in ["3", "4"] {
+        press(&mut state, key);
+        assert!(text(&state, 80, 24).contains("belong to its instants"), "{key}");
+    }
+}

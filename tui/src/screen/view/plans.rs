@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::panel::wrapped;
-use super::put;
+use super::{advice, put};
 use crate::screen::draw::diagram::{Arrow, Diagram};
 use crate::screen::draw::raster::short;
 use crate::screen::found::Found;
@@ -41,7 +41,8 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     };
     match plan {
         Some(plan) => draw_plan(state, plan, areas, buffer),
-        None => say(state, state.texts.no_forces_here, areas[0], buffer),
+        None if found.has_forces() => say(state, state.texts.no_forces_here, areas[0], buffer),
+        None => say(state, &advice::text(state, study), areas[0], buffer),
     }
 }
 
@@ -51,7 +52,7 @@ pub(crate) fn has_forces(state: &State, found: &Found) -> bool {
 }
 
 fn say(state: &State, text: &str, area: Rect, buffer: &mut Buffer) {
-    let rows = wrapped(text, usize::from(area.width.max(12)) - 2);
+    let rows = advice::rows(text, usize::from(area.width.max(12)) - 2);
     let rows: Vec<_> = rows.into_iter().map(|line| (Role::Plain, line)).collect();
     lines(state, &rows, area, buffer);
 }
@@ -77,9 +78,9 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
     for (number, item) in shown.iter().enumerate().take(room) {
         let text = format!(
-            "{:<4}{:<22}{:>8} {}",
+            "{:<4}{:<20}{:>9} {}",
             label(state, item, number),
-            cut(&item.name, 21),
+            cut(&item.name, 19),
             digits(item.size, 5),
             item.unit
         );

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
+use super::panel::wrapped;
 use super::{mechanism, put};
 use crate::screen::draw::raster::short;
 use crate::screen::number::plain;
@@ -10,6 +11,9 @@ use crate::screen::state::State;
 use crate::screen::study::Study;
 use crate::screen::text::fill;
 use crate::screen::theme::Role;
+
+/// Columns before what is told of a group.
+const INDENT: usize = 5;
 
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
@@ -22,7 +26,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     let mobility = fill(state.texts.mobility, &[&w.moving_links, &w.pairs, &w.value]);
     let class = fill(state.texts.class_of, &[&assur_structure::roman(structure.class())]);
     put(buffer, top, 1, 1, &format!("{mobility};  {class}"), theme.style(Role::Plain));
-    let lines = lines(state, study);
+    let lines = lines(state, study, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
@@ -36,7 +40,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is open.
-fn lines(state: &State, study: &Study) -> Vec<(bool, String)> {
+fn lines(state: &State, study: &Study, width: u16) -> Vec<(bool, String)> {
     let (linkage, texts) = (&study.linkage, state.texts);
     let mechanism = &linkage.mechanism;
     let input = &mechanism.links[mechanism.input.link].name;
@@ -50,9 +54,9 @@ fn lines(state: &State, study: &Study) -> Vec<(bool, String)> {
         let sign = if chosen { "> " } else { "  " };
         lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
         if chosen {
-            lines.extend(
-                details(state, study, group, index).into_iter().map(|line| (false, format!("     {line}"))),
-            );
+            let rows = details(state, study, group, index).into_iter();
+            let rows = rows.flat_map(|line| wrapped(&line, usize::from(width).saturating_sub(INDENT)));
+            lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
     }
     lines
