@@ -1,11 +1,12 @@
 //! Everything a frame depends on. Commands change it, views read it.
 
-use std::ops::RangeInclusive;
+mod kinds;
+
+pub(crate) use kinds::{Arrows, Chosen, Help, Look, Pane, PlanKind, Traces, View};
 
 use super::accuracy::Accuracy;
 use super::command::Command;
 use super::compare::Compared;
-use super::draw::raster::Marker;
 use super::draw::scale::Zoom;
 use super::key::Key;
 use super::keymap::Keymap;
@@ -14,46 +15,10 @@ use super::prompt::Prompt;
 use super::running::Running;
 use super::study::Study;
 use super::text::{ENGLISH, Texts, fill};
-use super::theme::{Role, Theme};
+use super::theme::Role;
 use super::whatif::{self, WhatIf};
 use super::work::{Job, Report};
 use super::writing::OutputFile;
-
-/// What is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum View {
-    Menu,
-    Mechanism,
-    Curves,
-    Forces,
-    Plans,
-    Motion,
-    Drive,
-    Checks,
-    Accuracy,
-    Structure,
-    Table,
-    /// The list of the scene's numbers below any of the others but the menu.
-    Values,
-}
-
-impl View {
-    /// All.
-    pub(crate) const ALL: [Self; 12] = [
-        Self::Menu,
-        Self::Mechanism,
-        Self::Curves,
-        Self::Forces,
-        Self::Plans,
-        Self::Motion,
-        Self::Drive,
-        Self::Checks,
-        Self::Accuracy,
-        Self::Structure,
-        Self::Table,
-        Self::Values,
-    ];
-}
 
 /// What a command wants that it can't do itself.
 #[derive(Debug)]
@@ -64,96 +29,6 @@ pub(crate) enum Wish {
     Suspend,
     Work(Job),
     Write(OutputFile),
-}
-
-/// How things are drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Look {
-    /// Characters beyond ASCII are replaced.
-    pub(crate) ascii: bool,
-    pub(crate) marker: Marker,
-    pub(crate) theme: Theme,
-    /// Height of a cell in its widths.
-    pub(crate) ratio: f64,
-    /// Frames a second of the animation.
-    pub(crate) fps: u8,
-}
-
-impl Look {
-    /// Frames a second that the animation may have.
-    pub(crate) const FPS: RangeInclusive<u8> = 1..=60;
-    /// Heights of a cell in its widths that fonts have.
-    pub(crate) const RATIO: RangeInclusive<f64> = 0.5..=5.0;
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self { ascii: false, marker: Marker::Braille, theme: Theme::Default, ratio: 2.0, fps: 10 }
-    }
-}
-
-/// Which plan is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PlanKind {
-    Forces,
-    Velocity,
-    Acceleration,
-    Construction,
-}
-
-/// What a view with several parts shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Pane {
-    Table,
-    /// Of the forces alone.
-    Causes,
-    Curves,
-    Hodograph,
-}
-
-/// Which arrows the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Arrows {
-    None,
-    Velocity,
-    Acceleration,
-    Both,
-}
-
-/// Which paths the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Traces {
-    All,
-    Chosen,
-    None,
-}
-
-/// The help screen.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Help {
-    pub(crate) scroll: usize,
-    pub(crate) filter: String,
-}
-
-/// What is chosen in each view.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Chosen {
-    /// Index in [`Study::transfers`].
-    pub(crate) transfer: usize,
-    pub(crate) group: usize,
-    /// Index in [`super::found::Found::reactions`].
-    pub(crate) reaction: usize,
-    pub(crate) check: usize,
-    /// Group whose force polygon is drawn; the last is the input link.
-    pub(crate) polygon: usize,
-    /// Last step of the construction that is drawn.
-    pub(crate) step: usize,
-    /// First quantity of the motion view.
-    pub(crate) motion: usize,
-    /// First line of the accuracy view.
-    pub(crate) line: usize,
-    /// Column of the table.
-    pub(crate) column: usize,
 }
 
 /// The whole state.
