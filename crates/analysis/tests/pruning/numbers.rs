@@ -46,7 +46,7 @@ fn shipped_scenes() {
 fn random_mechanisms() {
     let mut rng = Rng::new(2);
     let mut count = Count::default();
-    for seed in 0..120 {
+    for seed in 0..60 {
         let groups = 1 + rng.below(5);
         let Some(specimen) = Recipe::of(groups).specimen(seed) else { continue };
         compare(&specimen.mechanism, 4, &mut rng, &mut count);
@@ -63,5 +63,5 @@ fn random_mechanisms() {
         still.links.iter_mut().for_each(|link| (link.mass, link.inertia) = (0.0, 0.0));
         compare(&still, 4, &mut rng, &mut count);
     }
-    assert!(count.0 > 100_000, "{} numbers", count.0);
+    assert!(count.0 > 50_000, "{} numbers", count.0);
 }
