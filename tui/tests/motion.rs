@@ -283,14 +283,19 @@ fn explain_tells_case_and_method() {
         assert_eq!(output.status.code(), Some(0));
         String::from_utf8(output.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert!(told("brake").contains("integrator `closed-form`, case 1 of D (J constant, M constant)"));
+    let brake = told("brake");
+    assert!(brake.contains("integrator `closed-form`, case 1 of D (J constant, M constant)"));
+    // A closed form has no steps that stiffness could shorten.
+    assert!(brake.contains("dJ/dq is exactly zero and not computed") && !brake.contains("stiff"), "{brake}");
     assert!(told("run-up").contains("case 2 of D"));
     assert!(told("andrews").contains("integrator `energy`, case 3 of D (J(q), M(q))"));
     let shaper = told("shaper-drive");
     assert!(
-        shaper.contains("wanted: the gear ratio, the flywheel") && shaper.contains("shooting"),
+        shaper.contains("wanted: the gear ratio, the flywheel")
+            && shaper.contains("case 5 of D (J(q), M(q, w)): shooting"),
         "{shaper}"
     );
+    assert!(told("flywheel").contains("case 2 of D (J constant, M(q)): shooting"));
 }
 
 #[test]

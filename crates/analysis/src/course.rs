@@ -196,12 +196,18 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     let chosen = choose(&dependence, tolerance, &integrators()?)
         .ok_or_else(|| DynamicsError::NoIntegrator { equation: dependence.words() })?;
     // A closed form or a quadrature has no steps (and no order) that stiffness could shorten.
-    let stiff = if chosen.integrator.order > 0 {
+    let steps = chosen.integrator.order > 0;
+    let stiff = if steps {
         format!("; where an explicit method finds the equation stiff, `{STIFF}`")
     } else {
         String::new()
     };
-    Ok(format!("integrator `{}`, {}{stiff}", chosen.name(), chosen.reason))
+    let quadrature = match (dependence.case(), dependence.moment_on_speed) {
+        (2, true) if steps => "; t = J * integral of dw / M(w) would do, but no registered method takes it",
+        (2, false) if steps => "; w = integral of M(t) dt / J would do, but no registered method takes it",
+        _ => "",
+    };
+    Ok(format!("integrator `{}`, {}{stiff}{quadrature}", chosen.name(), chosen.reason))
 }
 
 /// Whether the scene or the choice of method is at fault, rather than the machine that it describes.

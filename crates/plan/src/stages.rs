@@ -12,12 +12,7 @@ pub(crate) fn stages(
     plan: &Plan,
 ) -> Vec<Stage> {
     vec![
-        run(
-            "structure",
-            "groups and their order are what everything else follows",
-            "equations counted and matched to unknowns, strongly connected parts are the groups; mobility by Chebyshev's \
-             formula and by the rank of the constraints (singular values) in the first position",
-        ),
+        structure_stage(plan),
         kinematics::positions(mechanism, structure, plan),
         kinematics::transfer(plan),
         kinematics::velocities(mechanism, plan),
@@ -37,6 +32,22 @@ pub(crate) fn run(name: &'static str, reason: impl Into<String>, method: impl In
 
 pub(crate) fn left_out(name: &'static str, reason: impl Into<String>) -> Stage {
     Stage { name, needed: false, reason: reason.into(), method: String::new() }
+}
+
+fn structure_stage(plan: &Plan) -> Stage {
+    let rank = if plan.is_partial() {
+        "not by the rank of the constraints, for which all groups would have to be placed"
+    } else {
+        "and by the rank of the constraints (singular values) in the first position"
+    };
+    run(
+        "structure",
+        "groups and their order are what everything else follows",
+        format!(
+            "equations counted and matched to unknowns, strongly connected parts are the groups; mobility by Chebyshev's \
+             formula {rank}"
+        ),
+    )
 }
 
 fn reduction(mechanism: &Mechanism, plan: &Plan) -> Stage {
