@@ -202,10 +202,10 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     } else {
         String::new()
     };
-    let quadrature = match (dependence.case(), dependence.moment_on_speed) {
-        (2, true) if steps => "; t = J * integral of dw / M(w) would do, but no registered method takes it",
-        (2, false) if steps => "; w = integral of M(t) dt / J would do, but no registered method takes it",
-        _ => "",
+    let quadrature = if dependence.case() == 2 && dependence.moment_on_speed {
+        "; t = J * integral of dw / M(w) would do as well, but no registered method takes it"
+    } else {
+        ""
     };
     Ok(format!("integrator `{}`, {}{stiff}{quadrature}", chosen.name(), chosen.reason))
 }

@@ -1,10 +1,14 @@
 //! `closed-form`: J and M constant (D's case 1), so that the motion is uniformly accelerated (D 3.12, 3.13), exactly,
-//! over a whole piece of the equation in one step.
+//! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t).
 
 use assur_integrator::{
     Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
     MotionError, Node, Pace, Request, Scale, Stepper, Trajectory, drive,
 };
+
+mod impulse;
+
+pub use impulse::Quadrature;
 
 /// The method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -36,6 +36,7 @@ const fn entry(name: &'static str, order: u8, instance: fn() -> &'static dyn Int
 
 static CLOSED: IntegratorPlugin = entry("closed-form", 0, || &WorkOnly);
 static ENERGY: IntegratorPlugin = entry("energy", 0, || &WorkOnly);
+static TIME: IntegratorPlugin = entry("quadrature", 0, || &Any);
 static FIVE: IntegratorPlugin = entry("dopri5", 5, || &Any);
 static EIGHT: IntegratorPlugin = entry("dop853", 8, || &Any);
 static FOREIGN: IntegratorPlugin = entry("foreign", 6, || &Any);
@@ -63,12 +64,15 @@ fn cases_are_those_of_d() {
 
 #[test]
 fn the_cheapest_sufficient_method_is_taken() {
-    let all = [&CLOSED, &ENERGY, &FIVE, &EIGHT];
+    let all = [&CLOSED, &ENERGY, &TIME, &FIVE, &EIGHT];
     for (dependence, tolerance, name) in [
         (equation(true, [false, false, false]), 1e-9, "closed-form"),
         (equation(true, [true, false, false]), 1e-9, "energy"),
         (equation(false, [true, false, false]), 1e-3, "energy"),
         (equation(true, [false, true, false]), 1e-9, "dop853"),
+        (equation(true, [false, false, true]), 1e-3, "quadrature"),
+        (equation(true, [false, true, true]), 1e-9, "dop853"),
+        (equation(false, [false, false, true]), 1e-9, "dop853"),
         (equation(false, [true, true, true]), 1e-3, "dopri5"),
     ] {
         let choice = choose(&dependence, tolerance, &all).unwrap();
