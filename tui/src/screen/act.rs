@@ -283,11 +283,19 @@ pub(crate) fn difference(state: &mut State) {
 /// The next or previous polygon, or step of the construction.
 pub(crate) fn step(state: &mut State, by: isize) {
     let Some(plans) = found(state).map(|found| found.plans.at(state.position)) else { return };
-    if state.plan == PlanKind::Construction {
-        state.chosen.step = round(state.chosen.step, by, super::view::plans::step_count(&plans));
-    } else {
-        let count = plans.sheet.as_ref().map_or(0, |sheet| sheet.polygons.len());
-        state.chosen.polygon = round(state.chosen.polygon, by, count);
+    let count = |read: fn(&assur_plans::Sheet) -> usize| plans.sheet.as_ref().map_or(0, read);
+    let chosen = &mut state.chosen;
+    match state.plan {
+        PlanKind::Construction => {
+            chosen.step = round(chosen.step, by, super::view::plans::step_count(&plans));
+        }
+        PlanKind::Forces => chosen.polygon = round(chosen.polygon, by, count(|sheet| sheet.polygons.len())),
+        PlanKind::Velocity => {
+            chosen.vector = round(chosen.vector, by, count(|sheet| sheet.velocities.items.len()));
+        }
+        PlanKind::Acceleration => {
+            chosen.vector = round(chosen.vector, by, count(|sheet| sheet.accelerations.items.len()));
+        }
     }
 }
 

@@ -121,6 +121,8 @@ pub(crate) struct Chosen {
     pub(crate) check: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
+    /// First vector in the list of a plan of velocities or accelerations.
+    pub(crate) vector: usize,
     /// Last step of the construction that is drawn.
     pub(crate) step: usize,
     /// First quantity of the motion view.

@@ -83,3 +83,23 @@ fn arrows_are_transfer_functions_without_a_motion() {
     let frame = text(&state, 80, 24);
     assert!(frame.contains("PF2: for unit speed") && frame.contains(" m/rad2\n"), "{frame}");
 }
+
+#[test]
+fn many_causes_keep_their_sum_in_sight() {
+    let moment = |number: u32| {
+        format!("\n[[moment]]\nname = \"m{number}\"\nlink = \"crank\"\nvalue = {}\n", number + 1)
+    };
+    let moments: String = (0..20).map(moment).collect();
+    let text_of = include_str!("../../../../fixtures/shaper.toml").to_owned() + &moments;
+    let mut state = scene(&text_of);
+    press(&mut state, "3 b End");
+    // The balancing load: 1 + 2 + ... + 20 N m of it are for the moments, which end in a row of their own.
+    press(&mut state, "Up");
+    let frame = text(&state, 80, 24);
+    let more = row(&frame, "..");
+    assert!(frame.contains(" more together") && more.len() == 2, "{frame}");
+    let shown: f64 = (0..20).filter(|n| frame.contains(&format!(" m{n} "))).map(|n| f64::from(n + 1)).sum();
+    assert!((more[1] + (210.0 - shown)).abs() < 1e-9, "{frame}");
+    let whole = row(&frame, "whole, by `groups`");
+    assert!((row(&frame, "sum")[0] - whole[0]).abs() <= 1e-5 * whole[0].abs(), "{frame}");
+}

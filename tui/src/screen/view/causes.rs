@@ -83,11 +83,19 @@ fn draw_table(
     let whole = part(&split.whole, reaction);
     let whole = Part { cause: fill(texts.whole_by, &[&found.analyzer]), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
-    for (row, (number, part)) in parts.iter().enumerate().enumerate() {
+    // Header, sum and whole are always there; causes that find no room are told together.
+    let room = usize::from(area.height).saturating_sub(3);
+    let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
+    for (number, part) in parts.iter().enumerate().take(single) {
         let text = row_of(&format!("{} {}", number + 1, part.cause), part, least);
-        put(buffer, area, 0, short(row) + 1, &text, theme.style(Role::Plain));
+        put(buffer, area, 0, short(number) + 1, &text, theme.style(Role::Plain));
     }
-    let below = short(parts.len()) + 1;
+    let mut below = short(single) + 1;
+    if single < parts.len() {
+        let rest = self::sum(&parts[single..], &fill(texts.more_causes, &[&(parts.len() - single)]));
+        put(buffer, area, 0, below, &row_of(&rest.cause, &rest, least), theme.style(Role::Plain));
+        below += 1;
+    }
     put(buffer, area, 0, below, &row_of(&sum.cause, &sum, least), theme.style(Role::Header));
     put(buffer, area, 0, below + 1, &row_of(&whole.cause, &whole, least), theme.style(Role::Plain));
 }

@@ -76,7 +76,11 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     let shown: Vec<&PlanVector> = plan.items.iter().filter(|item| item.size > least).collect();
     // The last rows say how far the plan is from closing; they are not pushed out by a long list.
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
-    for (number, item) in shown.iter().enumerate().take(room) {
+    let skip = match state.plan {
+        PlanKind::Forces => 0,
+        _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
+    };
+    for (number, item) in shown.iter().enumerate().skip(skip).take(room) {
         let text = format!(
             "{:<4}{:<20}{:>9} {}",
             label(state, item, number),
