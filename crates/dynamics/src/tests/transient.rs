@@ -30,6 +30,20 @@ fn the_run_up_of_example_1() {
     assert_relative_eq!(found.trajectory.end.coordinate, 10.0 * PI, max_relative = 1e-12);
 }
 
+#[test]
+fn a_moment_over_time_is_one_quadrature() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\nmass = 2\ninertia = 0.5\n\
+        [[moment]]\nlink = \"disc\"\nvalue = { over = \"time\", table = [[0, 0], [1, 5], [3, 5], [4, 0]] }\n\
+        [input]\nlink = \"disc\"\n[motion]\nkind = \"transient\"\nspeed = 0.5\nuntil = \"6 s\"\n";
+    let (linkage, loads) = compiled(scene);
+    let found = transient(&linkage, &loads).unwrap();
+    // The impulse is 2.5 + 10 + 2.5 N m s: w = 0.5 + 15 / 0.5. The trapezoid turns about t = 2, so that from 0 to 4 the mean
+    // speed is that of t = 2: 15.5 rad/s.
+    assert_eq!(found.integrator, "quadrature");
+    assert_relative_eq!(found.trajectory.end.speed, 30.5, max_relative = 1e-14);
+    assert_relative_eq!(found.trajectory.end.coordinate, 4.0 * 15.5 + 2.0 * 30.5, max_relative = 1e-14);
+}
+
 /// 25-digit computation by two independent formulations.
 const ANDREWS: [f64; 2] = [15.810_771_195_153_71, 1_139.920_302_259_106];
 
