@@ -17,6 +17,7 @@ impl Study {
     pub(crate) fn notes(&self, positions: &[usize], samples: usize) -> Vec<String> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
+        notes.extend(self.poles());
         notes.extend(self.barriers());
         if !positions.is_empty() {
             let numbers: Vec<_> = positions.iter().map(ToString::to_string).collect();
@@ -34,7 +35,7 @@ impl Study {
     fn change_points(&self) -> Option<String> {
         let linkage = &self.linkage;
         let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
-        for &(coordinate, group) in linkage.change_points() {
+        for &(coordinate, group) in linkage.change_points().iter().filter(|(at, _)| self.visits(*at)) {
             match places.iter_mut().find(|(at, _)| (*at - coordinate).abs() < SAME) {
                 Some((_, groups)) => groups.push(group),
                 None => places.push((coordinate, vec![group])),
@@ -94,15 +95,56 @@ impl Study {
         ))
     }
 
-    fn change_point(&self, coordinate: f64, groups: &[usize]) -> String {
+    /// Where links run through infinity: what is calculated behind is another assembly.
+    fn poles(&self) -> Option<String> {
         let linkage = &self.linkage;
-        let place = if linkage.angular() {
+        let words: Vec<String> = linkage
+            .poles()
+            .iter()
+            .filter(|(at, _)| self.visits(*at))
+            .map(|(at, group)| {
+                let name = linkage.structure.group_name(&linkage.mechanism, *group);
+                format!("{} ({name})", self.show(*at))
+            })
+            .collect();
+        (!words.is_empty()).then(|| {
+            format!(
+                "Links run through infinity, since guides turn parallel: {}. No mechanism gets from one side to the other; \
+                 positions on both are calculated.",
+                words.join("; ")
+            )
+        })
+    }
+
+    /// Whether the scene may come to a coordinate, in any turn.
+    fn visits(&self, coordinate: f64) -> bool {
+        let mechanism = &self.linkage.mechanism;
+        let input = &mechanism.input;
+        let Range::To(to) = input.range else { return true };
+        let (low, high) = (input.from.min(to) - SAME, input.from.max(to) + SAME);
+        let turn = std::f64::consts::TAU;
+        let next = if self.linkage.angular() {
+            coordinate + turn * ((low - coordinate) / turn).ceil()
+        } else {
+            coordinate
+        };
+        matches!(mechanism.motion, Some(Motion::Transient { .. })) || (low..=high).contains(&next)
+    }
+
+    /// A coordinate as a reader wants it.
+    fn show(&self, coordinate: f64) -> String {
+        if self.linkage.angular() {
             // A place within rounding of a whole turn is 0.
             let degrees = coordinate.rem_euclid(std::f64::consts::TAU).to_degrees();
             format!("{:.4} deg", if degrees > 359.999_95 { 0.0 } else { degrees })
         } else {
             format!("{:.4} mm", coordinate * 1e3)
-        };
+        }
+    }
+
+    fn change_point(&self, coordinate: f64, groups: &[usize]) -> String {
+        let linkage = &self.linkage;
+        let place = self.show(coordinate);
         let group = linkage.structure.group_name(&linkage.mechanism, groups[0]);
         match groups.len() {
             1 => format!("{place} ({group})"),

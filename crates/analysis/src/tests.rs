@@ -141,4 +141,26 @@ fn a_position_on_a_change_point_is_told() {
     }
     let between = analyzed(&scene.replace("30 deg", "40 deg")).notes;
     assert!(between[0].contains("Change points") && !between[0].contains("positions"), "{between:?}");
+    let far = analyzed(&scene.replace("positions = 12", "to = \"120 deg\"")).notes;
+    assert!(far.is_empty(), "{far:?}");
+}
+
+/// Stones on the crank's guide and on the ground's share a pin: it is at infinity where the crank is parallel to the ground.
+#[test]
+fn a_way_through_infinity_is_told() {
+    let scene = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0 }\n\
+        [link.stone1]\npoints = { P = 0 }\n[link.stone2]\npoints = { P = 0 }\n\
+        [[slide]]\nlink = \"stone1\"\non = \"crank\"\nthrough = [0, 0.3]\n\
+        [[slide]]\nlink = \"stone2\"\non = \"ground\"\nthrough = [0, 0.5]\n\
+        [input]\nlink = \"crank\"\nfrom = \"15 deg\"\n";
+    let notes = analyzed(scene).notes;
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(
+        notes[0].contains("infinity")
+            && notes[0].contains("180.0000 deg")
+            && notes[0].contains(" 0.0000 deg")
+    );
+    // Both guides through O: the pin stays there, also where they lie on each other.
+    let harmless = scene.replace("[0, 0.3]", "[0, 0]").replace("[0, 0.5]", "[0, 0]");
+    assert!(analyzed(&harmless).notes.is_empty());
 }

@@ -17,6 +17,7 @@ mod linkage;
 mod meeting;
 mod patch;
 mod patches;
+mod poles;
 mod rank;
 mod read;
 mod seeds;

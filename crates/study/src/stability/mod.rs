@@ -32,4 +32,6 @@ pub use walk_group::FACTOR;
 #[cfg(test)]
 mod metamorphic;
 #[cfg(test)]
+mod near;
+#[cfg(test)]
 mod tests;

@@ -1,0 +1,85 @@
+//! Where links run through infinity: guides that turn parallel without lying on each other.
+
+use assur_group::Order;
+use assur_mechanism::InputPair;
+
+use crate::{Linkage, Position};
+
+/// Samples over one turn, or over the range of a sliding input.
+const SAMPLES: u32 = 720;
+
+/// A local minimum of the determinant above this can't be the foot of a zero between two samples.
+const SUSPECT: f64 = 0.2;
+
+/// A zero is found to so much of the coordinate, rad or parts of the scale; beside it, links that run away are as many times
+/// the scale away as its inverse, within a factor.
+const NEAR: f64 = 1e-6;
+const AWAY: f64 = 1e3;
+
+impl Linkage {
+    /// Coordinates at which links of a group of one way run through infinity, with the group: calculated positions go on behind,
+    /// but no mechanism gets there. They are looked for on every call, over the cycle of a full turn or the range.
+    pub fn poles(&self) -> Vec<(f64, usize)> {
+        let suspects: Vec<usize> = (0..self.groups().len())
+            .filter(|&i| self.chain.is_needed(i) && self.groups()[i].ways() == 1)
+            .collect();
+        let Some(range) = self.range.filter(|_| !suspects.is_empty()) else { return Vec::new() };
+        let mut position = self.position();
+        let step = (range.high - range.low) / f64::from(SAMPLES);
+        // One sample more on each side of a full turn, where a zero may lie on the seam.
+        let places: Vec<f64> = (-1..=i64::from(SAMPLES) + 1)
+            .map(|i| range.low + step * i as f64)
+            .filter(|q| range.full || (range.low..=range.high).contains(q))
+            .collect();
+        let mut found: Vec<(f64, usize)> = Vec::new();
+        for group in suspects {
+            let health: Vec<f64> = places.iter().map(|q| self.health_at(group, *q, &mut position)).collect();
+            for (i, three) in health.windows(3).enumerate() {
+                if three[1] > SUSPECT || three[1] > three[0] || three[1] >= three[2] {
+                    continue;
+                }
+                let place = self.least(group, [places[i], places[i + 2]], &mut position);
+                let new = found.last().is_none_or(|(last, _)| (last - place).abs() > NEAR);
+                if new && self.runs_away(group, place, &mut position) {
+                    found.push((place, group));
+                }
+            }
+        }
+        found
+    }
+
+    fn health_at(&self, group: usize, q: f64, position: &mut Position) -> f64 {
+        match self.solve(q, Order::Place, position) {
+            Ok(()) => position.health[group].abs(),
+            Err(_) => 0.0,
+        }
+    }
+
+    /// Golden-section search.
+    fn least(&self, group: usize, [mut low, mut high]: [f64; 2], position: &mut Position) -> f64 {
+        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+        for _ in 0..80 {
+            let (x, y) = (high - ratio * (high - low), low + ratio * (high - low));
+            if self.health_at(group, x, position) <= self.health_at(group, y, position) {
+                high = y;
+            } else {
+                low = x;
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    /// Whether a link of the group is far away a little beside.
+    fn runs_away(&self, group: usize, q: f64, position: &mut Position) -> bool {
+        let unit =
+            if matches!(self.mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { self.structure.scale };
+        if self.solve(q + NEAR * unit, Order::Place, position).is_err() {
+            return false;
+        }
+        let links = &self.structure.groups[group].frame.links;
+        let far = |&link: &usize| {
+            position.bodies[link].x.hypot(position.bodies[link].y) > AWAY * self.structure.scale
+        };
+        links.iter().any(far)
+    }
+}
