@@ -1,7 +1,7 @@
 //! What had to be left out, and what of a request has no use.
 
 use assur_group::{GroupError, Order};
-use assur_mechanism::{InputPair, Mechanism, Motion};
+use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 
 use crate::{Options, Study};
 
