@@ -74,7 +74,7 @@ impl Study {
             let Some(barrier) = linkage.barrier(input.coordinate(index)) else { continue };
             if linkage.solve_index(index, Order::Place, &mut position).is_ok() {
                 first = first.or(Some(barrier));
-                behind.push(index.to_string());
+                behind.push(index);
             }
         }
         let (end, failure) = first?;
@@ -91,7 +91,7 @@ impl Study {
             "Behind {place} {} can't be assembled ({gap}): the motion from the first position ends there. Positions {} \
              are places of the mechanism, but not of that motion.",
             linkage.structure.group_name(&linkage.mechanism, failure.group),
-            behind.join(", ")
+            runs(&behind)
         ))
     }
 
@@ -151,6 +151,15 @@ impl Study {
             count => format!("{place} ({group} and {} more)", count - 1),
         }
     }
+}
+
+/// Increasing numbers in words: "3, 11 to 47".
+fn runs(numbers: &[usize]) -> String {
+    let parts = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [first, .., last] => format!("{first} to {last}"),
+        _ => run.iter().map(ToString::to_string).collect(),
+    });
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 /// Parts of the scene and of the choice of methods that are not used.

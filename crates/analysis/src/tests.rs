@@ -164,3 +164,19 @@ fn a_way_through_infinity_is_told() {
     let harmless = scene.replace("[0, 0.3]", "[0, 0]").replace("[0, 0.5]", "[0, 0]");
     assert!(analyzed(&harmless).notes.is_empty());
 }
+
+#[test]
+fn positions_behind_a_gap_that_none_falls_into_are_told() {
+    // The crank is a nanometer longer than the rod: 5.7 thousandths of a degree on both sides of 90 and 270 degrees.
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.200000001 }\n\
+        [link.rod]\npoints = { A = 0, B = 0.2 }\n[link.slider]\npoints = { B = 0 }\n\
+        [[slide]]\nlink = \"slider\"\non = \"ground\"\n[input]\nlink = \"crank\"\nfrom = \"10 deg\"\npositions = 12\n";
+    let found = analyzed(scene);
+    assert!(found.failures.is_empty());
+    let [note] = &found.notes[..] else { panic!("{:?}", found.notes) };
+    // 30 deg apart from 10 deg: position 3 stands at 100 deg.
+    for part in ["Behind 89.994", "group 1 (RRP rod, slider)", "Positions 3 to 11 are"] {
+        assert!(note.contains(part), "{part}: {note}");
+    }
+    assert!(analyzed(&scene.replace("0.200000001", "0.199999999")).notes.is_empty());
+}

@@ -3,7 +3,7 @@
 use assur_group::{Body, GroupError};
 
 use crate::ChainError;
-use crate::meeting::{Judge, Minimum};
+use crate::meeting::{Judge, Minimum, least_between};
 use crate::walk::Walker;
 use crate::wide::needed_ways;
 
@@ -169,7 +169,11 @@ impl Walker<'_> {
 
     /// What the minimum of a determinant between two coordinates is.
     fn minimum(&self, group: usize, low: f64, high: f64, (leg, first): (&Leg, &[u8]), from: f64) -> Minimum {
-        let (place, least) = self.least_health(group, low, high, leg, first, from);
+        let (place, least) = least_between(low, high, |q| {
+            let mut bodies = self.start.clone();
+            // Where it does not assemble, or is singular, the determinant is 0.
+            self.health_at(group, q, (leg, first), from, &mut bodies).unwrap_or(0.0)
+        });
         let ways = |q: f64| {
             let mut ways = needed_ways(self.chain, |i| way_at(i, q, leg, first, from));
             ways.truncate(group + 1);
@@ -188,39 +192,6 @@ impl Walker<'_> {
             before: &leg.left,
         };
         judge.judge(place, least)
-    }
-
-    /// Golden-section search for the least determinant of a group.
-    fn least_health(
-        &self,
-        group: usize,
-        low: f64,
-        high: f64,
-        leg: &Leg,
-        first: &[u8],
-        from: f64,
-    ) -> (f64, f64) {
-        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let f = |q: f64| {
-            let mut bodies = self.start.clone();
-            // Where it does not assemble, or is singular, the determinant is 0.
-            self.health_at(group, q, (leg, first), from, &mut bodies).unwrap_or(0.0)
-        };
-        let (mut a, mut b) = (low, high);
-        let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
-        let (mut fx, mut fy) = (f(x), f(y));
-        for _ in 0..90 {
-            if fx <= fy {
-                (b, y, fy) = (y, x, fx);
-                x = b - ratio * (b - a);
-                fx = f(x);
-            } else {
-                (a, x, fx) = (x, y, fy);
-                y = a + ratio * (b - a);
-                fy = f(y);
-            }
-        }
-        if fx <= fy { (x, fx) } else { (y, fy) }
     }
 
     /// Determinant of a group at any coordinate, the groups before it in their known ways.

@@ -32,6 +32,26 @@ const BLURRED: f64 = 1e-11;
 /// A minimum above this is no meeting, whatever the rounding.
 const FAR: f64 = 1e-3;
 
+/// Golden-section search for the least value of a determinant: where, and how much.
+pub(crate) fn least_between(low: f64, high: f64, health: impl Fn(f64) -> f64) -> (f64, f64) {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut a, mut b) = (low, high);
+    let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
+    let (mut fx, mut fy) = (health(x), health(y));
+    for _ in 0..90 {
+        if fx <= fy {
+            (b, y, fy) = (y, x, fx);
+            x = b - ratio * (b - a);
+            fx = health(x);
+        } else {
+            (a, x, fx) = (x, y, fy);
+            y = a + ratio * (b - a);
+            fy = health(y);
+        }
+    }
+    if fx <= fy { (x, fx) } else { (y, fy) }
+}
+
 /// A parabola h² = least + slope² (q - center)² of the squared determinant.
 struct Parabola {
     center: Dd,
