@@ -183,6 +183,9 @@ fn json_has_the_keys_of_the_format() {
 fn the_bench_keeps_its_bounds() {
     // Ten thousand turns take their time without optimization.
     let found = bench::bench_of(100.0);
+    for section in ["passing", "cycle", "differences", "turns", "scales", "motion", "machines"] {
+        assert!(found.rows.iter().any(|row| row.law.section == section), "{section}");
+    }
     for name in bench::names() {
         let rows = found.rows.iter().filter(|row| row.place.starts_with(name)).count();
         assert!(rows >= 15, "{name}: {rows} rows");

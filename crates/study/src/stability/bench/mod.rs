@@ -2,6 +2,7 @@
 
 mod closed;
 mod jet;
+mod machines;
 mod motion;
 mod passing;
 mod places;
@@ -22,6 +23,7 @@ pub(crate) fn bench_of(most_turns: f64) -> Stability {
     rows.extend(passing::rows());
     rows.extend(places::rows());
     rows.extend(motion::rows(most_turns));
+    rows.extend(machines::rows());
     Stability {
         title: "Bench: where methods fail".to_owned(),
         angular: true,
