@@ -1,6 +1,10 @@
 //! Every text of the terminal UI. Another language is another [`Texts`]; no view holds words of its own.
 
+mod commands;
+
 use std::fmt::Display;
+
+use commands::COMMANDS;
 
 macro_rules! texts {
     ($($field:ident: $english:literal,)*) => {
@@ -246,87 +250,3 @@ pub(crate) fn fill(text: &str, arguments: &[&dyn Display]) -> String {
     }
     filled
 }
-
-const COMMANDS: &[(&str, &str, &str)] = &[
-    ("next-position", "the next position", "step"),
-    ("previous-position", "the position before", ""),
-    ("first-position", "the first position", ""),
-    ("last-position", "the last position", ""),
-    ("forward", "an eighth of the cycle on", ""),
-    ("back", "an eighth of the cycle back", ""),
-    ("play", "start and stop the motion", "play"),
-    ("next-row", "the next position (a row of the table)", "row"),
-    ("previous-row", "the position before", ""),
-    ("next-item", "the next quantity: point, link or slide", "quantity"),
-    ("previous-item", "the quantity before", ""),
-    ("next-group", "the next group; it is marked in the drawing", "group"),
-    ("previous-group", "the group before", ""),
-    ("next-reaction", "the next reaction", "reaction"),
-    ("previous-reaction", "the reaction before", ""),
-    ("analyzer", "calculate with the next force analyzer", "analyzer"),
-    ("difference", "difference to the next force analyzer", "difference"),
-    ("causes", "reactions by cause: weight, inertia, each load, and their sum", "by cause"),
-    ("pane", "the next part: numbers, by cause, curves, hodograph; iteration, places", "part"),
-    ("next-step", "the next polygon, vector, or step of the construction", "group or step"),
-    ("previous-step", "the polygon or step before", ""),
-    ("next-plan", "forces, velocities, accelerations, construction", "next plan"),
-    ("next-motion", "the next quantity of the motion", "quantity"),
-    ("previous-motion", "the quantity before", ""),
-    ("next-check", "the next check", "check"),
-    ("previous-check", "the check before", ""),
-    ("worst", "go to the position of the largest residual", "to the worst position"),
-    ("measure", "measure speed, accuracy and stability on this scene; again: stop", "measure"),
-    ("next-line", "the next line", "scroll"),
-    ("previous-line", "the line before", ""),
-    ("next-column", "the next column", "column"),
-    ("previous-column", "the column before", ""),
-    ("sort", "sort by this column: up, down, by number", "sort"),
-    ("next-scene", "the next scene", "choose"),
-    ("previous-scene", "the scene before", ""),
-    ("open-scene", "open the scene", "open"),
-    ("what-if", "the numbers of the scene, to be changed", "what if"),
-    ("next-value", "the next number of the list", "value"),
-    ("previous-value", "the number before", ""),
-    ("raise", "the number a step up; every view follows", "change"),
-    ("lower", "the number a step down", ""),
-    ("step-size", "step: 0.1, 1 or 10 % of the file's number", "step"),
-    ("exact-value", "type it: :value KEY 61 mm; Tab completes", "exact"),
-    ("undo", "take back the last change", "undo"),
-    ("save", "write the changed scene: :save FILE", "save"),
-    ("mechanism", "the mechanism, drawn to scale", ""),
-    ("curves", "PF0, PF1, PF2 over the positions", ""),
-    ("forces", "reactions, hodograph, balancing load", ""),
-    ("plans", "force polygons, velocity and acceleration plans, construction", ""),
-    ("motion", "speed, acceleration, J, J', Q, course over time", ""),
-    ("drive", "motor, ratio, flywheel", ""),
-    ("checks", "every check with its residual and limit", ""),
-    ("accuracy", "speed against accuracy of every method; stability", ""),
-    ("structure", "groups, formula, what belongs to what", ""),
-    ("table", "all numbers as a table", ""),
-    ("menu", "the shipped scenes", ""),
-    ("arrows", "arrows: velocity, acceleration, both, none", "arrows"),
-    ("trace", "paths: of all points, of the chosen one, none", "paths"),
-    ("zoom-in", "larger", ""),
-    ("zoom-out", "smaller", ""),
-    ("whole", "the whole again", ""),
-    ("pan-left", "shift the drawing to the left", ""),
-    ("pan-right", "shift the drawing to the right", ""),
-    ("pan-up", "shift the drawing up", ""),
-    ("pan-down", "shift the drawing down", ""),
-    ("marker", "dots: Braille, half blocks, ASCII", ""),
-    ("ascii", "only ASCII characters, or all", ""),
-    ("theme", "colors: default, mono, okabe-ito", ""),
-    ("help", "this help; typing searches it", ""),
-    (
-        "command",
-        "command line: :42, :point D, :view table, :set theme mono, :compare FILE; Tab completes",
-        "42: position 42",
-    ),
-    ("search", "search: a number is a position, a word is a pair, column or quantity", "search"),
-    ("reload", "read the scene again", ""),
-    ("write", "write this view to a file: SVG of the drawing, CSV of the rest", "write"),
-    ("redraw", "write the whole screen anew", ""),
-    ("suspend", "back to the shell; fg returns", ""),
-    ("close", "close what is open; stop a calculation or measurement", ""),
-    ("quit", "leave", "quit"),
-];

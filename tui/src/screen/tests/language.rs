@@ -25,7 +25,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap();
-        if path.is_dir() && name != "tests" && name != "config" {
+        if path.is_dir() && !["tests", "config", "text"].contains(&name) {
             sources(&path, found);
         } else if path.extension().is_some_and(|ending| ending == "rs")
             && name != "tests.rs"
