@@ -1,5 +1,7 @@
 //! What had to be left out, and what of a request has no use.
 
+use std::fmt::Write;
+
 use assur_group::{GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 
@@ -63,36 +65,41 @@ impl Study {
     }
 
     /// Positions that can be assembled, but lie behind a gap, seen from the first one: it may be too narrow for a position to
-    /// fall into it.
+    /// fall into it. Where one falls into it, its error says where the mechanism can be assembled.
     fn barriers(&self) -> Option<String> {
         let linkage = &self.linkage;
         let input = &linkage.mechanism.input;
         let mut position = linkage.position();
-        let mut behind = Vec::new();
-        let mut first = None;
-        for index in 0..input.positions {
-            let Some(barrier) = linkage.barrier(input.coordinate(index)) else { continue };
-            if linkage.solve_index(index, Order::Place, &mut position).is_ok() {
-                first = first.or(Some(barrier));
-                behind.push(index);
-            }
+        let mut solves = |index: usize| linkage.solve_index(index, Order::Place, &mut position).is_ok();
+        let solved: Vec<bool> = (0..input.positions).map(&mut solves).collect();
+        let behind = |index: &usize| solved[*index] && linkage.barrier(input.coordinate(*index)).is_some();
+        let behind: Vec<usize> = (0..input.positions).filter(behind).collect();
+        let (end, failure) = linkage.barrier(input.coordinate(*behind.first()?))?;
+        let (back, beyond): (Vec<usize>, Vec<usize>) =
+            behind.into_iter().partition(|index| linkage.reaches(input.coordinate(*index)));
+        if beyond.is_empty() && solved.contains(&false) {
+            return None;
         }
-        let (end, failure) = first?;
-        let place = if linkage.angular() {
-            format!("{:.4} deg", end.to_degrees())
-        } else {
-            format!("{:.4} mm", end * 1e3)
-        };
         let gap = match failure.source {
             GroupError::NoAssembly { gap_m } => format!("it misses by {:.3e} mm or more", gap_m * 1e3),
             other => other.to_string(),
         };
-        Some(format!(
-            "Behind {place} {} can't be assembled ({gap}): the motion from the first position ends there. Positions {} \
-             are places of the mechanism, but not of that motion.",
-            linkage.structure.group_name(&linkage.mechanism, failure.group),
-            runs(&behind)
-        ))
+        let mut note = format!(
+            "Behind {} {} can't be assembled ({gap}): the motion from the first position ends there.",
+            self.show(end),
+            linkage.structure.group_name(&linkage.mechanism, failure.group)
+        );
+        if !back.is_empty() {
+            let _ = write!(note, " Positions {} are reached by turning back only.", runs(&back));
+        }
+        if !beyond.is_empty() {
+            let _ = write!(
+                note,
+                " Positions {} are places of the mechanism, but not of that motion.",
+                runs(&beyond)
+            );
+        }
+        Some(note)
     }
 
     /// Where links run through infinity: what is calculated behind is another assembly.

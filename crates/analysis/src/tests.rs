@@ -174,8 +174,14 @@ fn positions_behind_a_gap_that_none_falls_into_are_told() {
     let found = analyzed(scene);
     assert!(found.failures.is_empty());
     let [note] = &found.notes[..] else { panic!("{:?}", found.notes) };
-    // 30 deg apart from 10 deg: position 3 stands at 100 deg.
-    for part in ["Behind 89.994", "group 1 (RRP rod, slider)", "Positions 3 to 11 are"] {
+    // 30 deg apart from 10 deg: position 3 stands at 100 deg, position 8 at 250, position 9 at 280, which is -80.
+    let parts = [
+        "Behind 89.994",
+        "group 1 (RRP rod, slider)",
+        "Positions 3 to 8 are places",
+        "Positions 9 to 11 are reached by",
+    ];
+    for part in parts {
         assert!(note.contains(part), "{part}: {note}");
     }
     assert!(analyzed(&scene.replace("0.200000001", "0.199999999")).notes.is_empty());

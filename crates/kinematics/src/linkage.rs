@@ -156,6 +156,13 @@ impl Linkage {
         }
     }
 
+    /// Whether the motion from the first position comes to a coordinate, forward or turning back, whole turns apart.
+    pub fn reaches(&self, coordinate: f64) -> bool {
+        let hair = HAIR * if self.angular() { 1.0 } else { self.structure.scale };
+        let place = self.place(coordinate);
+        self.range.is_some_and(|range| range.full || place >= range.low - hair && place <= range.high + hair)
+    }
+
     /// Solves position `index` of the scene.
     ///
     /// # Errors
