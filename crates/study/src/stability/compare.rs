@@ -54,6 +54,12 @@ pub(crate) fn transfer(
     deviation / size
 }
 
+/// Largest number of an order of some links, at least `floor`.
+pub(crate) fn size(reference: &[Body<Dd>], links: &[usize], order: usize, scale: f64, floor: f64) -> f64 {
+    let numbers = links.iter().flat_map(|&link| of_order(&reference[link], order, scale));
+    numbers.fold(floor, |size, number| size.max(number.to_f64().abs()))
+}
+
 /// Largest deviation of reactions over the largest of them, moments in units of force times `scale`.
 pub(crate) fn reactions(found: &[Wrench<f64>], reference: &[Wrench<Dd>], scale: f64) -> f64 {
     let (mut deviation, mut size) = (0.0, f64::MIN_POSITIVE);

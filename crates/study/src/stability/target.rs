@@ -9,10 +9,10 @@ use super::row::Law;
 pub(crate) static CYCLE: Law = Law {
     section: "cycle",
     along: "distance of the coordinate from where the group is least healthy, rad or parts of the size",
-    expected: "16 eps (1 + |q|) (groups / product of healths)^k: k = 1 for places, 2 for PF1, PF2 and reactions, 3 for PF2 \
-               where it stays finite (its terms do not); around a change \
-               point, where the motion is interpolated, k = 1, 2, 3 with the healths where that begins; for the published \
-               longitudinal form also / sine^2 of the angle at the pole",
+    expected: "16 eps (1 + |q|) (longest / shortest length) (groups / product of healths)^k: k = 1 for places, 2 for PF1, PF2 and reactions, where PF2 is \
+               small against its terms PF1^2 / health also times their quotient; around a change point, where the motion is \
+               interpolated, k = 1, 2, 3 with the healths where that begins; for the published longitudinal form also / sine^2 \
+               of the angle at the pole",
 };
 
 /// Where a walk goes.
@@ -28,8 +28,6 @@ pub(crate) struct Target {
     pub(crate) reach: f64,
     /// The groups that are least healthy there.
     pub(crate) groups: Vec<usize>,
-    /// Whether PF1 and PF2 stay finite there though the determinant does not.
-    pub(crate) smooth: bool,
     /// What is there.
     pub(crate) words: &'static str,
 }
@@ -78,7 +76,6 @@ fn within(linkage: &Linkage, coordinate: f64, group: usize, words: &'static str)
         sides: vec![longer.signum()],
         reach: longer.abs(),
         groups: vec![group],
-        smooth: false,
         words,
     }
 }
@@ -103,7 +100,6 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
             sides: vec![side],
             reach,
             groups: vec![group],
-            smooth: false,
             words: if side > 0.0 { "low end of the range" } else { "high end of the range" },
         })
     };

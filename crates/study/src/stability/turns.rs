@@ -31,7 +31,6 @@ pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64, name: Option<&str
         sides: Vec::new(),
         reach: 0.0,
         groups: (0..linkage.structure.groups.len()).collect(),
-        smooth: false,
         words: "turns away",
     };
     for turns in TURNS {

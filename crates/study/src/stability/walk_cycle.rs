@@ -6,9 +6,10 @@ use assur_kinematics::{Across, Chain, Linkage, Position};
 use assur_number::{Dd, Real};
 
 use super::across::interpolated;
-use super::compare::{ORDERS, lifted_load, reactions, transfer};
+use super::compare::{ORDERS, lifted_load, reactions, size, transfer};
+use super::isolated::Isolated;
 use super::pole;
-use super::row::{DISTANCES, Row, Subject};
+use super::row::{DISTANCES, Row, Subject, unaware};
 use super::target::{Target, ancestors};
 use super::walk_group::FACTOR;
 
@@ -21,6 +22,8 @@ pub(crate) struct Walk<'a> {
     scale: f64,
     /// Of each group: it and the groups that it hangs on, directly or not.
     before: Vec<Vec<usize>>,
+    /// Of each group: longest over shortest length, in whose parts roundings count.
+    disparity: Vec<f64>,
 }
 
 /// What the reference says at one coordinate.
@@ -79,7 +82,9 @@ impl<'a> Walk<'a> {
         let scale = linkage.structure.scale;
         let loads = test_loads(linkage);
         let before = ancestors(linkage);
-        Some(Self { linkage, extended, analyzers, loads, scale, before })
+        let disparity = |group| Isolated::of(group).map_or(1.0, |alone| alone.disparity());
+        let disparity = linkage.structure.groups.iter().map(disparity).collect();
+        Some(Self { linkage, extended, analyzers, loads, scale, before, disparity })
     }
 
     /// With other loads, one for each link.
@@ -115,8 +120,7 @@ impl<'a> Walk<'a> {
         }
         let health: Vec<f64> =
             chain.groups.iter().map(|kernel| kernel.health(&bodies).abs().to_f64()).collect();
-        let growth =
-            (0..health.len()).map(|group| growth(self.before[group].iter().map(|&i| health[i]))).collect();
+        let growth = (0..health.len()).map(|group| self.growth(group, &health)).collect();
         Some(Reference { bodies, pairs, growth, health })
     }
 
@@ -136,7 +140,11 @@ impl<'a> Walk<'a> {
             self.transfer((target, group), &at, solved.as_ref().map(|()| &position), rows);
         }
         if solved.is_ok() || self.linkage.solve(q, Order::Place, &mut position).is_ok() {
+            let first = rows.len();
             self.forces(target, &at, &position, rows);
+            if solved.is_err() {
+                rows[first..].iter_mut().for_each(unaware);
+            }
         }
     }
 
@@ -154,11 +162,12 @@ impl<'a> Walk<'a> {
         for (order, quantity) in ORDERS.into_iter().enumerate() {
             // Across a change point what the closed forms lose beside it is lost; of PF2 the error of w^2/D, one power more.
             let growth = match &at.beside {
-                Some(beside) => {
-                    growth(self.before[group].iter().map(|&i| beside[i].abs())).powi([1, 2, 3][order])
-                }
-                None => reference.growth[group].powi([1, 2, if target.smooth { 3 } else { 2 }][order]),
+                Some(beside) => self.growth(group, beside).powi([1, 2, 3][order]),
+                None => reference.growth[group].powi([1, 2, 2][order]),
             };
+            let disparity = self.before[group].iter().fold(1.0_f64, |most, &i| most.max(self.disparity[i]));
+            let lost = disparity
+                * if order == 2 && at.beside.is_none() { self.cancelled(group, reference) } else { 1.0 };
             let outcome = match solved {
                 Ok(position) => {
                     // The input itself turns by 1 (moves by 1/scale of the scale) for a unit of the coordinate.
@@ -175,10 +184,25 @@ impl<'a> Walk<'a> {
                 quantity,
                 distance: at.distance,
                 health: reference.health[group],
-                bound: at.rounding() * growth,
+                bound: at.rounding() * growth * lost,
             };
             rows.push(subject.row(outcome));
         }
+    }
+
+    /// How errors grow up to a group.
+    fn growth(&self, group: usize, health: &[f64]) -> f64 {
+        growth(self.before[group].iter().map(|&i| health[i].abs()))
+    }
+
+    /// How much greater the terms of PF2, PF1²/health, are than their sum: where the motion is smooth they cancel.
+    fn cancelled(&self, group: usize, reference: &Reference) -> f64 {
+        let links = &self.linkage.structure.groups[group].frame.links;
+        let unit = if self.linkage.angular() { 1.0_f64 } else { self.scale };
+        let size = |order: usize, power: i32| {
+            size(&reference.bodies, links, order, self.scale, unit.powi(-power)) * unit.powi(power)
+        };
+        (reference.growth[group] * size(1, 1).powi(2) / size(2, 2)).max(1.0)
     }
 
     /// Reactions of all pairs by each analyzer.

@@ -8,18 +8,22 @@ use assur_structure::Group;
 
 use super::compare::{ORDERS, lifted, lifted_load, reactions, transfer};
 use super::isolated::{Isolated, Side};
-use super::row::{DISTANCES, Law, Row, Subject};
+use super::row::{DISTANCES, Law, Row, Subject, unaware};
 
 /// Largest error of a group, in units of eps / health^k: C of the bound.
 pub const FACTOR: f64 = 16.0;
 
 const LINKS: [usize; 2] = [2, 3];
 
+/// Of the linear system of two links.
+const EQUATIONS: f64 = 6.0;
+
 static LAW: Law = Law {
     section: "groups",
     along: "distance of the group alone from its singular position, in parts of its lengths",
     expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant is linear in \
-               the data, 2 for derivatives and reactions where it is the root of a difference of lengths",
+               the data, 2 for derivatives and reactions where it is the root of a difference of lengths; six times that for the linear system \
+               of six equations",
 };
 
 /// One distance: the group in both numbers, and how errors grow.
@@ -148,6 +152,20 @@ impl Place<'_> {
         rows.push(self.subject(method, "reactions", reference).row(outcome));
     }
 
+    /// A row of a linear system, in which each of its equations adds its roundings, and which can't know when to refuse.
+    fn unaware(
+        &self,
+        method: &str,
+        quantity: &'static str,
+        reference: &Reference,
+        outcome: Result<f64, String>,
+    ) -> Row {
+        let subject = self.subject(method, quantity, reference);
+        let mut row = Subject { bound: EQUATIONS * subject.bound, ..subject }.row(outcome);
+        unaware(&mut row);
+        row
+    }
+
     /// Derivatives and reactions from the one linear system of the group, at the places of the closed form.
     fn general(&self, kernel: &dyn AssurGroup<f64>, way: usize, reference: &Reference, rows: &mut Vec<Row>) {
         const METHOD: &str = "general (linear system)";
@@ -162,21 +180,8 @@ impl Place<'_> {
             let outcome = derived
                 .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size, floor(order)))
                 .map_err(|error| self.refused(error));
-            rows.push(unaware(self.subject(METHOD, quantity, reference).row(outcome)));
+            rows.push(self.unaware(METHOD, quantity, reference, outcome));
         }
-        rows.push(unaware(self.subject(METHOD, "reactions", reference).row(forces)));
+        rows.push(self.unaware(METHOD, "reactions", reference, forces));
     }
-}
-
-/// The linear system can't know that its determinant is a root of what the lengths say: so close it is within the bound
-/// with no digit right, where the closed forms, which are what the program uses, refuse.
-fn unaware(mut row: Row) -> Row {
-    if row.error.is_some_and(|error| error <= row.bound) && !row.ok {
-        row.ok = true;
-        row.reason = Some(
-            "no digit is left, as the bound says; the linear system alone can't tell, the closed forms refuse here"
-                .to_owned(),
-        );
-    }
-    row
 }

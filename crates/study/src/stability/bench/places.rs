@@ -44,7 +44,6 @@ pub(crate) fn rows() -> Vec<Row> {
                 sides: sides.to_vec(),
                 reach: FAR,
                 groups: vec![0],
-                smooth: words.starts_with("pins meeting"),
                 words,
             };
             walk.to(&target, &mut rows);
@@ -210,7 +209,6 @@ fn parallel_guides() -> Vec<Row> {
             sides: Vec::new(),
             reach: 0.0,
             groups: vec![0],
-            smooth: false,
             words: "guides nearly parallel",
         };
         walk.stop(&target, (0.7, 0.7), distance, &mut rows);
@@ -255,7 +253,6 @@ fn disparate() -> Vec<Row> {
         sides: Vec::new(),
         reach: 0.0,
         groups: vec![0],
-        smooth: false,
         words,
     };
     for ratio in [1e3, 1e6, 1e9] {
