@@ -98,10 +98,10 @@ impl Subject<'_> {
     }
 }
 
-/// A linear system can't know that its determinant is a root of what the lengths say: so close it is within the bound with no
-/// digit right, where the closed forms refuse, and with them the program.
+/// A linear system can't know that its determinant is a root of what the lengths say: so close it has no digit right, within the
+/// bound or where the bound says that all are lost, where the closed forms refuse, and with them the program.
 pub(crate) fn unaware(row: &mut Row) {
-    if row.error.is_some_and(|error| error <= row.bound) && !row.ok {
+    if row.error.is_some_and(|error| error <= row.bound || row.bound >= 1.0) && !row.ok {
         row.ok = true;
         row.reason = Some(
             "no digit is left, as the bound says; the linear system alone can't tell, the closed forms refuse here"

@@ -5,6 +5,7 @@ use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{InputPair, Mechanism, Range};
 
+use super::isolated::Isolated;
 use super::pole;
 use super::row::{Law, Row, Subject};
 use super::walk_cycle::{analyzers_of, growth, test_loads};
@@ -13,7 +14,7 @@ use super::walk_group::FACTOR;
 static LAW: Law = Law {
     section: "scales",
     along: "factor of all lengths, or of all masses",
-    expected: "nothing for a power of two, which rounds nothing; else 16 eps (1 + |q|) (groups / product of healths)^k for the \
+    expected: "nothing for a power of two, which rounds nothing; else 2 * 16 eps (1 + |q|) (longest / shortest length) (groups / product of healths)^k for the \
                rounding of the data: k = 1 for places, 2 for PF1, PF2 and reactions",
 };
 
@@ -85,8 +86,9 @@ impl Pair<'_> {
     ) {
         let (linkage, position) = self.before;
         let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
-        let lost = growth(position.health.iter().map(|health| health.abs())).powi(power);
-        let rounding = FACTOR * f64::EPSILON * (1.0 + (self.q / unit).abs()) * lost * own * own;
+        let lost = growth(position.health.iter().map(|health| health.abs())).powi(power) * disparity(linkage);
+        // Both sides are rounded.
+        let rounding = 2.0 * FACTOR * f64::EPSILON * (1.0 + (self.q / unit).abs()) * lost * own * own;
         let subject = Subject {
             law: &LAW,
             place: &format!("{}, {place}", self.name),
@@ -112,7 +114,7 @@ impl Pair<'_> {
         for (quantity, order) in [("pf0", 0), ("pf1", 1), ("pf2", 2)] {
             let apart = solved.as_ref().map_err(Clone::clone).map(|(_, after)| {
                 let step = unit.powi(order);
-                worst(before.bodies.iter().zip(&after.bodies).skip(1).map(|(a, b)| {
+                let parts = before.bodies.iter().zip(&after.bodies).skip(1).map(|(a, b)| {
                     let size = linkage.structure.scale;
                     match order {
                         0 => [
@@ -124,7 +126,8 @@ impl Pair<'_> {
                         1 => two([a.x1, a.y1, a.w1], [b.x1, b.y1, b.w1].map(|x| x * step), factor, size),
                         _ => two([a.x2, a.y2, a.w2], [b.x2, b.y2, b.w2].map(|x| x * step), factor, size),
                     }
-                }))
+                });
+                worst(parts, 0.0)
             });
             self.row(of, (quantity, if order == 0 { 1 } else { 2 }), 1.0, apart);
         }
@@ -136,7 +139,8 @@ impl Pair<'_> {
                     let solved = plugin.instance.solve(linkage, position, &mut loads, &mut out);
                     solved.map(|()| out.pairs).map_err(|error| error.to_string())
                 };
-                Ok(forces(&reactions(linkage, before)?, &reactions(scaled, after)?, [1.0, factor], linkage))
+                let found = (reactions(linkage, before)?, reactions(scaled, after)?);
+                Ok(forces(&test_loads(linkage), (&found.0, &found.1), [1.0, factor], linkage))
             });
             self.row(("lengths scaled", plugin.name), ("reactions", 2), pole, found);
         }
@@ -153,7 +157,8 @@ impl Pair<'_> {
             };
             let found = light.map_err(Clone::clone).and_then(|light| {
                 let heavy = heavy.as_ref().map_err(Clone::clone)?;
-                Ok(forces(&reactions(light)?, &reactions(heavy)?, [self.factor; 2], linkage))
+                let found = (reactions(light)?, reactions(heavy)?);
+                Ok(forces(light, (&found.0, &found.1), [self.factor; 2], linkage))
             });
             self.row(("masses scaled", plugin.name), ("reactions", 2), pole, found);
         }
@@ -165,9 +170,15 @@ fn two(a: [f64; 3], b: [f64; 3], factor: f64, size: f64) -> [(f64, f64, f64); 4]
     [(a[0], b[0] / factor, size), (a[1], b[1] / factor, size), (a[2], b[2], 1.0), (0.0, 0.0, 1.0)]
 }
 
-/// Largest deviation over the largest number, in units of a size each.
-fn worst(parts: impl Iterator<Item = [(f64, f64, f64); 4]>) -> f64 {
-    let (mut apart, mut most) = (0.0, f64::MIN_POSITIVE);
+/// Largest ratio of lengths in a group.
+fn disparity(linkage: &Linkage) -> f64 {
+    let groups = linkage.structure.groups.iter().filter_map(Isolated::of);
+    groups.map(|alone| alone.disparity()).fold(1.0, f64::max)
+}
+
+/// Largest deviation over the largest number, at least `least`, in units of a size each.
+fn worst(parts: impl Iterator<Item = [(f64, f64, f64); 4]>, least: f64) -> f64 {
+    let (mut apart, mut most) = (0.0, least.max(f64::MIN_POSITIVE));
     for (a, b, size) in parts.flatten() {
         most = f64::max(most, a.abs() / size);
         apart = super::compare::worst(apart, (a - b).abs() / size);
@@ -175,12 +186,19 @@ fn worst(parts: impl Iterator<Item = [(f64, f64, f64); 4]>) -> f64 {
     apart / most
 }
 
-/// The same of reactions; forces grow by the first factor, moments by both of lengths or by the one of masses.
-fn forces(a: &[Wrench<f64>], b: &[Wrench<f64>], [force, moment]: [f64; 2], linkage: &Linkage) -> f64 {
+/// The same of reactions under these loads; forces grow by the first factor, moments by both of lengths or by the one of masses.
+fn forces(
+    loads: &[Wrench<f64>],
+    (a, b): (&[Wrench<f64>], &[Wrench<f64>]),
+    [force, moment]: [f64; 2],
+    linkage: &Linkage,
+) -> f64 {
     let scale = linkage.structure.scale;
-    worst(a.iter().zip(b).skip(1).map(|(a, b)| {
+    let parts = a.iter().zip(b).skip(1).map(|(a, b)| {
         [(a.fx, b.fx / force, 1.0), (a.fy, b.fy / force, 1.0), (a.m, b.m / moment, scale), (0.0, 0.0, 1.0)]
-    }))
+    });
+    // Where no load comes to a pair its reaction is the rounding of the loads.
+    worst(parts, loads.iter().fold(0.0, |most, load| most.max(load.fx.hypot(load.fy))))
 }
 
 fn is_power_of_two(factor: f64) -> bool {

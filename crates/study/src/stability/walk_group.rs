@@ -6,7 +6,7 @@ use assur_group::{
 use assur_number::{Dd, Real};
 use assur_structure::Group;
 
-use super::compare::{ORDERS, lifted, lifted_load, reactions, transfer};
+use super::compare::{ORDERS, lifted, lifted_load, reactions, size, transfer};
 use super::isolated::{Isolated, Side};
 use super::row::{DISTANCES, Law, Row, Subject, unaware};
 
@@ -22,7 +22,8 @@ static LAW: Law = Law {
     section: "groups",
     along: "distance of the group alone from its singular position, in parts of its lengths",
     expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant is linear in \
-               the data, 2 for derivatives and reactions where it is the root of a difference of lengths; six times that for the linear system \
+               the data, 2 for derivatives and reactions where it is the root of a difference of lengths; where PF2 is small against \
+               its terms PF1^2 / health, times their quotient; six times that for the linear system \
                of six equations",
 };
 
@@ -106,7 +107,8 @@ impl Place<'_> {
 
     fn subject<'a>(&'a self, method: &'a str, quantity: &'static str, reference: &Reference) -> Subject<'a> {
         let power = self.powers[usize::from(quantity != "pf0")];
-        let bound = FACTOR * self.disparity * f64::EPSILON / reference.health.powi(power);
+        let lost = if quantity == "pf2" { self.cancelled(reference) } else { 1.0 };
+        let bound = FACTOR * self.disparity * lost * f64::EPSILON / reference.health.powi(power);
         Subject {
             law: &LAW,
             place: &self.words,
@@ -116,6 +118,12 @@ impl Place<'_> {
             health: reference.health,
             bound,
         }
+    }
+
+    /// How much greater the terms of PF2, PF1²/health, are than their sum.
+    fn cancelled(&self, reference: &Reference) -> f64 {
+        let size = |order| size(&reference.bodies, &LINKS, order, self.size, f64::MIN_POSITIVE);
+        (size(1).powi(2) / reference.health / size(2)).max(1.0)
     }
 
     /// A refusal in words, with the distance and the place.
