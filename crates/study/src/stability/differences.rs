@@ -13,8 +13,9 @@ use crate::differences::{Differentiator, Stencil};
 static LAW: Law = Law {
     section: "differences",
     along: "step of the differences, rad or parts of the size",
-    expected: "2 (h^p M + 16 eps (1 + |q|) groups / healths * k / h^order): p = 2, 4 for three and five points, M the next derivative \
-               over its factor (6, 30 for PF1, 12, 90 for PF2) on the points, k the sum of the weights",
+    expected: "2 (h^p M + 16 eps (1 + |q|) groups / healths * k / h^order): p = 2, 4 for three and five \
+               points, M the next derivative over its factor (6, 30 for PF1, 12, 90 for PF2) on the points, \
+               k the sum of the weights",
 };
 
 /// The closed forms at the place, in 32 digits.

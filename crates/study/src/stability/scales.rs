@@ -14,8 +14,9 @@ use super::walk_group::FACTOR;
 static LAW: Law = Law {
     section: "scales",
     along: "factor of all lengths, or of all masses",
-    expected: "nothing for a power of two, which rounds nothing; else 2 * 16 eps (1 + |q|) (longest / shortest length) (groups / product of healths)^k for the \
-               rounding of the data: k = 1 for places, 2 for PF1, PF2 and reactions",
+    expected: "nothing for a power of two, which rounds nothing; else 2 * 16 eps (1 + |q|) (longest / \
+               shortest length) (groups / product of healths)^k for the rounding of the data: k = 1 for \
+               places, 2 for PF1, PF2 and reactions",
 };
 
 /// Micrometers and kilometers, by powers of two and of ten.

@@ -21,10 +21,10 @@ const EQUATIONS: f64 = 6.0;
 static LAW: Law = Law {
     section: "groups",
     along: "distance of the group alone from its singular position, in parts of its lengths",
-    expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant is linear in \
-               the data, 2 for derivatives and reactions where it is the root of a difference of lengths; where PF2 is small against \
-               its terms PF1^2 / health, times their quotient; six times that for the linear system \
-               of six equations",
+    expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant \
+               is linear in the data, 2 for derivatives and reactions where it is the root of a difference \
+               of lengths; where PF2 is small against its terms PF1^2 / health, times their quotient; six \
+               times that for the linear system of six equations",
 };
 
 /// One distance: the group in both numbers, and how errors grow.

@@ -12,9 +12,9 @@ use crate::stability::row::{Law, REFUSABLE, Row, Subject};
 static LAW: Law = Law {
     section: "machines",
     along: "by how much the friction is greater than the moment of the motor at rest, in parts of it; -0.8 where it is less",
-    expected: "start and regime in closed form: 1000 * tolerance (1e-10), for a fixed step its thousandth of the motion to the \
-               order of the method; a stalled motor is refused with the place where it stops, known as exactly, over the excess \
-               where that is a difference of moments",
+    expected: "start and regime in closed form: 1000 * tolerance (1e-10), for a fixed step its thousandth \
+               of the motion to the order of the method; a stalled motor is refused with the place where it \
+               stops, known as exactly, over the excess where that is a difference of moments",
 };
 
 /// Moment of the motor at rest, N m; it falls by 1 N m for each rad/s, on an inertia of 1 kg m².

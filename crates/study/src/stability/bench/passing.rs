@@ -12,8 +12,9 @@ use crate::stability::walk_group::FACTOR;
 static LAW: Law = Law {
     section: "passing",
     along: "distance of the coordinate from the change point, rad",
-    expected: "16 eps / health^(1, 2, 3) for PF0, PF1, PF2, in parts of the largest number of its order around; where the \
-               motion is interpolated across the change point, the health where that begins",
+    expected: "16 eps / health^(1, 2, 3) for PF0, PF1, PF2, in parts of the largest number of its order \
+               around; where the motion is interpolated across the change point, the health where that \
+               begins",
 };
 
 /// All rows, or one that says why there are none.

@@ -13,7 +13,8 @@ use crate::stability::{differences, scales, turns};
 static DISPARATE: Law = Law {
     section: "scales",
     along: "greatest length, or mass, over the least",
-    expected: "16 eps (1 + |q|) / health^k of the largest number of its kind, however different the links are",
+    expected: "16 eps (1 + |q|) / health^k of the largest number of its kind, however different the links \
+               are",
 };
 
 /// A scene and where it is walked to: coordinate, sides, what is there.

@@ -9,9 +9,10 @@ use crate::stability::row::Law;
 pub(super) static LAW: Law = Law {
     section: "motion",
     along: "what the walk says: speed, margin, slope, width, or turns",
-    expected: "steps * tolerance (1e-10) for methods that have one; rate^(p+1) duration step^p for those of a fixed step and \
-               order p (duration / 1000; nothing where the acceleration is constant); nothing for the closed form; each grown by \
-               the equation; and 16 eps a step, over the distance where it is the difference of two numbers",
+    expected: "steps * tolerance (1e-10) for methods that have one; rate^(p+1) duration step^p for those of \
+               a fixed step and order p (duration / 1000; nothing where the acceleration is constant); \
+               nothing for the closed form; each grown by the equation; and 16 eps a step, over the \
+               distance where it is the difference of two numbers",
 };
 
 /// What is known of the motion.
