@@ -80,7 +80,7 @@ fn every_setting_is_taken() {
 fn two_commands_on_one_key_are_refused_by_name() {
     assert_eq!(
         faults("[keys]\nforward = \"x\"\n"),
-        "error: `x` means both `forward` and `trace` in Drawing\n  config.toml, line 2, column 11\n  \
+        "error: `x` means both `forward` and `trace` in Mechanism\n  config.toml, line 2, column 11\n  \
          |\n2 | forward = \"x\"\n  |           ^^^ a default key of `trace`\n  \
          = give one of them another key, or none at all: trace = []\n"
     );
