@@ -160,6 +160,9 @@ fn a_way_through_infinity_is_told() {
             && notes[0].contains("180.0000 deg")
             && notes[0].contains(" 0.0000 deg")
     );
+    // Where the turn begins at one of them, it is the same place again at its end.
+    let seam = analyzed(&scene.replace("15 deg", "0 deg")).notes;
+    assert_eq!(seam[0].matches(" 0.0000 deg").count(), 1, "{seam:?}");
     // Both guides through O: the pin stays there, also where they lie on each other.
     let harmless = scene.replace("[0, 0.3]", "[0, 0]").replace("[0, 0.5]", "[0, 0]");
     assert!(analyzed(&harmless).notes.is_empty());

@@ -107,6 +107,11 @@ impl Linkage {
         matches!(self.mechanism.input.pair, InputPair::Pin(_))
     }
 
+    /// Unit of the coordinate for tolerances: 1 rad, or the scale in m.
+    pub(crate) fn unit(&self) -> f64 {
+        if self.angular() { 1.0 } else { self.structure.scale }
+    }
+
     /// Solves all links at one coordinate.
     ///
     /// # Errors
@@ -148,7 +153,7 @@ impl Linkage {
     /// position to a coordinate: the coordinate of the end, and what the group says beyond it.
     pub fn barrier(&self, coordinate: f64) -> Option<(f64, ChainError)> {
         let range = self.range.filter(|range| !range.full)?;
-        let hair = HAIR * if self.angular() { 1.0 } else { self.structure.scale };
+        let hair = HAIR * self.unit();
         match self.ends {
             [Some(below), _] if coordinate < range.low - hair => Some((range.low, below)),
             [_, Some(above)] if coordinate > range.high + hair => Some((range.high, above)),
@@ -158,7 +163,7 @@ impl Linkage {
 
     /// Whether the motion from the first position comes to a coordinate, forward or turning back, whole turns apart.
     pub fn reaches(&self, coordinate: f64) -> bool {
-        let hair = HAIR * if self.angular() { 1.0 } else { self.structure.scale };
+        let hair = HAIR * self.unit();
         let place = self.place(coordinate);
         self.range.is_some_and(|range| range.full || place >= range.low - hair && place <= range.high + hair)
     }

@@ -33,7 +33,7 @@ const BLURRED: f64 = 1e-11;
 const FAR: f64 = 1e-3;
 
 /// Golden-section search for the least value of a determinant: where, and how much.
-pub(crate) fn least_between(low: f64, high: f64, health: impl Fn(f64) -> f64) -> (f64, f64) {
+pub(crate) fn least_between(low: f64, high: f64, mut health: impl FnMut(f64) -> f64) -> (f64, f64) {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (low, high);
     let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));

@@ -1,8 +1,8 @@
 //! Where links run through infinity: guides that turn parallel without lying on each other.
 
 use assur_group::Order;
-use assur_mechanism::InputPair;
 
+use crate::meeting::least_between;
 use crate::{Linkage, Position};
 
 /// Samples over one turn, or over the range of a sliding input.
@@ -38,9 +38,15 @@ impl Linkage {
                 if three[1] > SUSPECT || three[1] > three[0] || three[1] >= three[2] {
                     continue;
                 }
-                let place = self.least(group, [places[i], places[i + 2]], &mut position);
-                let new = found.last().is_none_or(|(last, _)| (last - place).abs() > NEAR);
-                if new && self.runs_away(group, place, &mut position) {
+                let health = |q: f64| self.health_at(group, q, &mut position);
+                let (place, _) = least_between(places[i], places[i + 2], health);
+                // On the seam of a full turn one zero lies at both of its ends.
+                let turn = if range.full { range.high - range.low } else { f64::INFINITY };
+                let same = |(other, _): &(f64, usize)| {
+                    let apart = (other - place).abs();
+                    apart.min((turn - apart).abs()) <= NEAR * self.unit()
+                };
+                if !found.iter().any(same) && self.runs_away(group, place, &mut position) {
                     found.push((place, group));
                 }
             }
@@ -55,25 +61,9 @@ impl Linkage {
         }
     }
 
-    /// Golden-section search.
-    fn least(&self, group: usize, [mut low, mut high]: [f64; 2], position: &mut Position) -> f64 {
-        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-        for _ in 0..80 {
-            let (x, y) = (high - ratio * (high - low), low + ratio * (high - low));
-            if self.health_at(group, x, position) <= self.health_at(group, y, position) {
-                high = y;
-            } else {
-                low = x;
-            }
-        }
-        0.5 * (low + high)
-    }
-
     /// Whether a link of the group is far away a little beside.
     fn runs_away(&self, group: usize, q: f64, position: &mut Position) -> bool {
-        let unit =
-            if matches!(self.mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { self.structure.scale };
-        if self.solve(q + NEAR * unit, Order::Place, position).is_err() {
+        if self.solve(q + NEAR * self.unit(), Order::Place, position).is_err() {
             return false;
         }
         let links = &self.structure.groups[group].frame.links;

@@ -96,6 +96,8 @@ fn a_count_moves_by_whole_numbers_and_a_zero_not_at_all() {
     assert_eq!(count.moved("12", 1.0).unwrap(), "13");
     assert_eq!(count.moved("12", -0.1).unwrap(), "11");
     assert_eq!(count.moved("12", 50.0).unwrap(), "18");
+    let many = value(&SCENE.replace("= 12", "= 1_200"), "input.positions");
+    assert_eq!(many.moved("1_200", 0.1).unwrap(), "1201", "a count as TOML may write it");
     let forty = value(SCENE, "force.load.value.table[1][1]");
     assert_eq!(forty.moved("40", 1.0).unwrap(), "40.4", "an integer that is no count");
     assert_eq!(value(SCENE, "ground.points.O[0]").moved("0", 1.0), None);

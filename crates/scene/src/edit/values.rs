@@ -78,7 +78,8 @@ pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     if crate::read("", text).is_ok() {
         // A zero does not move, and no count stands in a list: most integers need no trial.
         let may_count = |value: &&mut SceneValue| {
-            value.written.parse::<i64>().is_ok_and(|number| number != 0) && !value.key.ends_with(']')
+            value.written.replace('_', "").parse::<i64>().is_ok_and(|number| number != 0)
+                && !value.key.ends_with(']')
         };
         for value in values.iter_mut().filter(may_count) {
             // The reader says what is a count: there is no second list of that.

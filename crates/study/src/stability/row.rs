@@ -69,10 +69,14 @@ impl Subject<'_> {
         self.row_or(outcome, self.bound > REFUSABLE || self.health < NEAR)
     }
 
-    /// The row, judged; the caller knows whether a refusal is right.
+    /// The row, judged; the caller knows whether a refusal is right. An answer where there is none is an infinite error: no
+    /// bound and no right to refuse makes it ok.
     pub(crate) fn row_or(&self, outcome: Result<f64, String>, may_refuse: bool) -> Row {
         let (error, ok, reason) = match outcome {
-            Ok(error) if !error.is_finite() => (None, false, Some("the result is no number".to_owned())),
+            Ok(error) if error.is_nan() => (None, false, Some("the result is no number".to_owned())),
+            Ok(error) if error.is_infinite() => {
+                (None, false, Some("gives no finite number, or an answer where there is none".to_owned()))
+            }
             Ok(error) if error > self.bound => {
                 let factor = error / self.bound;
                 (Some(error), false, Some(format!("loses {factor:.1} times more than the bound")))

@@ -9,11 +9,11 @@ use super::row::Law;
 pub(crate) static CYCLE: Law = Law {
     section: "cycle",
     along: "distance of the coordinate from where the group is least healthy, rad or parts of the size",
-    expected: "16 eps (1 + |q|) (longest / shortest length) (groups / product of healths)^k: k = 1 for \
-               places, 2 for PF1, PF2 and reactions, where PF2 is small against its terms PF1^2 / health \
-               also times their quotient; around a change point, where the motion is interpolated, k = 1, \
-               2, 3 with the healths where that begins; for the published longitudinal form also / sine^2 \
-               of the angle at the pole",
+    expected: "16 eps (1 + |q|) (groups / product of healths)^k, q in rad or parts of the size: k = 1 for \
+               places, 2 for PF1, PF2 and reactions; for all but reactions times (longest / shortest \
+               length), and where PF2 is small against its terms PF1^2 / health times their quotient; \
+               around a change point, where the motion is interpolated, k = 1, 2, 3 with the healths where \
+               that begins; for the published longitudinal form also / sine^2 of the angle at the pole",
 };
 
 /// Where a walk goes.

@@ -95,7 +95,7 @@ fn figures_of_a_slider_crank() {
     assert!(found.is_ok(), "{}", found.to_text());
 }
 
-/// A crank-rocker 1, 3, 3, 2 (crank, coupler, rocker, ground... as built here) by Grashof's sums.
+/// A crank-rocker 1 : 3.5 : 3 : 4 (crank, coupler, rocker, ground) by Grashof's sums.
 #[test]
 fn margins_of_a_four_bar() {
     let found = stability(scene(

@@ -11,8 +11,8 @@ use super::walk_cycle::Walk;
 static LAW: Law = Law {
     section: "turns",
     along: "whole turns between the coordinate and that of the reference",
-    expected: "16 eps (1 + |q|) (groups / product of healths)^k with q after those turns: what the rounding \
-               of q costs, k = 1 for places, 2 for PF1, PF2 and reactions",
+    expected: "as along the cycle, 16 eps (1 + |q|) (groups / product of healths)^k and its factors, with q \
+               after those turns: what the rounding of q costs",
 };
 
 /// Whole cycles also where the mechanism needs two or four turns to repeat.

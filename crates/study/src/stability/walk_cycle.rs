@@ -38,6 +38,7 @@ struct Reference {
 
 /// One stop of a walk.
 struct Stop<'a> {
+    /// The coordinate, rad or parts of the size.
     q: f64,
     distance: f64,
     /// Where the motion is interpolated: healths at the reach of that.
@@ -92,9 +93,14 @@ impl<'a> Walk<'a> {
         Self { loads, ..self }
     }
 
+    /// Of the coordinate: 1 rad, or the scale in m.
+    fn unit(&self) -> f64 {
+        if self.linkage.angular() { 1.0 } else { self.scale }
+    }
+
     /// Walks to a place.
     pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Row>) {
-        let unit = if self.linkage.angular() { 1.0 } else { self.scale };
+        let unit = self.unit();
         for distance in DISTANCES.into_iter().filter(|d| d * unit <= target.reach) {
             for side in &target.sides {
                 let q = target.coordinate + side * unit * distance;
@@ -134,7 +140,7 @@ impl<'a> Walk<'a> {
             Some(position.health.clone())
         });
         let solved = self.linkage.solve(q, Order::Second, &mut position);
-        let at = Stop { q, distance, beside, reference: &reference };
+        let at = Stop { q: q / self.unit(), distance, beside, reference: &reference };
         let solved = solved.map_err(|error| error.to_string());
         for &group in &target.groups {
             self.transfer((target, group), &at, solved.as_ref().map(|()| &position), rows);
@@ -171,8 +177,7 @@ impl<'a> Walk<'a> {
             let outcome = match solved {
                 Ok(position) => {
                     // The input itself turns by 1 (moves by 1/scale of the scale) for a unit of the coordinate.
-                    let unit = if self.linkage.angular() { 1.0_f64 } else { self.scale };
-                    let floor = order.try_into().map_or(1.0, |order: i32| unit.powi(-order));
+                    let floor = order.try_into().map_or(1.0, |order: i32| self.unit().powi(-order));
                     Ok(transfer(&position.bodies, &reference.bodies, links, order, self.scale, floor))
                 }
                 Err(error) => Err(error.clone()),
@@ -198,7 +203,7 @@ impl<'a> Walk<'a> {
     /// How much greater the terms of PF2, PF1²/health, are than their sum: where the motion is smooth they cancel.
     fn cancelled(&self, group: usize, reference: &Reference) -> f64 {
         let links = &self.linkage.structure.groups[group].frame.links;
-        let unit = if self.linkage.angular() { 1.0_f64 } else { self.scale };
+        let unit = self.unit();
         let size = |order: usize, power: i32| {
             size(&reference.bodies, links, order, self.scale, unit.powi(-power)) * unit.powi(power)
         };

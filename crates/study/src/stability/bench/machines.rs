@@ -119,7 +119,7 @@ fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
             row(Ok((at.coordinate / stop - 1.0).abs().max(at.speed.abs())), false)
         }
         Err(why) => row(Err(why.to_string()), is_unsupported(&why)),
-        Ok(_) => row(Err("gives a motion where there is none".to_owned()), false),
+        Ok(_) => row(Ok(f64::INFINITY), false),
     })
 }
 
@@ -138,7 +138,7 @@ fn regime(excess: f64) -> Row {
     };
     match found {
         Ok(found) if over < 0.0 => row(Ok((found.regime.mean_speed / -over - 1.0).abs()), false),
-        Ok(_) => row(Err("gives a motion where there is none".to_owned()), false),
+        Ok(_) => row(Ok(f64::INFINITY), false),
         Err(why) => row(Err(why), over > 0.0),
     }
 }

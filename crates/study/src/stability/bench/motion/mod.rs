@@ -101,7 +101,7 @@ impl Case {
             (Wanted::Stop { refused: true, .. }, Err(IntegrationError::NotReached { at, .. })) => {
                 (Ok(self.wanted.apart(&at, &[])), false)
             }
-            (Wanted::Stop { refused: true, .. }, Ok(found)) => (Ok(f64::INFINITY), found.samples.is_empty()),
+            (Wanted::Stop { refused: true, .. }, Ok(_)) => (Ok(f64::INFINITY), false),
             (_, Err(why)) => {
                 let by_stiffness = matches!(
                     why,
