@@ -5,6 +5,7 @@ use std::fmt::Write;
 use assur_group::{GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 
+use crate::trajectory::Lost;
 use crate::{Options, Study};
 
 /// Change points of several groups nearer than this are one, rad or m.
@@ -15,8 +16,8 @@ const LOST: &str = "the mechanism stands at a change point (determinant of a gro
                     coincide there and its reactions are not determined";
 
 impl Study {
-    /// Notes for the results; `positions` and number of `samples` of a motion at which forces are not determined.
-    pub(crate) fn notes(&self, positions: &[usize], samples: usize) -> Vec<String> {
+    /// Notes for the results; `positions` at which forces are not determined, and `samples` of a motion without them.
+    pub(crate) fn notes(&self, positions: &[usize], samples: &Lost) -> Vec<String> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.poles());
@@ -25,8 +26,14 @@ impl Study {
             let numbers: Vec<_> = positions.iter().map(ToString::to_string).collect();
             notes.push(format!("No forces in positions {}: {LOST}.", numbers.join(", ")));
         }
-        if samples > 0 {
-            notes.push(format!("No forces at {samples} samples of the motion: {LOST}."));
+        if samples.at_change_points > 0 {
+            notes.push(format!("No forces at {} samples of the motion: {LOST}.", samples.at_change_points));
+        }
+        if let Some(reason) = &samples.reason {
+            notes.push(format!(
+                "No forces at {} samples of the motion; at the first: {reason}.",
+                samples.refused
+            ));
         }
         notes
     }

@@ -54,7 +54,7 @@ impl Study {
             watch(Progress::Positions { done: index, total })?;
             run.position(index);
         }
-        let (trajectory, lost_samples) = self.trajectory(watch)?;
+        let (trajectory, lost) = self.trajectory(watch)?;
         ControlFlow::Continue(Analysis {
             format: Analysis::FORMAT,
             title: mechanism.title.clone(),
@@ -74,7 +74,7 @@ impl Study {
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.clone(),
-            notes: self.notes(&run.lost, lost_samples),
+            notes: self.notes(&run.lost, &lost),
             checks: Vec::new(),
         })
     }

@@ -145,6 +145,22 @@ fn a_position_on_a_change_point_is_told() {
     assert!(far.is_empty(), "{far:?}");
 }
 
+/// The published longitudinal form has its pole at infinity where the motion begins: no change point, and not told as one.
+#[test]
+fn samples_without_forces_say_why() {
+    let scene = "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n\
+        mass = 1\ncenter = \"O\"\ninertia = 1\n[link.rod]\npoints = { A = 0, B = 4 }\nmass = 2\ncenter = 2\n\
+        [link.slider]\npoints = { B = 0 }\n[[slide]]\nlink = \"slider\"\non = \"ground\"\n\
+        [input]\nlink = \"crank\"\nfrom = \"90 deg\"\n[motion]\nkind = \"transient\"\nspeed = 1\nuntil = \"1 s\"\n";
+    let options = Options { analyzer: Some("longitudinal-published".to_owned()), integrator: None };
+    let mechanism = assur_scene::read("test", scene).unwrap();
+    let found = Study::of(mechanism, &options).unwrap().analyze();
+    assert!(found.trajectory[0].balancing.is_none() && found.trajectory[1].balancing.is_some());
+    let note = found.notes.iter().find(|note| note.contains("No forces")).unwrap();
+    assert!(note.starts_with("No forces at 1 samples of the motion; at the first: "), "{note}");
+    assert!(!note.contains("change point"), "{note}");
+}
+
 /// Stones on the crank's guide and on the ground's share a pin: it is at infinity where the crank is parallel to the ground.
 #[test]
 fn a_way_through_infinity_is_told() {

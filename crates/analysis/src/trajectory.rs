@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use assur_force::State;
+use assur_kinematics::Position;
 use assur_results::{Named, Spot, Trajectory};
 
 use crate::angles::Angles;
@@ -12,6 +13,24 @@ use crate::{Course, Progress, Study, motions};
 
 /// Rows over one cycle of a steady regime, the end included.
 const ROWS: u32 = 360;
+
+/// Samples of a motion that have no forces.
+#[derive(Debug, Default)]
+pub(crate) struct Lost {
+    /// Where the mechanism stands at a change point.
+    pub(crate) at_change_points: usize,
+    /// Where the method refuses.
+    pub(crate) refused: usize,
+    /// What it says at the first of them.
+    pub(crate) reason: Option<String>,
+}
+
+impl Lost {
+    fn refuse(&mut self, reason: String) {
+        self.refused += 1;
+        self.reason.get_or_insert(reason);
+    }
+}
 
 impl Study {
     /// The states that a trajectory goes through, in order of time; empty with a prescribed motion.
@@ -41,12 +60,11 @@ impl Study {
         }
     }
 
-    /// The course over time, with forces for a transient motion, whose positions have none; and at how many samples they are
-    /// not determined.
+    /// The course over time, with forces for a transient motion, whose positions have none; and where they are missing.
     pub(crate) fn trajectory<B>(
         &self,
         watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
-    ) -> ControlFlow<B, (Vec<Trajectory>, usize)> {
+    ) -> ControlFlow<B, (Vec<Trajectory>, Lost)> {
         let (linkage, plan) = (&self.linkage, &self.plan);
         let names = Names::of(&linkage.mechanism);
         let mut angles = Angles::new(linkage);
@@ -58,7 +76,7 @@ impl Study {
             }
             _ => None,
         };
-        let (mut rows, mut lost) = (Vec::new(), 0);
+        let (mut rows, mut lost) = (Vec::new(), Lost::default());
         let states = self.states();
         let total = states.len();
         for (done, state) in states.into_iter().enumerate() {
@@ -66,43 +84,45 @@ impl Study {
             if linkage.solve(state.coordinate, plan.order, &mut position).is_err() {
                 continue;
             }
-            let followed = angles.follow(linkage, &position, &plan.wanted.links);
-            let links = motions::links(linkage, &plan.wanted, &names, &position, followed);
-            let mut row = Trajectory {
-                time: state.time,
-                coordinate: state.coordinate,
-                speed: state.speed,
-                acceleration: state.acceleration,
-                links,
-                ..Trajectory::default()
-            };
-            if transient {
-                let points = motions::points(linkage, &plan.wanted, &names, &position);
-                let slides = motions::slides(linkage, &plan.wanted, &names, &position);
-                let all = (&row.links, &points, &slides);
-                row.velocities = Some(motions::rates(all, state.speed, state.acceleration, false));
-                row.accelerations = Some(motions::rates(all, state.speed, state.acceleration, true));
-                let spots = points.0.into_iter().map(|(name, point)| (name, Spot { pf0: point.pf0 }));
-                row.points = Named(spots.collect());
-                row.slides = slides;
-            }
-            if let Some(forces) = &mut forces {
-                // In a singular position no reaction is determined: the motion goes through, the row has none.
-                let found = if linkage.is_at_change_point(&position) {
-                    None
-                } else {
-                    forces.solve(&state, &position, &plan.wanted, &names).ok()
-                };
-                match found {
-                    Some((reactions, balancing)) => {
+            let mut row = self.instant(&state, &position, &names, &mut angles);
+            if linkage.is_at_change_point(&position) {
+                lost.at_change_points += usize::from(forces.is_some());
+            } else if let Some(forces) = &mut forces {
+                match forces.solve(&state, &position, &plan.wanted, &names) {
+                    Ok((reactions, balancing)) => {
                         row.reactions = reactions;
                         row.balancing = Some(balancing);
                     }
-                    None => lost += 1,
+                    Err(error) => lost.refuse(error.to_string()),
                 }
             }
             rows.push(row);
         }
         ControlFlow::Continue((rows, lost))
+    }
+
+    /// How links move at one instant; in a transient motion points and slides too, with velocities and accelerations.
+    fn instant(&self, state: &State, position: &Position, names: &Names, angles: &mut Angles) -> Trajectory {
+        let (linkage, wanted) = (&self.linkage, &self.plan.wanted);
+        let followed = angles.follow(linkage, position, &wanted.links);
+        let mut row = Trajectory {
+            time: state.time,
+            coordinate: state.coordinate,
+            speed: state.speed,
+            acceleration: state.acceleration,
+            links: motions::links(linkage, wanted, names, position, followed),
+            ..Trajectory::default()
+        };
+        if matches!(self.course, Course::Transient(_)) {
+            let points = motions::points(linkage, wanted, names, position);
+            let slides = motions::slides(linkage, wanted, names, position);
+            let all = (&row.links, &points, &slides);
+            row.velocities = Some(motions::rates(all, state.speed, state.acceleration, false));
+            row.accelerations = Some(motions::rates(all, state.speed, state.acceleration, true));
+            let spots = points.0.into_iter().map(|(name, point)| (name, Spot { pf0: point.pf0 }));
+            row.points = Named(spots.collect());
+            row.slides = slides;
+        }
+        row
     }
 }
