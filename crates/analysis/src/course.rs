@@ -202,12 +202,7 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     } else {
         String::new()
     };
-    let quadrature = if dependence.case() == 2 && dependence.moment_on_speed {
-        "; t = J * integral of dw / M(w) would do as well, but no registered method takes it"
-    } else {
-        ""
-    };
-    Ok(format!("integrator `{}`, {}{stiff}{quadrature}", chosen.name(), chosen.reason))
+    Ok(format!("integrator `{}`, {}{stiff}", chosen.name(), chosen.reason))
 }
 
 /// Whether the scene or the choice of method is at fault, rather than the machine that it describes.

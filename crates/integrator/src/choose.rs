@@ -31,7 +31,7 @@ const COARSE: f64 = 1e-4;
 /// Chooses a method for such an equation from `registry`, or none if nothing in it can treat the equation.
 ///
 /// Case 1 has a closed form; cases 2 with M(q) and 3 one quadrature in the coordinate (E eq. 1), without any error from
-/// time; case 2 with M(t) one over time; the rest goes to the explicit method whose order fits the tolerance. Stiffness can't be seen from the
+/// time; case 2 with M(t) one over time, with M(w) one over the speed; the rest goes to the explicit method whose order fits the tolerance. Stiffness can't be seen from the
 /// classification: an explicit method reports it when it meets it, and `radau5` is for that.
 pub fn choose(
     dependence: &Dependence,
@@ -62,6 +62,12 @@ fn preferences(dependence: Dependence, tolerance: f64) -> Vec<(&'static str, &'s
     }
     if dependence.case() == 2 && dependence.moment_on_time {
         names.push(("quadrature", "the impulse of the moment gives the speed by one quadrature over time"));
+    }
+    if dependence.case() == 2 && dependence.moment_on_speed {
+        names.push((
+            "quadrature",
+            "t = J * integral of dw / M(w) gives the motion by one quadrature over the speed",
+        ));
     }
     if dependence.is_work_of_coordinate() {
         names.push((

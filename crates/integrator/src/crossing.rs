@@ -184,9 +184,9 @@ fn inside_near(g: &impl Fn(f64) -> f64, outside: f64) -> Option<f64> {
     (1..40).map(|halvings| outside * 0.5_f64.powi(halvings)).find(|theta| g(*theta) > 0.0)
 }
 
-/// Root of `g` between `inside` (not negative) and `outside` (negative): false position with the Illinois
-/// correction, to rounding.
-fn root(g: &impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
+/// Root of `g` between `inside` (not negative there) and `outside` (negative), `inside` being the lesser: false position with
+/// the Illinois correction, to a rounding of 1.
+pub fn root(g: &impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
     let (mut positive, mut negative) = (g(inside), g(outside));
     let mut last = 0;
     for _ in 0..100 {

@@ -1,6 +1,6 @@
 //! Why an integration failed, and where it was then.
 
-use crate::{MotionError, State};
+use crate::{MotionError, Request, State, Until};
 
 /// Why there is no trajectory.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -81,6 +81,18 @@ pub enum IntegrationError {
         /// Place reached.
         at: State,
     },
+}
+
+impl IntegrationError {
+    /// The end that `request` asks for doesn't come: the motion got to `at`, and why it goes no further.
+    pub fn not_reached(request: &Request, at: State, why: &'static str) -> Self {
+        let goal = match request.until {
+            Until::Time(end) => format!("time {end} s"),
+            Until::Coordinate(end) => format!("coordinate {end}"),
+            Until::Rest => "rest".to_owned(),
+        };
+        Self::NotReached { goal, at, why }
+    }
 }
 
 /// Above this product of step and eigenvalue an explicit method is held by stability, not by accuracy: the

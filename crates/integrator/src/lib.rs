@@ -22,6 +22,7 @@
 //! position may not exist. None of the three has a notion of a piece that a trial step may leave smoothly. So the
 //! methods are ours, with the published coefficients, and the order conditions are tests.
 
+pub mod chebyshev;
 mod choose;
 mod control;
 mod crossing;
@@ -37,10 +38,12 @@ pub mod problems;
 mod recorder;
 mod request;
 mod stepper;
+mod stretch;
 
 pub use assur_registry::RegistryError;
 pub use choose::{Choice, choose};
 pub use control::{Control, Scale};
+pub use crossing::root;
 pub use dense::{COEFFICIENTS, Dense, cubic};
 pub use driver::drive;
 pub use entry::{Entered, enter, stops_at_once};
@@ -51,3 +54,4 @@ pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, Stat
 pub use plugin::{IntegratorPlugin, find, integrators};
 pub use request::{Event, EventKind, Integrator, Request, Sample, Statistics, Trajectory, Until};
 pub use stepper::{Attempt, Node, Pace, Stepper};
+pub use stretch::{Stretch, samples};

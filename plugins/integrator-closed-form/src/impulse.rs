@@ -1,49 +1,9 @@
-//! `quadrature`: J constant and M(t) (D's case 2): w = w0 + (1/J) ∫ M dt, and the way by a second integral, without stages
+//! J constant and M(t) (D's case 2): w = w0 + (1/J) ∫ M dt, and the way by a second integral, without stages
 //! that depend on each other. Exact where M is a polynomial of degree 4 or less, as between the rows of a table over time.
 
 use assur_integrator::{
-    Attempt, COEFFICIENTS, Control, Dense, Dependence, Equation, IntegrationError, Integrator,
-    IntegratorPlugin, Motion, MotionError, Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
+    Attempt, COEFFICIENTS, Control, Dense, Equation, MotionError, Node, Pace, Scale, State, Stepper,
 };
-
-/// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Quadrature;
-
-impl Integrator for Quadrature {
-    fn name(&self) -> &'static str {
-        "quadrature"
-    }
-
-    fn supports(&self, dependence: &Dependence) -> Result<(), String> {
-        let alone = !dependence.moment_on_coordinate && !dependence.moment_on_speed;
-        if dependence.inertia_constant && alone {
-            return Ok(());
-        }
-        Err(format!(
-            "the quadrature over time needs J constant and M constant or M(t) (cases 1 and 2 of D), and here it is case {}: {}",
-            dependence.case(),
-            dependence.words()
-        ))
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        let supported = self.supports(&motion.dependence());
-        supported.map_err(|reason| IntegrationError::Unsupported { integrator: self.name(), reason })?;
-        drive(&mut Impulse::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "quadrature",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "J constant, M(t): speed and way by quadrature over time",
-        source: "D 3.21, case 2",
-        order: 0,
-        instance: || &Quadrature,
-    }
-}
 
 /// Nodes of a step from 0 to 1: Lobatto's, which hold both ends.
 const NODES: [f64; 5] = [0.0, 0.172_673_164_646_011_42, 0.5, 0.827_326_835_353_988_6, 1.0];
@@ -57,7 +17,7 @@ const CONTROL: Control =
 
 /// The last step: speed and way inside it, by powers of its part of the step.
 #[derive(Debug, Default)]
-struct Impulse {
+pub(crate) struct Impulse {
     speed: [f64; COEFFICIENTS],
     way: [f64; COEFFICIENTS],
     acceleration: f64,

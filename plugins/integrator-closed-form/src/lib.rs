@@ -1,5 +1,5 @@
 //! `closed-form`: J and M constant (D's case 1), so that the motion is uniformly accelerated (D 3.12, 3.13), exactly,
-//! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t).
+//! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t) and M(w).
 
 use assur_integrator::{
     Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
@@ -7,8 +7,10 @@ use assur_integrator::{
 };
 
 mod impulse;
+mod quadrature;
+mod speed;
 
-pub use impulse::Quadrature;
+pub use quadrature::Quadrature;
 
 /// The method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::chebyshev::{Basis, NODES, Series, integral, swing, tail, value};
 use crate::panel::Panel;
+use assur_integrator::chebyshev::{Basis, NODES, Series, integral, swing, tail, value};
 
 /// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
 const DEPTH: u32 = 40;

@@ -9,7 +9,6 @@ use assur_integrator::{
     Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory,
 };
 
-mod chebyshev;
 mod clock;
 mod march;
 mod panel;

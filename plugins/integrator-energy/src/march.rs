@@ -1,11 +1,11 @@
 //! Panel after panel along the coordinate, through pieces and turning points, to the end.
 
+use assur_integrator::chebyshev::{INSIDE, WITH_ENDS};
 use assur_integrator::{
     Entered, Equation, Event, IntegrationError, Motion, MotionError, Piece, Request, State, Statistics,
-    Trajectory, Until, enter, stops_at_once,
+    Trajectory, Until, enter, samples, stops_at_once,
 };
 
-use crate::chebyshev::{INSIDE, WITH_ENDS};
 use crate::clock::{Clock, Rests};
 use crate::panel::{Panel, Values, factor};
 use crate::record::Part;
@@ -74,7 +74,8 @@ impl<'a> March<'a> {
             }
             self.advance()?;
         }
-        let samples = self.samples(first)?;
+        let ends = [first, self.sample_here()];
+        let samples = samples(&mut self.equation, self.request, &self.parts, ends)?;
         self.statistics.evaluations = self.equation.evaluations();
         self.statistics.pieces = self.equation.pieces();
         Ok(Trajectory { samples, events: self.events, statistics: self.statistics, end: self.state })
@@ -123,12 +124,7 @@ impl<'a> March<'a> {
     }
 
     fn not_reached(&self, why: &'static str) -> IntegrationError {
-        let goal = match self.request.until {
-            Until::Time(end) => format!("time {end} s"),
-            Until::Coordinate(end) => format!("coordinate {end}"),
-            Until::Rest => "rest".to_owned(),
-        };
-        IntegrationError::NotReached { goal, at: self.state, why }
+        IntegrationError::not_reached(self.request, self.state, why)
     }
 
     fn direction(&self) -> f64 {

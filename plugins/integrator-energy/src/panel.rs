@@ -2,7 +2,7 @@
 
 use assur_integrator::{Equation, MotionError, State};
 
-use crate::chebyshev::{Basis, NODES, Series, divided, integral, swing, tail, value};
+use assur_integrator::chebyshev::{Basis, NODES, Series, divided, integral, swing, tail, value};
 
 /// J and Q at a node.
 pub(crate) type Values = (f64, f64);

@@ -1,6 +1,6 @@
-//! Equally spaced samples from the panels that were passed.
+//! Stretches of the motion: the panels that were passed, and rests.
 
-use assur_integrator::{IntegrationError, Sample, State};
+use assur_integrator::{Sample, State, Stretch};
 
 use crate::clock::Clock;
 use crate::march::March;
@@ -33,12 +33,6 @@ impl Part {
         Self::Rest(state, end)
     }
 
-    fn end(&self) -> f64 {
-        match self {
-            Self::Moving { end, .. } | Self::Rest(_, end) => *end,
-        }
-    }
-
     /// Direction of motion; 0 at rest.
     pub(crate) fn direction(&self) -> f64 {
         match self {
@@ -46,9 +40,16 @@ impl Part {
             Self::Rest(..) => 0.0,
         }
     }
+}
 
-    /// State at a time.
-    pub(crate) fn at(&self, time: f64) -> State {
+impl Stretch for Part {
+    fn end(&self) -> f64 {
+        match self {
+            Self::Moving { end, .. } | Self::Rest(_, end) => *end,
+        }
+    }
+
+    fn at(&self, time: f64) -> State {
         match self {
             Self::Moving { panel, clock, .. } => {
                 let (x, energy) = clock.at(time);
@@ -58,11 +59,10 @@ impl Part {
         }
     }
 
-    /// A state well inside, to choose the piece by.
-    fn middle(&self) -> State {
+    fn middle(&self) -> Option<State> {
         match self {
-            Self::Moving { begin, end, .. } => self.at(0.5 * (begin + end)),
-            Self::Rest(state, _) => *state,
+            Self::Moving { begin, end, .. } => Some(self.at(0.5 * (begin + end))),
+            Self::Rest(..) => None,
         }
     }
 }
@@ -71,38 +71,5 @@ impl March<'_> {
     pub(crate) fn sample_here(&self) -> Sample {
         let State { time, coordinate, speed } = self.state;
         Sample { time, coordinate, speed, acceleration: self.acceleration }
-    }
-
-    pub(crate) fn samples(&mut self, first: Sample) -> Result<Vec<Sample>, IntegrationError> {
-        let count = self.request.samples;
-        let mut samples = Vec::with_capacity(count + 1);
-        samples.push(first);
-        let parts = std::mem::take(&mut self.parts);
-        let (mut index, mut entered) = (0, None);
-        for k in 1..count {
-            let time = first.time + (self.state.time - first.time) * (k as f64 / count as f64);
-            while index + 1 < parts.len() && parts[index].end() < time {
-                index += 1;
-            }
-            let Some(part) = parts.get(index) else { break };
-            let failed = |state| move |source| IntegrationError::Equation { at: state, source };
-            let state = part.at(time);
-            let moving = matches!(part, Part::Moving { .. });
-            if moving && entered != Some(index) {
-                let middle = part.middle();
-                self.equation.enter(&middle).map_err(failed(middle))?;
-                entered = Some(index);
-            }
-            let State { time, coordinate, speed } = state;
-            let acceleration = if moving {
-                self.equation.acceleration(time, coordinate, speed).map_err(failed(state))?
-            } else {
-                0.0
-            };
-            samples.push(Sample { time, coordinate, speed, acceleration });
-        }
-        samples.resize(count, self.sample_here());
-        samples.push(self.sample_here());
-        Ok(samples)
     }
 }

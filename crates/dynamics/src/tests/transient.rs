@@ -3,8 +3,11 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
+use assur_integrator::problems::Example;
+use assur_integrator::{Dependence, Reduced, Request, State, Until};
 
 use super::{compiled, fixture};
+use crate::transient::by_choice;
 use crate::{Transient, transient, transient_by};
 
 fn solved(name: &str) -> Transient {
@@ -42,6 +45,43 @@ fn a_moment_over_time_is_one_quadrature() {
     assert_eq!(found.integrator, "quadrature");
     assert_relative_eq!(found.trajectory.end.speed, 30.5, max_relative = 1e-14);
     assert_relative_eq!(found.trajectory.end.coordinate, 4.0 * 15.5 + 2.0 * 30.5, max_relative = 1e-14);
+}
+
+#[test]
+fn a_motor_on_a_disc_is_one_quadrature_over_the_speed() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\nmass = 2\ninertia = 0.5\n\
+        [[moment]]\nlink = \"disc\"\nvalue = { over = \"speed\", table = [[0, 6], [12, 0], [20, -4]] }\n\
+        [input]\nlink = \"disc\"\n[motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"3 s\"\n";
+    let (linkage, loads) = compiled(scene);
+    let found = transient(&linkage, &loads).unwrap();
+    assert_eq!((found.integrator, found.dependence.words().as_str()), ("quadrature", "J constant, M(w)"));
+    // w' = 12 - w.
+    let (end, gone) = (found.trajectory.end, -(-3.0_f64).exp_m1());
+    assert_relative_eq!(end.speed, 12.0 * gone, max_relative = 1e-13);
+    assert_relative_eq!(end.coordinate, 12.0 * (3.0 - gone), max_relative = 1e-13);
+}
+
+/// What a method finds to be beyond it on the way, `auto` gives to the next.
+#[test]
+fn auto_falls_back_where_no_polynomial_follows_the_moment() {
+    let dependence = Dependence { inertia_constant: true, moment_on_speed: true, ..Dependence::default() };
+    // Waves in the moment so short that panels would have to be, too: w' = 2 + 0.0004 sin(1e7 w).
+    let mut motion = Example::new(dependence, |_, at| Reduced {
+        inertia: 1.0,
+        inertia_derivative: 0.0,
+        moment: 2.0 + 4e-4 * (1e7 * at.speed).sin(),
+    });
+    let initial = State { speed: 1.0, ..State::default() };
+    let request = Request { tolerance: 1e-6, ..Request::new(initial, Until::Time(1.0)) };
+    let found = by_choice(&mut motion, &request).unwrap();
+    assert_eq!(found.integrator, "dop853");
+    assert!(
+        found.reason.contains("; `quadrature` was tried before: no polynomial in the speed"),
+        "{}",
+        found.reason
+    );
+    // The waves cancel.
+    assert_relative_eq!(found.trajectory.end.speed, 3.0, max_relative = 1e-4);
 }
 
 /// 25-digit computation by two independent formulations.

@@ -1,7 +1,7 @@
 //! The end of a drive: statistics, and errors with the place reached.
 
 use super::Drive;
-use crate::{IntegrationError, MotionError, Pace, Stepper, Trajectory, Until};
+use crate::{IntegrationError, MotionError, Pace, Stepper, Trajectory};
 
 /// Steps from which on the report looks for stiffness.
 const MANY_STEPS: usize = 1000;
@@ -54,11 +54,6 @@ impl<S: Stepper> Drive<'_, S> {
     }
 
     pub(super) fn not_reached(&self, why: &'static str) -> IntegrationError {
-        let goal = match self.request.until {
-            Until::Time(end) => format!("time {end} s"),
-            Until::Coordinate(end) => format!("coordinate {end}"),
-            Until::Rest => "rest".to_owned(),
-        };
-        IntegrationError::NotReached { goal, at: self.node.state, why }
+        IntegrationError::not_reached(self.request, self.node.state, why)
     }
 }

@@ -1,7 +1,10 @@
 use assur_integrator::problems::{CONSTANT, Example};
-use assur_integrator::{EventKind, Piece, Reduced, Until, problems};
+use assur_integrator::{
+    Dependence, EventKind, Integrator as _, Motion, Piece, Reduced, Request, Until, problems,
+};
 
 use super::*;
+use crate::Quadrature;
 
 const BY_TIME: Dependence = Dependence { moment_on_time: true, ..CONSTANT };
 
@@ -98,7 +101,7 @@ fn it_is_the_motion_of_constant_moments_too_and_of_no_others() {
     assert!((found.end.time - 50.0).abs() < 1e-9 && (found.end.coordinate - 2500.0).abs() < 1e-8);
     let error = Quadrature.solve(&mut problems::e1(), &request).unwrap_err().to_string();
     assert!(
-        error.contains("needs J constant and M constant or M(t)")
+        error.contains("needs J constant and M constant, M(t) or M(w)")
             && error.ends_with("case 2: J constant, M(q)"),
         "{error}"
     );

@@ -1,6 +1,6 @@
 //! Where a march ends, turns or rests.
 
-use assur_integrator::{Event, EventKind, IntegrationError, State, Until};
+use assur_integrator::{Event, EventKind, IntegrationError, State, Stretch, Until};
 
 use super::March;
 use crate::record::Part;

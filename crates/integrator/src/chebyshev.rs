@@ -1,30 +1,30 @@
-//! Chebyshev polynomials on [-1, 1]: fit, value, integral.
+//! Chebyshev polynomials on [-1, 1]: fit, value, integral; for methods that go in panels of the coordinate or of the speed.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// Number of nodes of a fit.
-pub(crate) const NODES: usize = 13;
+pub const NODES: usize = 13;
 
 /// Coefficients of an integral: one more than of a fit.
-pub(crate) const TERMS: usize = NODES + 1;
+pub const TERMS: usize = NODES + 1;
 
 /// The coefficients of `Σ c_k T_k(x)`.
-pub(crate) type Series = [f64; TERMS];
+pub type Series = [f64; TERMS];
 
 /// Nodes and the table that turns values into coefficients.
 #[derive(Debug, Clone)]
-pub(crate) struct Basis {
+pub struct Basis {
     /// Nodes, ascending.
-    pub(crate) nodes: [f64; NODES],
+    pub nodes: [f64; NODES],
     table: [[f64; NODES]; NODES],
 }
 
 /// [`Basis::with_ends`], made once: its cosines cost as much as a short motion.
-pub(crate) static WITH_ENDS: LazyLock<Basis> = LazyLock::new(Basis::with_ends);
+pub static WITH_ENDS: LazyLock<Basis> = LazyLock::new(Basis::with_ends);
 
 /// [`Basis::inside`], made once.
-pub(crate) static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
+pub static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
 
 impl Basis {
     /// Nodes with both ends (extrema of the last polynomial): panels share their ends.
@@ -52,7 +52,7 @@ impl Basis {
     }
 
     /// Coefficients of the polynomial through these values at the nodes.
-    pub(crate) fn fit(&self, values: &[f64; NODES]) -> Series {
+    pub fn fit(&self, values: &[f64; NODES]) -> Series {
         let mut series = [0.0; TERMS];
         for (coefficient, row) in series.iter_mut().zip(&self.table) {
             *coefficient = row.iter().zip(values).map(|(a, b)| a * b).sum();
@@ -64,7 +64,7 @@ impl Basis {
 /// Value at `x`, by Clenshaw's recurrence for the even and for the odd terms, side by side: each is a chain of operations
 /// that wait for one another, and half as long. `T_2k(x) = T_k(u)` and `T_2k+1(x) = x V_k(u)` with `u = 2 x² - 1` and the
 /// polynomials of the third kind, `V_0 = 1`, `V_1 = 2 u - 1`.
-pub(crate) fn value(series: &Series, x: f64) -> f64 {
+pub fn value(series: &Series, x: f64) -> f64 {
     let twice = 2.0 * (2.0 * x * x - 1.0);
     let (mut even, mut even_before) = (0.0, 0.0);
     let (mut odd, mut odd_before) = (0.0, 0.0);
@@ -77,7 +77,7 @@ pub(crate) fn value(series: &Series, x: f64) -> f64 {
 }
 
 /// Integral from -1, times `scale`.
-pub(crate) fn integral(series: &Series, scale: f64) -> Series {
+pub fn integral(series: &Series, scale: f64) -> Series {
     let at = |k: usize| if k < TERMS { series[k] } else { 0.0 };
     let mut sum = [0.0; TERMS];
     sum[1] = scale * (at(0) - 0.5 * at(2));
@@ -91,7 +91,7 @@ pub(crate) fn integral(series: &Series, scale: f64) -> Series {
 
 /// The series h with p(x) - p(r) = (x - r) h(x): division without cancellation near the root, from
 /// `x T_k = (T_{k+1} + T_{k-1})/2`.
-pub(crate) fn divided(p: &Series, r: f64) -> Series {
+pub fn divided(p: &Series, r: f64) -> Series {
     let mut h = [0.0; TERMS];
     for k in (2..TERMS).rev() {
         let above = if k + 1 < TERMS { h[k + 1] } else { 0.0 };
@@ -102,12 +102,12 @@ pub(crate) fn divided(p: &Series, r: f64) -> Series {
 }
 
 /// How much the last coefficients still matter: an upper estimate of what was left out.
-pub(crate) fn tail(series: &Series) -> f64 {
+pub fn tail(series: &Series) -> f64 {
     series[NODES - 1].abs() + series[NODES - 2].abs()
 }
 
 /// `Σ |c_k|` over k > 0: the value differs from the first coefficient by no more.
-pub(crate) fn swing(series: &Series) -> f64 {
+pub fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }
 
