@@ -26,8 +26,13 @@ pub(super) fn shipped(name: &str) -> Linkage {
 
 /// Every setting, each timed a little.
 pub(super) fn charted(name: &str) -> ChartData {
+    charted_of(&shipped(name))
+}
+
+/// The same of any scene.
+pub(super) fn charted_of(linkage: &Linkage) -> ChartData {
     let options = Options { rounds: 1, stage_seconds: 0.0, max_steps: 20_000, ..Options::THOROUGH };
-    chart(&shipped(name), &mut Ticks(0.0), options, &mut |_| ControlFlow::Continue(())).unwrap()
+    chart(linkage, &mut Ticks(0.0), options, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The rows of a method.
