@@ -40,7 +40,19 @@ pub struct PositionError {
     pub range: Option<[f64; 2]>,
 }
 
+/// Gaps from which on a length was probably written without its unit, m.
+const VAST: f64 = 10.0;
+
 impl PositionError {
+    fn unit_hint(&self) -> &'static str {
+        match self.source {
+            GroupError::NoAssembly { gap_m } if gap_m >= VAST => {
+                " and their units (a number without one is in meters)"
+            }
+            _ => "",
+        }
+    }
+
     /// A coordinate as a reader wants it: degrees or millimeters.
     fn show(&self, coordinate: f64) -> String {
         if self.angular {
@@ -64,7 +76,8 @@ impl std::fmt::Display for PositionError {
             }
             None => write!(
                 f,
-                "; it can't be assembled in the first position: check the lengths, or start elsewhere (`input.from`)"
+                "; it can't be assembled in the first position: check the lengths{}, or start elsewhere (`input.from`)",
+                self.unit_hint()
             ),
         }
     }

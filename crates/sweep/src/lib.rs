@@ -23,7 +23,7 @@
 //! | `failed_positions` | how many positions have no solution; then the columns below are empty: extremes over a part are none |
 //! | `smallest_health`, `smallest_health_at_*` | least dimensionless determinant of all groups; the coordinate |
 //! | `balancing_greatest_*`, `balancing_greatest_at_*` | greatest modulus of the balancing load; the coordinate |
-//! | `balancing_mean_*` | mean modulus over the positions |
+//! | `balancing_mean_*`, `balancing_mean_modulus_*` | mean over the positions, with its sign; mean of the modulus |
 //! | `reaction_<pair>_greatest_N` | greatest force that the pin or slide exerts on one of its links |
 //! | `reaction_<slide>_moment_greatest_Nm` | greatest modulus of its moment |
 //! | `<point>_x_min_m`, `_x_max_m`, `_y_min_m`, `_y_max_m` | extremes of the coordinates |

@@ -61,13 +61,15 @@ fn greatest(values: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
 }
 
 fn balancing(analysis: &Analysis, units: Units, cells: &mut Cells) {
-    let loads = || analysis.positions.iter().filter_map(|p| Some((p.coordinate, p.balancing?.abs())));
-    if let Some((at, load)) = greatest(loads()) {
+    let loads = || analysis.positions.iter().filter_map(|p| Some((p.coordinate, p.balancing?)));
+    if let Some((at, load)) = greatest(loads().map(|(at, load)| (at, load.abs()))) {
         let unit = units.balancing;
         cells.add(format!("balancing_greatest_{unit}"), load);
         cells.add(format!("balancing_greatest_at_{}", units.coordinate), at);
-        let sum: f64 = loads().map(|(_, load)| load).sum();
-        cells.add(format!("balancing_mean_{unit}"), sum / loads().count() as f64);
+        let count = loads().count() as f64;
+        let mean = |of: fn(f64) -> f64| loads().map(|(_, load)| of(load)).sum::<f64>() / count;
+        cells.add(format!("balancing_mean_{unit}"), mean(|load| load));
+        cells.add(format!("balancing_mean_modulus_{unit}"), mean(f64::abs));
     }
 }
 

@@ -1,6 +1,6 @@
 //! `assur plugins` and `assur motors`.
 
-use assur_motor::{Motor, MotorFilter, catalogues, list_motors, rpm};
+use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
 use assur_results::text::columns;
 use assur_scene::{Dimension, quantity};
 
@@ -46,10 +46,21 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     let mut rows = vec![header.map(String::from).to_vec()];
     rows.extend(motors.iter().map(|motor| row(motor, style)));
     output::print(&columns(&rows, style.ascii))?;
+    output::print(&remarks(&motors))?;
     if motors.is_empty() {
         style.tell("no motor fits");
     }
     Ok(Status::Done)
+}
+
+/// What the remarks of these motors mean, one line each, below the list.
+fn remarks(motors: &[&Motor]) -> String {
+    let mut flags: Vec<&str> = motors.iter().flat_map(|motor| &motor.flags).map(String::as_str).collect();
+    flags.sort_unstable();
+    flags.dedup();
+    let line = |flag: &str| flag_meaning(flag).map(|meaning| format!("  {flag}: {meaning}\n"));
+    let lines: String = flags.into_iter().filter_map(line).collect();
+    if lines.is_empty() { lines } else { format!("\nremarks\n{lines}") }
 }
 
 fn row(motor: &Motor, style: Style) -> Vec<String> {

@@ -15,8 +15,21 @@ use super::{output, scene};
 /// Steps of the progress.
 const STEPS: usize = 200;
 
+/// What the columns are, where their names don't say it.
+const COLUMNS: &str = "\
+Columns, SI, the unit in the name; empty where something does not apply:
+  KEY                    each parameter
+  status, message        ok, no assembly, no solution, error, refused; the first failure in words
+  smallest_health        least determinant of all groups over the positions; _at_: where
+  balancing_greatest     greatest modulus of the balancing load; _at_: where
+  balancing_mean         its mean with its sign; _mean_modulus: mean of the modulus
+  reaction_P_greatest    greatest force in the pair P; _moment_greatest: greatest moment of a slide
+  _min, _max, _travel    extremes over the positions
+  flywheel, ratio, ...   periodic regime and drive; end_...: last state of a transient motion";
+
 /// Arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
+#[command(after_help = COLUMNS)]
 pub(crate) struct SweepArgs {
     /// Scene file
     scene: PathBuf,

@@ -213,8 +213,8 @@ fn by_method(reached: &Reached) -> Vec<FlywheelByMethod> {
         FlywheelByMethod { method, formula, flywheel, difference: (flywheel - exact) / exact }
     };
     vec![
-        row("excess-work", "J = A/(w² δ), E eq. 10", found.excess),
-        row("excess-work-less-inertia", "J = A/(w² δ) less other inertia, E eq. 9", found.less_inertia),
+        row("excess-work", "J = A/(w² δ), A with a constant drive, E eq. 10", found.excess),
+        row("excess-work-less-inertia", "the same less other inertia, E eq. 9", found.less_inertia),
         row("mertsalov", "J = range(A - Jv w²/2)/(w² δ) less constant inertia", found.mertsalov),
         row("wittenbauer", "tangents of the energy-mass diagram, constant drive", found.wittenbauer),
         FlywheelByMethod {

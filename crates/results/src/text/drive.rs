@@ -39,12 +39,12 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
     let all = [
         ("Mean speed (greatest + least)/2", found.mean_speed, rate.name),
         ("Unevenness (greatest - least)/mean", found.unevenness, ""),
-        ("Excess work between least and greatest speed", found.excess_work, "J"),
+        ("Excess work between least and greatest speed, in this motion", found.excess_work, "J"),
         ("Dynamic unevenness (Artobolevsky)", found.dynamic_unevenness, ""),
         ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
         ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
         ("Constant moment of the drive", found.torque, moment),
-        ("Power that the motor needs", found.required_power, "W"),
+        ("Power that the motor needs, at the mean speed", found.required_power, "W"),
         ("Time of a cycle", Some(regime.cycle_time), "s"),
         ("A small change of the speed is multiplied over a cycle by", Some(regime.multiplier), ""),
     ];
@@ -220,7 +220,7 @@ fn flywheels(found: &Dynamics, page: &mut Page) {
             let off = one.difference.map_or_else(|| "-".to_owned(), |off| format!("{:.3}", 100.0 * off));
             vec![one.method.to_owned(), single(one.flywheel), off, one.formula.to_owned()]
         }));
-        page.caption("Flywheel by each method");
+        page.caption("Flywheel by each method (all but the exact one take a constant drive: another excess work A than above)");
         page.rows(&rows);
     }
     if !found.flywheel_places.is_empty() {
