@@ -60,6 +60,8 @@ impl Study {
             place: check.place,
             reason: check.reason.to_owned(),
             left_out: check.left_out,
+            why_left_out: check.why_left_out.to_owned(),
+            judged: check.judged,
             ok: check.ok,
         });
         ControlFlow::Continue(rows.collect())
@@ -198,6 +200,8 @@ pub(crate) fn row(
         place: place.to_owned(),
         reason: reason.to_owned(),
         left_out: 0,
+        why_left_out: String::new(),
+        judged: true,
         ok: residual <= limit,
     }
 }

@@ -3,7 +3,7 @@
 use assur_force::{Loads, Reactions, State};
 use assur_group::{Order, Wrench};
 
-use crate::forces::{SOLUTION, largest};
+use crate::forces::{NO_ANSWER, SOLUTION, largest};
 use crate::noise::{SAMPLES, SPACING, noise_of};
 use crate::subject::{Answer, Method, Solved, Subject};
 use crate::worst::{Check, Worst};
@@ -28,8 +28,8 @@ impl<'a> Agreement<'a> {
         Self { subject, loads, worst: Worst::new("agreement of the methods", reason) }
     }
 
-    pub(crate) fn leave_out(&mut self) {
-        self.worst.leave_out();
+    pub(crate) fn leave_out(&mut self, at: usize) {
+        self.worst.leave_out(at, NO_ANSWER);
     }
 
     pub(crate) fn into_check(self) -> Option<Check> {

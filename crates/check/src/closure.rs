@@ -13,8 +13,8 @@ const ROUNDINGS: f64 = 64.0;
 
 const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
 const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term in the mechanism (a slow \
-                      group carries the rounding of the fast one that drives it), across a change point those of the \
-                      interpolation's nodes";
+                      group carries the rounding of the fast one that drives it; a distance that of the places it is the \
+                      difference of), across a change point those of the interpolation's nodes";
 
 /// What a pair leaves open: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
@@ -36,15 +36,18 @@ pub(crate) fn checks<B>(
                 let size = sizes[order];
                 let limit = ROUNDINGS * f64::EPSILON * size * subject.bridged(one, order);
                 let unit = subject.unit(order, true);
-                worst[order].offer(one.index, open / unit, limit / unit, || {
+                worst[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
                 });
             }
         }
+        // What is interpolated knows nothing of a determinant.
+        let across = linkage.across(one.position.coordinate).is_some();
+        let turned = subject.bridged(one, 0) / if across { 1.0 } else { one.health };
         for (id, body) in bodies.iter().enumerate().skip(1) {
             // The direction of a link is a unit vector.
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
-            let limit = ROUNDINGS * f64::EPSILON * subject.bridged(one, 0) / one.health;
+            let limit = ROUNDINGS * f64::EPSILON * turned;
             worst[0].offer(one.index, off, limit, || {
                 format!("direction of link {}", linkage.mechanism.links[id].name)
             });
@@ -85,6 +88,11 @@ fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
 
 /// The point stays on the line, in the frame of the guide: the component n of the relative motion is zero in every order; and
 /// the bodies turn alike (their angles are compared as lengths at the arm of the point).
+///
+/// The distance d along the guide is the difference of two places, and small against them where guide and pins nearly meet;
+/// its rounding is that of the places. It is multiplied by w in the first order and by e + w² in the second, and the rounding
+/// of d' by 2 w. So these sizes count there, and not those of d and d' themselves: near a singular position w grows with the
+/// inverse of d, and what is multiplied by it must not be taken for smaller than it was rounded from.
 fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], angle: f64, tilt: f64) -> Gap {
     let (s, c) = angle.sin_cos();
     let along = [b.c * c - b.s * s, b.s * c + b.c * s];
@@ -99,8 +107,9 @@ fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], a
         dot(across, d[1]) - w * dot(along, d[0]),
         dot(across, d[2]) - 2.0 * w * dot(along, d[1]) - e * dot(along, d[0]) - w * w * dot(across, d[0]),
     ];
-    let (far, fast) = (d[0][0].hypot(d[0][1]), d[1][0].hypot(d[1][1]));
-    let extra = [far, w.abs() * far, 2.0 * w.abs() * fast + (e.abs() + w * w) * far];
+    let far = d[0][0].hypot(d[0][1]);
+    let own = [0, 1, 2].map(|k| size(a, point, k) + size(b, through, k));
+    let extra = [far, w.abs() * own[0], 2.0 * w.abs() * own[1] + (e.abs() + w * w) * own[0]];
     let (ts, tc) = tilt.sin_cos();
     let wanted = [along[0] * tc - along[1] * ts, along[1] * tc + along[0] * ts];
     // The angle, not its sine alone: a body turned by 180 degrees does not close.
@@ -108,8 +117,5 @@ fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], a
     let turns = [turn, a.w1 - b.w1, a.w2 - b.w2];
     let rates = [1.0, a.w1.abs() + b.w1.abs(), a.w2.abs() + b.w2.abs()];
     let lever = point[0].hypot(point[1]) + through[0].hypot(through[1]) + far;
-    [0, 1, 2].map(|k| {
-        let size = size(a, point, k) + size(b, through, k) + extra[k] + rates[k] * lever;
-        (open[k].abs().max(turns[k].abs() * lever), size)
-    })
+    [0, 1, 2].map(|k| (open[k].abs().max(turns[k].abs() * lever), own[k] + extra[k] + rates[k] * lever))
 }

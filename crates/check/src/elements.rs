@@ -1,7 +1,9 @@
 //! What has transfer functions: every named place on every moving link, centers of mass, links and slides.
 
+use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{LinkId, Place, SlideId};
+use assur_mechanism::{LinkId, Mechanism, Place, SlideId};
+use assur_number::Real;
 
 /// One element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +51,18 @@ impl Element {
         }
     }
 
+    /// The link that it is on; for a slide both.
+    pub(crate) fn links(self, linkage: &Linkage) -> [LinkId; 2] {
+        match self {
+            Self::Place(place, _) => [place.link; 2],
+            Self::Link(link) => [link; 2],
+            Self::Slide(id) => {
+                let slide = &linkage.mechanism.slides[id];
+                [slide.link, slide.on]
+            }
+        }
+    }
+
     /// Whether its PF0 is a length; otherwise an angle.
     pub(crate) fn is_length(self) -> bool {
         !matches!(self, Self::Link(_))
@@ -72,4 +86,43 @@ impl Element {
             }
         }
     }
+
+    /// The transfer functions written out once more, in any number. The place of a link is the sine of its angle from
+    /// `reference`: its derivative there is that of the angle.
+    pub(crate) fn wide_motion<T: Real>(
+        self,
+        mechanism: &Mechanism,
+        bodies: &[Body<T>],
+        reference: &[Body<T>],
+    ) -> [[T; 2]; 3] {
+        match self {
+            Self::Place(place, _) => place_motion(&bodies[place.link], place.at),
+            Self::Link(link) => {
+                let (body, from) = (&bodies[link], &reference[link]);
+                let sine = from.c * body.s - from.s * body.c;
+                [sine, body.w1, body.w2].map(|number| [number, T::ZERO])
+            }
+            Self::Slide(slide) => {
+                let found = &mechanism.slides[slide];
+                let carrier = &bodies[found.on];
+                let one = place_motion(&bodies[found.link], found.point);
+                let two = place_motion(carrier, found.through);
+                let d = [0, 1, 2].map(|k| [one[k][0] - two[k][0], one[k][1] - two[k][1]]);
+                let (s, c) = T::from_f64(found.angle).sin_cos();
+                let t = carrier.turned([c, s]);
+                let along = |d: [T; 2]| t[0] * d[0] + t[1] * d[1];
+                let across = |d: [T; 2]| t[0] * d[1] - t[1] * d[0];
+                // s = t d with t' = w n, t'' = e n - w² t.
+                let (w, e) = (carrier.w1, carrier.w2);
+                let first = along(d[1]) + w * across(d[0]);
+                let turned = (w * across(d[1])).twice() + e * across(d[0]) - w * w * along(d[0]);
+                [along(d[0]), first, along(d[2]) + turned].map(|number| [number, T::ZERO])
+            }
+        }
+    }
+}
+
+fn place_motion<T: Real>(body: &Body<T>, at: [f64; 2]) -> [[T; 2]; 3] {
+    let arm = body.arm(at.map(T::from_f64));
+    [[body.x + arm[0], body.y + arm[1]], body.first(arm), body.second(arm)]
 }

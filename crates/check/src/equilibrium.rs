@@ -4,7 +4,7 @@ use assur_force::{JointReaction, Reactions, UnitBalance};
 use assur_group::Wrench;
 use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 
-use crate::forces::{SOLUTION, largest};
+use crate::forces::{NO_ANSWER, SOLUTION, largest};
 use crate::subject::{Solved, Subject};
 use crate::worst::{Check, Worst};
 use crate::written::Items;
@@ -147,6 +147,14 @@ impl<'a> Equilibrium<'a> {
             let force = joint.forces.first().map_or([f64::NAN; 2], |(_, force)| *force);
             let off = (force[0] * along[0] + force[1] * along[1]).abs();
             self.guides.offer(one.index, off / unit, limit * one.condition, name);
+        }
+    }
+
+    pub(crate) fn leave_out(&mut self, at: usize) {
+        self.links.leave_out(at, NO_ANSWER);
+        self.joints.leave_out(at, NO_ANSWER);
+        if !self.subject.linkage.mechanism.slides.is_empty() {
+            self.guides.leave_out(at, NO_ANSWER);
         }
     }
 

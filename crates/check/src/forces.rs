@@ -19,6 +19,9 @@ const ROUNDINGS: f64 = 64.0;
 /// unit of the condition.
 pub(crate) const SOLUTION: f64 = 64.0;
 
+/// Why a position is left out where all methods refuse it.
+pub(crate) const NO_ANSWER: &str = "no method finds reactions there: the position is singular";
+
 pub(crate) fn checks<B>(
     subject: &Subject<'_>,
     loads: &Loads,
@@ -44,7 +47,9 @@ pub(crate) fn checks<B>(
         let answers = subject.answers(loads, one);
         let full = (0..answers.len()).find(|&i| subject.methods[i].gives_reactions && answers[i].is_some());
         let Some(reactions) = full.and_then(|i| answers[i].as_ref()) else {
-            agreement.leave_out();
+            agreement.leave_out(one.index);
+            equilibrium.leave_out(one.index);
+            power.leave_out(one.index);
             continue;
         };
         let load = items.values().map(|item| item.size).fold(0.0, f64::max);

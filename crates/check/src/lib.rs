@@ -8,6 +8,7 @@
 //! The limits of the element that comes closest to failing are shown; so `residual` and `limit` belong to each other.
 
 mod agreement;
+mod around;
 mod closure;
 mod differences;
 mod elements;
@@ -16,9 +17,11 @@ mod forces;
 mod kinetics;
 mod noise;
 mod power;
+mod stir;
 mod stroke;
 mod subject;
 mod test_pf;
+mod wide;
 mod worst;
 mod written;
 

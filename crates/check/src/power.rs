@@ -5,7 +5,7 @@ use assur_force::{Cause, JointReaction, Loads, Reactions, State, UnitBalance, po
 use assur_group::Wrench;
 use assur_mechanism::{Balance, InputPair, Mechanism, PairId};
 
-use crate::forces::SOLUTION;
+use crate::forces::{NO_ANSWER, SOLUTION};
 use crate::kinetics;
 use crate::subject::{Solved, Subject};
 use crate::worst::{Check, Worst};
@@ -113,19 +113,19 @@ impl<'a> Power<'a> {
         let unit = self.subject.coordinate_unit();
         let mechanism = &self.subject.linkage.mechanism;
         // J' is the sum of terms that cancel; their sizes are those of products of PF1 and PF2.
-        let mut slopes = 0.0;
-        for (link, body) in mechanism.links.iter().zip(&one.position.bodies).skip(1) {
-            let arm = body.arm(link.center);
-            let (v, a) = (body.first(arm), body.second(arm));
-            slopes += 2.0 * link.mass * v[0].hypot(v[1]) * a[0].hypot(a[1])
-                + 2.0 * link.inertia * (body.w1 * body.w2).abs();
-        }
+        let slopes = kinetics::slope_terms(mechanism, &one.position.bodies);
         let names = ["J", "J'", "Q"];
         for (k, size) in [mine[0], slopes + mine[0] / unit, sizes].into_iter().enumerate() {
             if size > 0.0 {
                 let off = (mine[k] - theirs[k]).abs() / size;
                 self.reduced.offer(one.index, off, SOLUTION * f64::EPSILON, || names[k].to_owned());
             }
+        }
+    }
+
+    pub(crate) fn leave_out(&mut self, at: usize) {
+        for worst in [&mut self.lagrange, &mut self.lever] {
+            worst.leave_out(at, NO_ANSWER);
         }
     }
 

@@ -7,13 +7,19 @@ mod differences;
 mod fixtures;
 mod mutants;
 mod mutations;
+mod near;
 mod random;
 mod singular;
 
 /// The report of a failure.
 fn show(all: &[Check]) -> String {
     let line = |c: &Check| {
-        let (verdict, at) = (if c.ok { "ok" } else { "FAILED" }, c.at);
+        let verdict = match (c.ok, c.judged) {
+            (true, _) => "ok",
+            (false, true) => "FAILED",
+            (false, false) => "not judged",
+        };
+        let at = c.at;
         format!("{:26} {:10.3e} {:10.3e} {at:?} {} {verdict}", c.name, c.residual, c.limit, c.place)
     };
     all.iter().map(line).collect::<Vec<_>>().join("\n")

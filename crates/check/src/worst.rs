@@ -15,11 +15,22 @@ pub struct Check {
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: &'static str,
-    /// Positions that the check had to leave out (too close to the end of assembly, or singular).
+    /// Positions that the check could not judge, at least not in full (too close to the end of assembly, or singular).
     pub left_out: usize,
-    /// Whether every residual keeps its limit.
+    /// Why, for the first of them; empty where all were judged.
+    pub why_left_out: &'static str,
+    /// Whether it says anything: a residual exceeds its limit, or one position at least could be judged in full. Otherwise it
+    /// is neither [`ok`](Self::ok) nor failed.
+    pub judged: bool,
+    /// Whether it says something, and every residual that could be judged keeps its limit.
     pub ok: bool,
 }
+
+/// Part of the size of what is compared up to which a limit judges: beyond, not even a wrong first digit would be noticed,
+/// and a residual below such a limit proves nothing.
+const JUDGES: f64 = 0.1;
+
+const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
 
 /// Part of its limit that a residual takes up; nothing of nothing is none.
 fn share(residual: f64, limit: f64) -> f64 {
@@ -28,11 +39,25 @@ fn share(residual: f64, limit: f64) -> f64 {
     if residual == 0.0 { -1.0 / limit } else { residual / limit }
 }
 
+/// One residual with its limit and where it is.
+#[derive(Debug)]
+struct Residual {
+    size: f64,
+    limit: f64,
+    at: usize,
+    place: String,
+}
+
 /// Collects the residuals of one check.
 #[derive(Debug)]
 pub(crate) struct Worst {
     check: Check,
     offers: usize,
+    /// The last position, and the last one that was left out, to count each once.
+    last: [Option<usize>; 2],
+    positions: usize,
+    /// What has the widest limit of all that could not be judged.
+    widest: Option<Residual>,
 }
 
 impl Worst {
@@ -45,40 +70,83 @@ impl Worst {
             place: String::new(),
             reason,
             left_out: 0,
+            why_left_out: "",
+            judged: false,
             ok: true,
         };
-        Self { check, offers: 0 }
+        Self { check, offers: 0, last: [None; 2], positions: 0, widest: None }
     }
 
-    /// Adds a residual with its own limit; `place` is called for the worst so far only.
+    /// Adds a residual with its own limit, both in parts of what is compared; `place` is called for the worst so far only.
     pub(crate) fn offer(&mut self, at: usize, residual: f64, limit: f64, place: impl FnOnce() -> String) {
-        self.offers += 1;
+        self.offer_of(at, residual, limit, 1.0, place);
+    }
+
+    /// The same where what is compared has another size. A limit too wide for that size judges only what exceeds even it.
+    pub(crate) fn offer_of(
+        &mut self,
+        at: usize,
+        residual: f64,
+        limit: f64,
+        size: f64,
+        place: impl FnOnce() -> String,
+    ) {
         // NaN keeps no limit; the comparison is written so that it fails.
         let holds = residual <= limit;
+        if holds && limit > JUDGES * size {
+            self.leave_out(at, TOO_WIDE);
+            if self.widest.as_ref().is_none_or(|widest| limit > widest.limit) {
+                self.widest = Some(Residual { size: residual, limit, at, place: place() });
+            }
+            return;
+        }
+        self.enter(at);
+        self.offers += 1;
         let worse = match (self.check.ok, holds) {
             (true, false) => true,
             (false, true) => false,
             _ => self.offers == 1 || share(residual, limit) > share(self.check.residual, self.check.limit),
         };
         if worse {
-            self.check = Check {
-                residual,
-                limit,
-                at: Some(at),
-                place: place(),
-                ok: self.check.ok && holds,
-                ..self.check.clone()
-            };
+            let ok = self.check.ok && holds;
+            self.check = Check { residual, limit, at: Some(at), place: place(), ok, ..self.check.clone() };
         }
     }
 
-    /// Notes that a position had to be left out.
-    pub(crate) fn leave_out(&mut self) {
-        self.check.left_out += 1;
+    /// Counts positions; each check goes through them in order.
+    fn enter(&mut self, at: usize) {
+        if self.last[0] != Some(at) {
+            self.last[0] = Some(at);
+            self.positions += 1;
+        }
     }
 
-    /// The check, if anything was compared.
+    /// Notes that a position could not be judged, and why.
+    pub(crate) fn leave_out(&mut self, at: usize, why: &'static str) {
+        self.enter(at);
+        if self.last[1] == Some(at) {
+            return;
+        }
+        self.last[1] = Some(at);
+        self.check.left_out += 1;
+        if self.check.why_left_out.is_empty() {
+            self.check.why_left_out = why;
+        }
+    }
+
+    /// The check, if it applied anywhere.
     pub(crate) fn into_check(self) -> Option<Check> {
-        (self.offers > 0).then_some(self.check)
+        let Self { check, positions, widest, .. } = self;
+        if positions == 0 {
+            return None;
+        }
+        let judged = !check.ok || positions > check.left_out;
+        let ok = judged && check.ok;
+        Some(match widest.filter(|_| !judged) {
+            Some(Residual { size: residual, limit, at, place }) => {
+                Check { residual, limit, at: Some(at), place, judged, ok, ..check }
+            }
+            None => Check { judged, ok, ..check },
+        })
     }
 }

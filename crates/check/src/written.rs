@@ -9,6 +9,10 @@ use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Sprin
 use crate::stroke::{At, Extremes, extremes, sizes};
 use crate::subject::Subject;
 
+/// Distance of a rest in the coordinate, rad or m, that is none: a coordinate of a few turns is rounded by 1e-15, and an end of
+/// assembly, where PF1 grows with the root of the distance, is found to the same.
+const REST: f64 = 2e-12;
+
 /// One load on one link.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Item {
@@ -181,6 +185,12 @@ impl<'a> Writer<'a> {
                 // At rest up to rounding: nothing, or any direction.
                 if now.state.speed == 0.0 || speed <= 1e-11 * parts {
                     return self.at(body, force.at.at, given, given[0].hypot(given[1]));
+                }
+                let bend = body.second(arm);
+                // The velocity passes zero closer, in the coordinate, than coordinates are told apart: a rest may be taken.
+                let idle = given[0].hypot(given[1]) == 0.0;
+                if idle && speed <= REST * bend[0].hypot(bend[1]) {
+                    return self.at(body, force.at.at, given, 0.0);
                 }
                 terms += parts / speed;
                 v.map(|v| -v / speed * now.state.speed.signum())

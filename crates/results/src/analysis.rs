@@ -49,7 +49,7 @@ impl Analysis {
 
     /// Whether a position, the motion, or a check, failed.
     pub fn failed(&self) -> bool {
-        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(|check| !check.ok)
+        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(CheckRow::failed)
     }
 }
 
@@ -92,8 +92,21 @@ pub struct CheckRow {
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: String,
-    /// Positions that had to be left out.
+    /// Positions that could not be judged, at least not in full.
     pub left_out: usize,
-    /// Whether it holds.
+    /// Why, for the first of them.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub why_left_out: String,
+    /// Whether it says anything: something failed, or one position at least could be judged in full. Otherwise it is neither
+    /// `ok` nor failed.
+    pub judged: bool,
+    /// Whether it says something, and everything that could be judged holds.
     pub ok: bool,
+}
+
+impl CheckRow {
+    /// Whether something exceeds its limit. A check that could not judge anything does not fail.
+    pub fn failed(&self) -> bool {
+        self.judged && !self.ok
+    }
 }

@@ -1,6 +1,6 @@
 //! `assur check`.
 
-use assur_results::text;
+use assur_results::{CheckRow, text};
 
 use super::args::SceneArgs;
 use super::fault::{Fault, Status};
@@ -12,12 +12,12 @@ pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     let study = scene::whole_study(args, style)?;
     let checks = study.checks();
     output::print(&text::checks(&checks, style.ascii))?;
-    for check in checks.iter().filter(|check| !check.ok) {
+    for check in checks.iter().filter(|check| check.failed()) {
         style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
     }
     let failures = study.failures();
     analyze::tell_failures(&failures, style);
     analyze::tell_no_motion(study.no_motion.as_deref(), style);
-    let holds = failures.is_empty() && study.no_motion.is_none() && checks.iter().all(|check| check.ok);
+    let holds = failures.is_empty() && study.no_motion.is_none() && !checks.iter().any(CheckRow::failed);
     Ok(if holds { Status::Done } else { Status::Failed })
 }

@@ -17,7 +17,7 @@ pub(super) struct Slip {
     keeps: bool,
 }
 
-const NONE: Slip =
+pub(super) const NONE: Slip =
     Slip { name: "none", place: |_| (), first: |_| (), second: |_| (), reaction: |_| (), keeps: false };
 
 pub(super) const SLIPS: [Slip; 18] = [

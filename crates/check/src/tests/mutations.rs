@@ -30,7 +30,7 @@ fn states(linkage: &Linkage) -> Vec<State> {
 }
 
 /// Names of the checks that fail; "no assembly" where a position can't be solved any more, which stops the program.
-fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<Method<'_>>) -> Vec<&'static str> {
+pub(super) fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<Method<'_>>) -> Vec<&'static str> {
     let subject = Subject { linkage, loads: Some(loads), states: states(linkage), methods };
     let all: Vec<Check> = subject.checks();
     let mut failed: Vec<_> = all.iter().filter(|check| !check.ok).map(|check| check.name).collect();
@@ -43,7 +43,7 @@ fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<Method<'_>>) -> Vec<&'s
 }
 
 /// Everything that a kernel calculates over the positions, to tell a mistake from one without effect.
-fn everything(linkage: &Linkage, loads: &Loads) -> Vec<f64> {
+pub(super) fn everything(linkage: &Linkage, loads: &Loads) -> Vec<f64> {
     let mut numbers = Vec::new();
     let mut position = linkage.position();
     let groups = assur_force::find("groups").unwrap().instance;
@@ -66,7 +66,7 @@ fn everything(linkage: &Linkage, loads: &Loads) -> Vec<f64> {
 }
 
 /// Whether two results differ by more than rounding.
-fn differs(sound: &[f64], other: &[f64]) -> bool {
+pub(super) fn differs(sound: &[f64], other: &[f64]) -> bool {
     let off = sound.iter().zip(other).map(|(a, b)| (a - b).abs());
     sound.len() != other.len() || off.fold(0.0, f64::max) > 1e-9
 }

@@ -1,7 +1,7 @@
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PointId, Range};
-use assur_specimen::{Kind, Recipe};
+use assur_specimen::{Kind, Recipe, Rng};
 
 use super::{checks, hold, show};
 
@@ -23,6 +23,45 @@ fn every_check_holds_on_random_mechanisms() {
         compared += usize::from(all.iter().any(|check| check.name == "agreement of the methods"));
     }
     assert!(compared > 150, "only {compared} of the specimens had forces");
+}
+
+/// A mechanism with one point moved by up to half of its size; many no longer turn fully.
+fn changed(seed: u64) -> Option<Linkage> {
+    let mut mechanism = specimen(seed);
+    let mut rng = Rng::new(seed);
+    let point = rng.below(mechanism.points.len());
+    let shift = [rng.signed(0.0, 0.5), rng.signed(0.0, 0.5)];
+    let place = mechanism.points[point].places.last_mut()?;
+    place.at = [place.at[0] + shift[0], place.at[1] + shift[1]];
+    Linkage::compile(mechanism).ok()
+}
+
+#[test]
+fn no_check_fails_on_random_mechanisms_next_to_the_ends_of_their_assembly() {
+    let mut checked = 0;
+    for seed in 0..80 {
+        let Some(linkage) = changed(seed) else { continue };
+        let Some(range) = linkage.range.filter(|range| !range.full) else { continue };
+        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        for (end, side) in [(range.low, 1.0), (range.high, -1.0)] {
+            for power in [2, 4, 6, 8, 10, 12] {
+                let mut mechanism = linkage.mechanism.clone();
+                let to = end + side * 0.1_f64.powi(power) * unit;
+                // The assembly is that of the first position: the positions run from there to the end.
+                (mechanism.input.range, mechanism.input.positions) = (Range::To(to), 2);
+                let Ok(near) = Linkage::compile(mechanism) else { continue };
+                let all = checks(&near);
+                assert!(
+                    all.iter().all(|check| check.ok || !check.judged),
+                    "seed {seed}, 1e-{power} from {end}\n{}\n{}",
+                    show(&all),
+                    assur_specimen::scene_text(&near.mechanism)
+                );
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 200, "only {checked} were checked");
 }
 
 /// A link that is joined to the ground by one pin alone.

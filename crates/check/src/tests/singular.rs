@@ -14,24 +14,20 @@ fn near_the_end(distance: f64) -> String {
 }
 
 #[test]
-fn sound_results_pass_up_to_the_end_of_assembly_and_the_limit_grows() {
-    let mut before = 0.0;
-    for power in 1..=7 {
+fn sound_results_pass_up_to_the_end_of_assembly() {
+    for power in 1..=12 {
         let all = checks(&scene(&near_the_end(0.1_f64.powi(power))));
         assert!(hold(&all), "10^-{power} rad from the end\n{}", show(&all));
-        let Some(second) = all.iter().find(|check| check.name == "TestPf PF2") else { continue };
-        assert!(second.limit > before, "10^-{power} rad from the end: {:e} after {before:e}", second.limit);
-        before = second.limit;
+        assert!(all.iter().any(|check| check.name == "TestPf PF2"));
     }
-    assert!(before > 1e-9);
 }
 
 #[test]
-fn positions_without_room_for_differences_are_left_out_and_counted() {
-    let all = checks(&scene(&near_the_end(2e-8)));
-    let test_pf = all.iter().find(|check| check.name == "TestPf PF1");
-    // Both positions lie closer to the end than the least step.
-    assert!(test_pf.is_none_or(|check| check.left_out > 0), "{}", show(&all));
+fn positions_that_are_hardly_determined_are_left_out_and_counted() {
+    // The derivatives are numbers still, but not a digit of theirs is sure.
+    let all = checks(&scene(&near_the_end(2e-13)));
+    let test_pf = all.iter().find(|check| check.name == "TestPf PF2").unwrap();
+    assert!(test_pf.left_out > 0 && !test_pf.why_left_out.is_empty(), "{}", show(&all));
     assert!(all.iter().any(|check| check.name == "closure PF2"));
 }
 

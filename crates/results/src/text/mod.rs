@@ -66,7 +66,8 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
     page.finish()
 }
 
-/// The checks, one line each: name, largest residual, where, limit, ok or FAILED.
+/// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what
+/// was not judged, and why.
 pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
     let mut rows =
         vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
@@ -77,10 +78,36 @@ pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
             check.at.map_or_else(|| "-".to_owned(), |at| at.to_string()),
             if check.place.is_empty() { "-".to_owned() } else { check.place.clone() },
             scientific(check.limit),
-            if check.ok { "ok" } else { "FAILED" }.to_owned(),
+            verdict(check).to_owned(),
         ]
     }));
-    columns(&rows, ascii)
+    let lines = not_judged(checks).iter().map(|line| wrapped(line, 2, ascii)).collect::<String>();
+    columns(&rows, ascii) + &lines
+}
+
+fn verdict(check: &CheckRow) -> &'static str {
+    match (check.failed(), check.judged) {
+        (true, _) => "FAILED",
+        (false, true) => "ok",
+        (false, false) => "not judged",
+    }
+}
+
+/// In how many positions which checks could not judge, and why: one sentence for those that have both in common.
+pub fn not_judged(checks: &[CheckRow]) -> Vec<String> {
+    let mut kinds: Vec<(usize, &str, Vec<&str>)> = Vec::new();
+    for check in checks.iter().filter(|check| check.left_out > 0) {
+        let (count, why) = (check.left_out, check.why_left_out.as_str());
+        match kinds.iter_mut().find(|kind| (kind.0, kind.1) == (count, why)) {
+            Some((_, _, names)) => names.push(&check.name),
+            None => kinds.push((count, why, vec![&check.name])),
+        }
+    }
+    let sentence = |(count, why, names): (usize, &str, Vec<&str>)| {
+        let positions = if count == 1 { "position" } else { "positions" };
+        format!("not judged in {count} {positions}: {}: {why}", names.join(", "))
+    };
+    kinds.into_iter().map(sentence).collect()
 }
 
 /// Broken into lines of the report's width, the ones after the first `indent` columns in.

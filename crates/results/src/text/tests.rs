@@ -39,3 +39,37 @@ fn words_break_at_the_width_and_are_never_lost() {
     );
     assert_eq!(text.split_whitespace().count(), 60);
 }
+
+fn check(name: &str, left_out: usize, judged: bool, ok: bool) -> crate::CheckRow {
+    crate::CheckRow {
+        name: name.to_owned(),
+        residual: 1e-12,
+        limit: 1e-9,
+        at: Some(3),
+        place: "link rod".to_owned(),
+        reason: String::new(),
+        left_out,
+        why_left_out: if left_out > 0 { "too close".to_owned() } else { String::new() },
+        judged,
+        ok,
+    }
+}
+
+#[test]
+fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
+    let rows = [
+        check("closure", 0, true, true),
+        check("PF1", 2, true, true),
+        check("PF2", 2, false, false),
+        check("J", 1, true, false),
+    ];
+    let text = super::checks(&rows, false);
+    let words: Vec<_> = text.lines().skip(2).take(4).map(|line| line.rsplit("  ").next().unwrap()).collect();
+    assert_eq!(words, ["ok", "ok", "not judged", "FAILED"]);
+    let below: Vec<_> = text.lines().skip(6).collect();
+    assert_eq!(
+        below,
+        ["not judged in 2 positions: PF1, PF2: too close", "not judged in 1 position: J: too close"]
+    );
+    assert_eq!(rows.map(|row| row.failed()), [false, false, false, true]);
+}

@@ -45,6 +45,10 @@ fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &
         let cut = Rect { width: (end - 1).min(area.width), ..area };
         put(buffer, cut, column, 0, text, style);
     }
-    let (word, role) = if check.ok { (state.texts.ok, Role::Good) } else { (state.texts.failed, Role::Bad) };
+    let (word, role) = match (check.failed(), check.judged) {
+        (true, _) => (state.texts.failed, Role::Bad),
+        (false, true) => (state.texts.ok, Role::Good),
+        (false, false) => (state.texts.unjudged, Role::Dim),
+    };
     put(buffer, area, WORD, 0, word, theme.style(role));
 }

@@ -1,0 +1,115 @@
+//! What rounding does to the numbers of a position: the chain is solved in about 32 digits with every datum off by a rounding
+//! unit of f64, and the deviation of each number is its true amplification.
+//!
+//! A backward stable calculation gives the exact answer to data that are off by a few rounding units. Its error is then
+//! (rounding units) x (amplification), whatever the mechanism, and near a singular position it grows as it must: the
+//! amplification is not a power of the determinant that somebody guessed, but what the equations themselves do. It does not
+//! look at the calculated numbers, so a mistake in these can't widen its own limit.
+//!
+//! Data of a group are the places of its pairs in its links, and the motion of the bodies that it hangs on, which carry the
+//! rounding of whatever placed them.
+
+use assur_group::{Body, Pair, PairGeometry};
+use assur_kinematics::Linkage;
+use assur_number::{Dd, Real};
+use assur_structure::Structure;
+
+/// Relative size of a stir: a rounding unit.
+const STIR: f64 = f64::EPSILON;
+
+/// Stirs in random directions; the greatest effect counts.
+pub(crate) const TRIALS: u64 = 4;
+
+/// Off by a stir, in a random direction.
+#[derive(Debug)]
+pub(crate) struct Stir {
+    /// Distance of the farthest pair from the origin of each link, m: places are rounded in the sizes of these, too.
+    reach: Vec<f64>,
+    state: u64,
+}
+
+impl Stir {
+    pub(crate) fn new(linkage: &Linkage) -> Self {
+        let mut reach = vec![0.0_f64; linkage.structure.links];
+        for named in &linkage.structure.pairs {
+            let (a, b) = match named.pair.geometry {
+                PairGeometry::Pin { at_a, at_b } => (at_a, at_b),
+                PairGeometry::Slide { point, through, .. } => (point, through),
+            };
+            for (link, at) in [(named.pair.a, a), (named.pair.b, b)] {
+                reach[link] = reach[link].max(at[0].hypot(at[1]));
+            }
+        }
+        Self { reach, state: 0 }
+    }
+
+    /// Begins a trial.
+    pub(crate) fn begin(&mut self, trial: u64) {
+        self.state = trial + 1;
+    }
+
+    /// A stir or its opposite, the next bit of a linear congruential generator (Knuth's MMIX).
+    fn next(&mut self) -> f64 {
+        self.state =
+            self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        if self.state >> 63 == 0 { STIR } else { -STIR }
+    }
+
+    /// The lengths and angles of all groups, each off by a stir.
+    pub(crate) fn lengths(&mut self, structure: &Structure) -> Structure {
+        let mut stirred = structure.clone();
+        for group in &mut stirred.groups {
+            for pair in group.frame.inner.iter_mut().chain(&mut group.frame.outer) {
+                self.pair(pair);
+            }
+        }
+        stirred
+    }
+
+    fn pair(&mut self, pair: &mut Pair) {
+        let (points, angles) = match &mut pair.geometry {
+            PairGeometry::Pin { at_a, at_b } => ([at_a, at_b], None),
+            PairGeometry::Slide { point, through, angle, tilt } => ([point, through], Some([angle, tilt])),
+        };
+        for number in points.into_iter().flatten() {
+            *number += self.next() * number.abs();
+        }
+        for angle in angles.into_iter().flatten() {
+            // Cosine and sine are rounded in their own sizes, which turns the direction by so much.
+            *angle += self.next() * angle.abs().min(1.0);
+        }
+    }
+
+    /// The ground is at rest exactly, but its pins and guides are data.
+    pub(crate) fn ground(&mut self, body: &mut Body<Dd>) {
+        self.place(body, 0);
+    }
+
+    /// Stirs a link: each of its numbers by the size of the terms that made it.
+    pub(crate) fn link(&mut self, body: &mut Body<Dd>, link: usize) {
+        self.place(body, link);
+        let reach = self.reach[link];
+        let [x1, y1, w1, x2, y2, w2] =
+            [body.x1, body.y1, body.w1, body.x2, body.y2, body.w2].map(|number| number.to_f64().abs());
+        let (first, turn) = (x1 + y1 + w1 * reach, w2 + w1 * w1);
+        let second = x2 + y2 + turn * reach;
+        for (number, size) in [
+            (&mut body.x1, first),
+            (&mut body.y1, first),
+            (&mut body.w1, w1),
+            (&mut body.x2, second),
+            (&mut body.y2, second),
+            (&mut body.w2, turn),
+        ] {
+            *number += Dd::from_f64(self.next() * size);
+        }
+    }
+
+    fn place(&mut self, body: &mut Body<Dd>, link: usize) {
+        let size = body.x.to_f64().abs() + body.y.to_f64().abs() + self.reach[link];
+        body.x += Dd::from_f64(self.next() * size);
+        body.y += Dd::from_f64(self.next() * size);
+        let turn = Dd::from_f64(self.next());
+        (body.c, body.s) = (body.c - turn * body.s, body.s + turn * body.c);
+    }
+}
