@@ -30,6 +30,26 @@ pub struct Body<T> {
     pub w2: T,
 }
 
+impl<T: Copy> Body<T> {
+    /// All numbers in the order of the fields.
+    #[inline]
+    pub fn numbers(&self) -> [T; 10] {
+        [self.x, self.y, self.c, self.s, self.x1, self.y1, self.w1, self.x2, self.y2, self.w2]
+    }
+
+    /// From all numbers in the order of the fields.
+    #[inline]
+    pub fn of_numbers([x, y, c, s, x1, y1, w1, x2, y2, w2]: [T; 10]) -> Self {
+        Self { x, y, c, s, x1, y1, w1, x2, y2, w2 }
+    }
+
+    /// The same in another kind of number.
+    #[inline]
+    pub fn map<U: Copy>(&self, number: impl FnMut(T) -> U) -> Body<U> {
+        Body::of_numbers(self.numbers().map(number))
+    }
+}
+
 impl<T: Real> Body<T> {
     /// The ground: at the origin, at rest.
     pub fn ground() -> Self {

@@ -6,7 +6,7 @@ use assur_mechanism::Mechanism;
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::wide::{Wide, converted};
+use crate::wide::Wide;
 use crate::{Chain, ChainError};
 
 /// Places nearer than this (in parts of the scale) are one: near a change point the wanted places decide by less than
@@ -61,7 +61,7 @@ pub(crate) fn first_ways(
         {
             // A gap that is rounding only: the place of 16 digits must do.
             for &link in links {
-                extended[link] = converted(&bodies[link], Dd::from_f64);
+                extended[link] = bodies[link].map(Dd::from_f64);
             }
         }
     }

@@ -136,7 +136,11 @@ impl Patch {
             let x = if i < count { square.sqrt() } else { -square.sqrt() };
             let (bodies, _) = solve(place(center, x * reach))?;
             let sign = if (i % count).is_multiple_of(2) { 1.0 } else { -1.0 };
-            Some(Node { x, weight: sign * sine / x, bodies: bodies.iter().map(rounded).collect() })
+            Some(Node {
+                x,
+                weight: sign * sine / x,
+                bodies: bodies.iter().map(|body| body.map(Real::to_f64)).collect(),
+            })
         };
         let nodes = (0..2 * count).map(node).collect::<Option<Vec<_>>>()?;
         let (_, beside) = solve(place(center, reach))?;
@@ -154,8 +158,8 @@ impl Patch {
             let (exact, _) = solve(place(center, x * self.reach))?;
             let weights = self.weights(x);
             for (i, exact) in exact.iter().enumerate() {
-                let found = numbers(&self.blend(&weights, i));
-                for (k, (exact, found)) in numbers(exact).into_iter().zip(found).enumerate() {
+                let found = self.blend(&weights, i).numbers();
+                for (k, (exact, found)) in exact.numbers().into_iter().zip(found).enumerate() {
                     let order = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2][k];
                     sizes[order] = sizes[order].max(exact.to_f64().abs());
                     misses[order] = misses[order].max((Dd::from_f64(found) - exact).to_f64().abs());
@@ -223,26 +227,17 @@ impl Patch {
     fn blend(&self, weights: &[f64; MOST_NODES], body: usize) -> Body<f64> {
         let mut sum = [0.0; 10];
         for (weight, node) in weights.iter().zip(&self.nodes) {
-            for (total, value) in sum.iter_mut().zip(numbers(&node.bodies[body])) {
+            for (total, value) in sum.iter_mut().zip(node.bodies[body].numbers()) {
                 *total += weight * value;
             }
         }
-        let [x, y, c, s, x1, y1, w1, x2, y2, w2] = sum;
-        let length = c.hypot(s);
-        Body { x, y, c: c / length, s: s / length, x1, y1, w1, x2, y2, w2 }
+        let body = Body::of_numbers(sum);
+        let length = body.c.hypot(body.s);
+        Body { c: body.c / length, s: body.s / length, ..body }
     }
 }
 
 /// The sum without rounding.
 fn place(center: f64, offset: f64) -> Dd {
     Dd::from_f64(center) + Dd::from_f64(offset)
-}
-
-fn numbers<T: Copy>(b: &Body<T>) -> [T; 10] {
-    [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2]
-}
-
-fn rounded(body: &Body<Dd>) -> Body<f64> {
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body).map(Real::to_f64);
-    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
 }

@@ -1,6 +1,6 @@
 //! Finds what the motion does around every change point of a mechanism.
 
-use assur_group::{Body, Order};
+use assur_group::Order;
 use assur_mechanism::{InputPair, Mechanism};
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
@@ -9,20 +9,18 @@ use crate::Chain;
 use crate::assembly::Ways;
 use crate::patch::{Meeting, Patch, Solved};
 use crate::seeds::Seeds;
+use crate::wide::Wide;
 
 /// A patch for each group around each of its change points, where the surroundings can be solved.
 pub(crate) fn patches(
     mechanism: &Mechanism,
     structure: &Structure,
-    chain: &Chain<f64>,
+    (chain, wide): (&Chain<f64>, Option<&Wide>),
     ways: &Ways,
     seeds: Option<&Seeds>,
 ) -> Vec<Patch> {
-    if ways.changes.is_empty() {
-        return Vec::new();
-    }
-    let Ok(extended) = Chain::<Dd>::compile(mechanism, structure) else { return Vec::new() };
-    let around = Around { chain, extended, ways, seeds };
+    let Some(wide) = wide.filter(|_| !ways.changes.is_empty()) else { return Vec::new() };
+    let around = Around { chain, extended: &wide.chain, ways, seeds };
     let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
     let turns = ways.period.map(|period| period / std::f64::consts::TAU);
     let sample = |&(center, group): &(f64, usize)| {
@@ -55,7 +53,7 @@ fn before(structure: &Structure, group: usize) -> Vec<bool> {
 /// Solves the surroundings of change points in 32 digits.
 struct Around<'a> {
     chain: &'a Chain<f64>,
-    extended: Chain<Dd>,
+    extended: &'a Chain<Dd>,
     ways: &'a Ways,
     seeds: Option<&'a Seeds>,
 }
@@ -67,7 +65,7 @@ impl Around<'_> {
         if let Some(seeds) = self.seeds {
             seeds.put(q.to_f64(), &mut guess);
         }
-        let mut bodies: Vec<_> = guess.iter().map(lifted).collect();
+        let mut bodies: Vec<_> = guess.iter().map(|body| body.map(Dd::from_f64)).collect();
         self.extended.set_input(q, &mut bodies);
         let ways = self.ways.at(q.to_f64());
         let mut health = Dd::ZERO;
@@ -78,11 +76,4 @@ impl Around<'_> {
         let links = self.extended.groups[group].frame().links.iter();
         Some((links.map(|link| bodies[*link]).collect(), health))
     }
-}
-
-/// The same numbers in 32 digits.
-fn lifted(body: &Body<f64>) -> Body<Dd> {
-    let Body { x, y, c, s, x1, y1, w1, x2, y2, w2 } = *body;
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = [x, y, c, s, x1, y1, w1, x2, y2, w2].map(Dd::from_f64);
-    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
 }

@@ -65,7 +65,7 @@ pub(crate) fn walk(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f
         InputPair::Pin(_) => walker.turn(from, &first),
         InputPair::Slide(_) => walker.slide(mechanism, structure.scale, &first),
     };
-    let patches = patches(mechanism, structure, chain, &ways, seeds.as_ref());
+    let patches = patches(mechanism, structure, (chain, wide.as_ref()), &ways, seeds.as_ref());
     Walked { ways, range: Some(range), failure: None, patches, seeds, ends }
 }
 

@@ -10,26 +10,10 @@ use assur_structure::Structure;
 
 use crate::Chain;
 
-/// Poses and derivatives in the other precision.
-pub(crate) fn converted<A: Real, B: Real>(body: &Body<A>, number: impl Fn(A) -> B) -> Body<B> {
-    Body {
-        x: number(body.x),
-        y: number(body.y),
-        c: number(body.c),
-        s: number(body.s),
-        x1: number(body.x1),
-        y1: number(body.y1),
-        w1: number(body.w1),
-        x2: number(body.x2),
-        y2: number(body.y2),
-        w2: number(body.w2),
-    }
-}
-
 /// The chain in double-double.
 #[derive(Debug)]
 pub(crate) struct Wide {
-    chain: Chain<Dd>,
+    pub(crate) chain: Chain<Dd>,
 }
 
 impl Wide {
@@ -45,7 +29,7 @@ impl Wide {
 
     /// Bodies in this precision; the input link is placed anew, its direction to all digits.
     pub(crate) fn bodies(&self, q: Dd, from: &[Body<f64>]) -> Vec<Body<Dd>> {
-        let mut bodies: Vec<_> = from.iter().map(|body| converted(body, Dd::from_f64)).collect();
+        let mut bodies: Vec<_> = from.iter().map(|body| body.map(Dd::from_f64)).collect();
         self.chain.set_input(q, &mut bodies);
         bodies
     }

@@ -249,8 +249,7 @@ impl<'a, T: Number> ByGroups<'a, T> {
 
 /// A body in another number.
 fn to<T: Real>(body: &Body<f64>) -> Body<T> {
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = super::ruler::numbers(body).map(T::from_f64);
-    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
+    body.map(T::from_f64)
 }
 
 impl<T: Number> Contestant for ByGroups<'_, T> {

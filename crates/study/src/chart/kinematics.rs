@@ -11,7 +11,6 @@ use assur_kinematics::{Chain, Linkage, Position};
 use assur_number::{Dd, F64x4, Real};
 
 use super::entry::{Contestant, Entry, Field, Verdict};
-use super::ruler::numbers;
 use super::work::Work;
 use super::{ChartError, Options, Row, Setting, Stage, Unit};
 
@@ -54,7 +53,7 @@ fn groups_of(linkage: &Linkage) -> u64 {
 
 /// The ten numbers of each body, exactly, in extended precision.
 fn extended<T: Real>(bodies: &[Body<T>]) -> Vec<[Dd; 10]> {
-    bodies.iter().map(|body| numbers(body).map(|x| Dd::from_f64(x.to_f64()))).collect()
+    bodies.iter().map(|body| body.numbers().map(|x| Dd::from_f64(x.to_f64()))).collect()
 }
 
 /// The program's own positions.

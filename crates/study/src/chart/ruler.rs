@@ -3,12 +3,8 @@
 use assur_group::Body;
 use assur_number::{Dd, Real};
 
-/// The ten numbers of a body, and which quantity each belongs to.
-pub(crate) fn numbers<T: Copy>(body: &Body<T>) -> [T; 10] {
-    [body.x, body.y, body.c, body.s, body.x1, body.y1, body.w1, body.x2, body.y2, body.w2]
-}
-
-/// Place, direction, PF1 and PF2 of the origin, PF1 and PF2 of the angle.
+/// Of each number of a body, which quantity it belongs to:
+/// place, direction, PF1 and PF2 of the origin, PF1 and PF2 of the angle.
 const QUANTITY: [usize; 10] = [0, 0, 1, 1, 2, 2, 3, 4, 4, 5];
 
 /// A quantity below this part of its natural size is zero.
@@ -26,7 +22,7 @@ impl Ruler {
     pub(crate) fn new<'a>(positions: impl Iterator<Item = &'a [Body<Dd>]>, scale: f64) -> Self {
         let mut sizes: [f64; 6] = [scale, 1.0, 0.0, 0.0, 0.0, 0.0];
         for body in positions.flatten() {
-            let all = numbers(body);
+            let all = body.numbers();
             for (value, quantity) in all.into_iter().zip(QUANTITY).skip(4) {
                 sizes[quantity] = sizes[quantity].max(value.to_f64().abs());
             }
@@ -49,7 +45,7 @@ impl Ruler {
     pub(crate) fn deviation(&self, reference: &[Body<Dd>], found: impl Iterator<Item = [Dd; 10]>) -> f64 {
         let mut worst = 0.0;
         for (right, got) in reference.iter().zip(found) {
-            for ((a, b), quantity) in numbers(right).into_iter().zip(got).zip(QUANTITY) {
+            for ((a, b), quantity) in right.numbers().into_iter().zip(got).zip(QUANTITY) {
                 worst = greater(worst, (b - a).to_f64().abs() / self.sizes[quantity]);
             }
         }

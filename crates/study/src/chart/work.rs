@@ -7,7 +7,7 @@ use assur_kinematics::{Chain, Linkage, Position};
 use assur_number::{Dd, Real};
 
 use super::entry::Verdict;
-use super::ruler::{Ruler, greater, numbers};
+use super::ruler::{Ruler, greater};
 use super::{ChartError, Reference};
 
 /// Positions nearer to a change point than this, in rad or in parts of the scale, are left to the study of stability:
@@ -71,7 +71,7 @@ impl<'a> Work<'a> {
         for truth in &self.truth {
             match newton_from(&self.extended, truth) {
                 Some(bodies) => {
-                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(numbers)));
+                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(Body::numbers)));
                 }
                 None => missing += 1,
             }
@@ -146,7 +146,7 @@ fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>>
     let mut health = vec![Dd::ZERO; chain.groups.len()];
     let ways = linkage.ways.at(q);
     chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
-    bodies.iter().all(|body| numbers(body).iter().all(|x| x.hi.is_finite())).then_some(bodies)
+    bodies.iter().all(|body| body.numbers().iter().all(|x| x.hi.is_finite())).then_some(bodies)
 }
 
 /// The same by Newton's method from a place that is rounded, so that it has something to do.

@@ -40,12 +40,11 @@ pub(crate) fn interpolated(
         chain.solve(Dd::from_f64(place), ways, Order::Second, &mut bodies, &mut health).ok()?;
         let total = sum.get_or_insert_with(|| vec![[Dd::ZERO; 10]; bodies.len()]);
         for (total, b) in total.iter_mut().zip(&bodies) {
-            let values = [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2];
+            let values = b.numbers();
             for (total, value) in total.iter_mut().zip(values) {
                 *total += weight * value;
             }
         }
     }
-    let body = |[x, y, c, s, x1, y1, w1, x2, y2, w2]: [Dd; 10]| Body { x, y, c, s, x1, y1, w1, x2, y2, w2 };
-    sum.map(|all| all.into_iter().map(body).collect())
+    sum.map(|all| all.into_iter().map(Body::of_numbers).collect())
 }

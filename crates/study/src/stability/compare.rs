@@ -8,8 +8,7 @@ pub(crate) const ORDERS: [&str; 3] = ["pf0", "pf1", "pf2"];
 
 /// A body in double-double, the same numbers.
 pub(crate) fn lifted(body: &Body<f64>) -> Body<Dd> {
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body).map(Dd::from_f64);
-    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
+    body.map(Dd::from_f64)
 }
 
 /// A load in double-double, the same numbers.
@@ -17,14 +16,10 @@ pub(crate) fn lifted_load(of: &Wrench<f64>) -> Wrench<Dd> {
     Wrench { fx: Dd::from_f64(of.fx), fy: Dd::from_f64(of.fy), m: Dd::from_f64(of.m) }
 }
 
-fn numbers<T: Copy>(b: &Body<T>) -> [T; 10] {
-    [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2]
-}
-
 /// The numbers of a body that belong to an order, lengths in units of `scale`, angles and directions as they are.
 fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
     let unit = T::from_f64(1.0 / scale);
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(body);
+    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = body.numbers();
     match order {
         0 => [x * unit, y * unit, c, s],
         1 => [x1 * unit, y1 * unit, w1, T::ZERO],

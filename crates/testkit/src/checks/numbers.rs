@@ -1,6 +1,6 @@
 //! The same kernel in other numbers.
 
-use assur_group::{Body, Number};
+use assur_group::Number;
 use assur_number::{Dd, F64x4, Lanes, Real};
 
 use super::{motion, places};
@@ -8,15 +8,6 @@ use crate::{Case, Fault};
 
 /// Positions of the four lanes.
 const LANES: [f64; 4] = [0.0, 0.004, -0.003, 0.007];
-
-fn numbers<T: Copy>(b: &Body<T>) -> [T; 10] {
-    [b.x, b.y, b.c, b.s, b.x1, b.y1, b.w1, b.x2, b.y2, b.w2]
-}
-
-fn rounded<T: Real>(b: &Body<T>) -> Body<f64> {
-    let [x, y, c, s, x1, y1, w1, x2, y2, w2] = numbers(b).map(Real::to_f64);
-    Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
-}
 
 /// Four positions side by side give bit for bit what each gives alone.
 pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
@@ -28,7 +19,7 @@ pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
     let together = case.called("lanes", case.solved(&*kernel, Lanes(LANES), way))?;
     for (lane, bodies) in alone.iter().enumerate() {
         for &i in &case.sample.frame.links {
-            for (one, all) in numbers(&bodies[i]).into_iter().zip(numbers(&together[i])) {
+            for (one, all) in bodies[i].numbers().into_iter().zip(together[i].numbers()) {
                 let off = if one.to_bits() == all.0[lane].to_bits() { 0.0 } else { one - all.0[lane] };
                 // Only a kind that pivots or iterates decides for all lanes at once.
                 let limit = if case.plugin.class == 2 { 0.0 } else { 1e-11 };
@@ -43,8 +34,8 @@ pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
 fn errors<T: Number>(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let reference = case.called("precision", case.solved(&*case.kernel_in::<Dd>()?, Dd::ZERO, way))?;
     let tested = case.called("precision", case.solved(&*case.kernel_in::<T>()?, T::ZERO, way))?;
-    let reference: Vec<_> = reference.iter().map(rounded).collect();
-    let tested: Vec<_> = tested.iter().map(rounded).collect();
+    let reference: Vec<_> = reference.iter().map(|body| body.map(Real::to_f64)).collect();
+    let tested: Vec<_> = tested.iter().map(|body| body.map(Real::to_f64)).collect();
     let unit = 100.0 * T::EPSILON;
     case.within("precision", "PF0", places::apart(case, &tested, &reference), unit / health)?;
     let [first, second] = motion::apart(case, &tested, &reference);

@@ -6,7 +6,6 @@ use assur_number::{Dd, Real};
 
 use super::groups_of;
 use crate::chart::entry::{Contestant, Verdict};
-use crate::chart::ruler::numbers;
 use crate::chart::work::Work;
 use crate::differences::{Differentiator, Stencil};
 
@@ -35,7 +34,7 @@ impl Contestant for Differences<'_> {
         let solutions = groups_of(work.linkage) * self.differentiator.points() as u64;
         work.verdict(solutions, |_, q| {
             let middle = self.differentiator.solve(q)?;
-            Ok(middle.bodies.iter().map(|body| numbers(body).map(Dd::from_f64)).collect())
+            Ok(middle.bodies.iter().map(|body| body.numbers().map(Dd::from_f64)).collect())
         })
     }
 }

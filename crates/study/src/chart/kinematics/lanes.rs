@@ -8,7 +8,6 @@ use assur_number::{Dd, F64x4, Lanes, Real};
 
 use super::{failure, groups_of};
 use crate::chart::entry::{Contestant, Verdict};
-use crate::chart::ruler::numbers;
 use crate::chart::work::Work;
 
 const WIDTH: usize = 4;
@@ -85,5 +84,5 @@ impl Contestant for InLanes<'_> {
 }
 
 fn lane_of(bodies: &[Body<F64x4>], lane: usize) -> Vec<[Dd; 10]> {
-    bodies.iter().map(|body| numbers(body).map(|x| Dd::from_f64(x.0[lane]))).collect()
+    bodies.iter().map(|body| body.numbers().map(|x| Dd::from_f64(x.0[lane]))).collect()
 }
