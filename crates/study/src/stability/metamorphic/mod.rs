@@ -263,7 +263,7 @@ fn reordering_and_renaming_links_changes_their_order_only() {
     }
 }
 
-/// Two massless links more on the ground: everything else stays bit for bit, and they carry nothing.
+/// Two massless links more on the ground: everything else stays within rounding, and they carry nothing.
 #[test]
 fn a_massless_group_changes_nothing() {
     for mechanism in specimens() {
