@@ -239,6 +239,11 @@ fn a_stiff_motion_goes_to_the_implicit_method() {
                 "value = { over = \"speed\", table = [[0, 1e5], [200, -1e5]] }",
             ),
             ("until = \"5 rev\"", "until = \"1 s\""),
+            // Not of the speed alone, which would be one quadrature; at the end, 5.7 rad after 15 turns, it is 10 N m again.
+            (
+                "value = -10",
+                "value = { over = \"angle\", table = [[0, -10], [1, -10], [2, -9], [3, -10], [\"1 rev\", -10]] }",
+            ),
         ],
     );
     let path = scene.path().to_str().unwrap();
