@@ -37,12 +37,11 @@ pub(super) struct Pole {
     residue: f64,
 }
 
-/// A place in a panel: since its start the time and the way, and their derivatives by the parameter.
+/// A place in a panel: since its start the time and the way, and the derivative of the way by the parameter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) speed: f64,
     pub(super) time: f64,
-    pub(super) time_rate: f64,
     pub(super) way: f64,
     pub(super) way_rate: f64,
 }
@@ -167,7 +166,7 @@ impl Panel {
         let Some(pole) = self.pole else {
             let (speed, time_rate) = (self.speed(p), self.half * value(&self.slowness, p));
             let (time, way) = (value(&self.time, p), value(&self.way, p));
-            return Place { speed, time, time_rate, way, way_rate: speed * time_rate };
+            return Place { speed, time, way, way_rate: speed * time_rate };
         };
         let left = (pole.x + 1.0) * (-p).exp();
         let x = pole.x - left;
@@ -175,7 +174,7 @@ impl Panel {
         let time = value(&self.time, x) - pole.residue * p;
         let time_rate = -value(&self.slowness, x);
         let way = pole.speed * time + value(&self.way, x);
-        Place { speed, time, time_rate, way, way_rate: speed * time_rate }
+        Place { speed, time, way, way_rate: speed * time_rate }
     }
 
     /// The way from the start to where the motion ends after an infinite time.
@@ -189,9 +188,12 @@ impl Panel {
 
     /// The parameter at a time since the start, between parameters (the last may be infinite).
     pub(super) fn at_time(&self, time: f64, ends: [f64; 2]) -> f64 {
+        let Some(pole) = self.pole else {
+            return solve(ends, time, |x| (value(&self.time, x), self.half * value(&self.slowness, x)));
+        };
         solve(ends, time, |p| {
-            let place = self.at(p);
-            (place.time, place.time_rate)
+            let x = pole.x - (pole.x + 1.0) * (-p).exp();
+            (value(&self.time, x) - pole.residue * p, -value(&self.slowness, x))
         })
     }
 
@@ -223,7 +225,9 @@ fn first_change(values: &[f64; NODES], half: f64) -> Option<usize> {
 
 /// The place at which a growing function (with its derivative) has a value: Newton's method between bounds.
 fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
-    /// Roundings of the place that are enough.
+    /// A correction d leaves an error of about d².
+    const ENOUGH: f64 = 3e-9;
+    /// Bounds this near are one place.
     const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
     if high == f64::INFINITY {
         high = low + 1.0;
@@ -243,7 +247,7 @@ fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (
         let inside = next >= low && next <= high;
         let step = (next - p).abs();
         p = if inside { next } else { 0.5 * (low + high) };
-        if inside && step <= ROUNDINGS * p.abs().max(1.0) || high - low <= ROUNDINGS * high.abs() {
+        if inside && step <= ENOUGH || high - low <= ROUNDINGS * high.abs() {
             break;
         }
     }
