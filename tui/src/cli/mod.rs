@@ -29,7 +29,7 @@ use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
 use fault::{Fault, Status};
 pub(crate) use output::write;
 use plans::PlanArgs;
-pub(crate) use scene::located;
+pub(crate) use scene::{located, text_of};
 use style::Style;
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad

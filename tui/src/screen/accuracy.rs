@@ -5,23 +5,51 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use assur_kinematics::Linkage;
-use assur_study::chart::{self, Clock, Options};
-use assur_study::stability::stability_watched;
+use assur_study::chart::{self, ChartData, Clock, Options};
+use assur_study::stability::{Stability, stability_watched};
 
 use super::running::{Cancel, PAUSE};
 use super::state::{State, Wish};
 use super::text::{ENGLISH, fill};
 use super::theme::Role;
+use super::view::accuracy as view;
 use super::work::Job;
 
 /// What was measured of the open scene.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Accuracy {
-    /// The report, a line each; empty before anything was measured.
-    pub(crate) lines: Vec<String>,
+    /// What was found; `None` before anything was measured.
+    pub(crate) measured: Option<Box<Measured>>,
     /// How far the measurement is; `None` while none runs.
     pub(crate) progress: Option<String>,
     cancel: Cancel,
+}
+
+/// Columns by which the labels of the last decade go beyond a scatter.
+const BEYOND: usize = 3;
+
+/// The findings of a measurement.
+#[derive(Debug, Clone)]
+pub(crate) struct Measured {
+    /// Speed against accuracy, or why there is none.
+    pub(crate) chart: Result<ChartData, String>,
+    /// `None` where the measurement was stopped before.
+    pub(crate) stability: Option<Result<Stability, String>>,
+}
+
+impl Measured {
+    /// The report in so many columns: what follows from it, speed against accuracy, stability.
+    pub(crate) fn text(&self, ascii: bool, width: usize) -> String {
+        let chart = match &self.chart {
+            Ok(data) => chart::text_in(data, ascii, width.saturating_sub(BEYOND)),
+            Err(error) => format!("{error}\n"),
+        };
+        match &self.stability {
+            None => chart,
+            Some(Err(error)) => format!("{chart}\n{error}\n"),
+            Some(Ok(found)) => format!("{}\n{chart}\n{}", found.conclusion_text(), found.to_text()),
+        }
+    }
 }
 
 /// What is to be measured.
@@ -30,7 +58,6 @@ pub(crate) struct Measurement {
     pub(crate) generation: usize,
     linkage: Arc<Linkage>,
     cancel: Cancel,
-    ascii: bool,
 }
 
 struct SystemClock(Instant);
@@ -50,8 +77,8 @@ pub(crate) fn measure(state: &mut State) {
     let cancel = Cancel::default();
     state.accuracy.cancel = cancel.clone();
     state.accuracy.progress = Some(state.texts.measuring.to_owned());
-    let (generation, linkage, ascii) = (state.generation, Arc::clone(&study.linkage), state.look.ascii);
-    state.wishes.push(Wish::Work(Job::Measure(Measurement { generation, linkage, cancel, ascii })));
+    let (generation, linkage) = (state.generation, Arc::clone(&study.linkage));
+    state.wishes.push(Wish::Work(Job::Measure(Measurement { generation, linkage, cancel })));
 }
 
 /// Stops the measurement that runs; what was measured until then is shown.
@@ -62,14 +89,25 @@ pub(crate) fn stop(state: &mut State) {
     }
 }
 
-/// Scrolls the report.
+/// Scrolls the report by so many lines, as far as it goes.
 pub(crate) fn scroll(state: &mut State, by: isize) {
-    let last = state.accuracy.lines.len().saturating_sub(1);
-    state.chosen.line = state.chosen.line.saturating_add_signed(by).min(last);
+    let last = view::last_line(state);
+    state.chosen.line = state.chosen.line.min(last).saturating_add_signed(by).min(last);
+}
+
+/// Scrolls the report by a page; a line stays, to read on from.
+pub(crate) fn page(state: &mut State, sense: isize) {
+    let page = isize::from(i16::try_from(view::page(state)).unwrap_or(i16::MAX));
+    scroll(state, sense * (page - 1).max(1));
+}
+
+/// Scrolls to the end of the report.
+pub(crate) fn end(state: &mut State) {
+    state.chosen.line = view::last_line(state);
 }
 
 /// Measures; `progress` is told how far it is.
-pub(crate) fn run(wanted: &Measurement, progress: &dyn Fn(String)) -> Vec<String> {
+pub(crate) fn run(wanted: &Measurement, progress: &dyn Fn(String)) -> Measured {
     let mut clock = SystemClock(Instant::now());
     let mut told = 0.0;
     let found = chart::chart(&wanted.linkage, &mut clock, Options::QUICK, &mut |now| {
@@ -81,19 +119,17 @@ pub(crate) fn run(wanted: &Measurement, progress: &dyn Fn(String)) -> Vec<String
         }
         wanted.cancel.flow()
     });
-    let mut text = match found {
-        Ok(data) => chart::text(&data, wanted.ascii),
-        Err(error) => format!("{error}\n"),
-    };
-    if let ControlFlow::Continue(found) = stability_of(wanted, progress) {
-        text.push('\n');
-        text.push_str(&found);
+    Measured {
+        chart: found.map_err(|error| error.to_string()),
+        stability: stability_of(wanted, progress).continue_value(),
     }
-    text.lines().map(str::to_owned).collect()
 }
 
 /// How near the mechanism comes to a singular position; nothing of a study that was stopped.
-fn stability_of(wanted: &Measurement, progress: &dyn Fn(String)) -> ControlFlow<(), String> {
+fn stability_of(
+    wanted: &Measurement,
+    progress: &dyn Fn(String),
+) -> ControlFlow<(), Result<Stability, String>> {
     wanted.cancel.flow()?;
     let mut told = Instant::now();
     let found = stability_watched(wanted.linkage.mechanism.clone(), &mut |done, total| {
@@ -103,7 +139,7 @@ fn stability_of(wanted: &Measurement, progress: &dyn Fn(String)) -> ControlFlow<
         }
         wanted.cancel.flow()
     })?;
-    ControlFlow::Continue(found.map_or_else(|error| error.to_string(), |found| found.to_text()))
+    ControlFlow::Continue(found.map_err(|error| error.to_string()))
 }
 
 impl State {
@@ -117,13 +153,20 @@ impl State {
     }
 
     /// Takes what was measured, unless it belongs to a scene opened before.
-    pub(crate) fn take_measured(&mut self, generation: usize, lines: Result<Vec<String>, String>) -> bool {
+    pub(crate) fn take_measured(
+        &mut self,
+        generation: usize,
+        measured: Result<Box<Measured>, String>,
+    ) -> bool {
         if generation != self.generation {
             return false;
         }
         self.accuracy.progress = None;
-        match lines {
-            Ok(lines) => self.accuracy.lines = lines,
+        match measured {
+            Ok(measured) => {
+                self.accuracy.measured = Some(measured);
+                self.chosen.line = 0;
+            }
             Err(text) => self.say(Role::Bad, fill(self.texts.no_analysis, &[&text])),
         }
         true

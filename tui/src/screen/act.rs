@@ -13,9 +13,6 @@ use super::work::Job;
 
 pub(crate) use found::{analyzer, causes, check, difference, motion, pane, plan, reaction, step, worst};
 
-/// Rows of the help that a page key scrolls.
-const HELP_PAGE: usize = 10;
-
 /// An eighth of the positions on or back.
 pub(crate) fn jump(state: &mut State, sense: isize) {
     let eighth = (state.positions() / 8).max(1);
@@ -38,6 +35,15 @@ pub(crate) fn item(state: &mut State, by: isize) {
 pub(crate) fn group(state: &mut State, by: isize) {
     let count = state.study.as_ref().map_or(0, |study| study.linkage.structure.groups.len());
     state.chosen.group = round(state.chosen.group, by, count);
+}
+
+/// Goes to the position at which the chosen group is nearest to a singular one.
+pub(crate) fn nearest(state: &mut State) {
+    let least = state.study.as_ref().and_then(|study| study.least_health(state.chosen.group));
+    match least {
+        Some((_, at)) => state.go_to(at),
+        None => state.say(Role::Plain, state.texts.no_worst_group),
+    }
 }
 
 /// The next or previous column of the table.
@@ -141,13 +147,15 @@ pub(crate) fn help(state: &mut State) {
 /// A key while the help is open: letters search, arrows scroll.
 pub(crate) fn press_help(state: &mut State, key: Key) {
     let meant = state.command(key).map(|command| command.name);
+    let page = super::view::help::page(state);
     let Some(help) = &mut state.help else { return };
     match key.code {
-        KeyCode::Down => help.scroll += 1,
+        KeyCode::Down => help.scroll = help.scroll.saturating_add(1),
         KeyCode::Up => help.scroll = help.scroll.saturating_sub(1),
-        KeyCode::PageDown | KeyCode::Char(' ') => help.scroll += HELP_PAGE,
-        KeyCode::PageUp => help.scroll = help.scroll.saturating_sub(HELP_PAGE),
+        KeyCode::PageDown | KeyCode::Char(' ') => help.scroll += page,
+        KeyCode::PageUp => help.scroll = help.scroll.saturating_sub(page),
         KeyCode::Home => help.scroll = 0,
+        KeyCode::End => help.scroll = usize::MAX,
         KeyCode::Backspace => {
             help.filter.pop();
         }

@@ -58,17 +58,21 @@ use View::{
     Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table, Values,
 };
 
-const SCENE: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
+/// Every view of a scene.
+pub(crate) const SCENE: &[View] =
+    &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
+/// Where keys that scroll elsewhere go through the positions.
+const PLACED: &[View] = &[Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 const DRAWN: &[View] = &[Mechanism, Structure];
 
 /// All commands, in the order of the help screen.
 pub(crate) const COMMANDS: &[Command] = &[
     command("next-position", Move, &[code(KeyCode::Right), char('l')], SCENE, |s| s.step(1)),
     command("previous-position", Move, &[code(KeyCode::Left), char('h')], SCENE, |s| s.step(-1)),
-    command("first-position", Move, &[code(KeyCode::Home)], SCENE, |s| s.position = 0),
-    command("last-position", Move, &[code(KeyCode::End)], SCENE, |s| s.position = s.positions() - 1),
-    command("forward", Move, &[code(KeyCode::PageDown)], SCENE, |s| act::jump(s, 1)),
-    command("back", Move, &[code(KeyCode::PageUp)], SCENE, |s| act::jump(s, -1)),
+    command("first-position", Move, &[code(KeyCode::Home)], PLACED, |s| s.position = 0),
+    command("last-position", Move, &[code(KeyCode::End)], PLACED, |s| s.position = s.positions() - 1),
+    command("forward", Move, &[code(KeyCode::PageDown)], PLACED, |s| act::jump(s, 1)),
+    command("back", Move, &[code(KeyCode::PageUp)], PLACED, |s| act::jump(s, -1)),
     command("play", Move, &[char(' ')], SCENE, |s| s.playing = !s.playing),
     command("next-row", Move, &[code(KeyCode::Down), char('j')], &[Table], |s| act::row(s, 1)),
     command("previous-row", Move, &[code(KeyCode::Up), char('k')], &[Table], |s| act::row(s, -1)),
@@ -80,6 +84,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     }),
     command("next-group", Choose, &[code(KeyCode::Down), char('j')], &[Structure], |s| act::group(s, 1)),
     command("previous-group", Choose, &[code(KeyCode::Up), char('k')], &[Structure], |s| act::group(s, -1)),
+    command("nearest", Choose, &[code(KeyCode::Enter)], &[Structure], act::nearest),
     command("next-reaction", Choose, &[code(KeyCode::Down), char('j')], &[Forces], |s| act::reaction(s, 1)),
     command("previous-reaction", Choose, &[code(KeyCode::Up), char('k')], &[Forces], |s| {
         act::reaction(s, -1);
@@ -101,6 +106,10 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("previous-line", Choose, &[code(KeyCode::Up), char('k')], &[Accuracy], |s| {
         accuracy::scroll(s, -1);
     }),
+    command("next-page", Choose, &[code(KeyCode::PageDown)], &[Accuracy], |s| accuracy::page(s, 1)),
+    command("previous-page", Choose, &[code(KeyCode::PageUp)], &[Accuracy], |s| accuracy::page(s, -1)),
+    command("first-line", Choose, &[code(KeyCode::Home)], &[Accuracy], |s| s.chosen.line = 0),
+    command("last-line", Choose, &[code(KeyCode::End)], &[Accuracy], accuracy::end),
     command("next-column", Choose, &[code(KeyCode::Tab), char('>')], &[Table], |s| act::column(s, 1)),
     command("previous-column", Choose, &[code(KeyCode::BackTab), char('<')], &[Table], |s| {
         act::column(s, -1);

@@ -1,5 +1,6 @@
 //! What the `:` line and the `/` line understand.
 
+use super::act;
 use super::command::{self, COMMANDS};
 use super::draw::raster::Marker;
 use super::found::Reaction;
@@ -13,6 +14,8 @@ use super::work::Job;
 
 /// Names farther than this from what was typed are no suggestion.
 const FAR: usize = 3;
+/// Letters of what was typed for each that may be wrong.
+const LETTERS: usize = 3;
 
 /// Words of the line that take a value, and their values.
 fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
@@ -33,8 +36,14 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
         ("link", names(|key| matches!(key, Key::Link(_)))),
         ("slide", names(|key| matches!(key, Key::Slide(_)))),
         ("view", views.collect()),
+        ("open", scenes()),
+        ("compare", scenes()),
         ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
     ]
+}
+
+fn scenes() -> Vec<String> {
+    super::menu::SCENES.iter().map(|(name, _)| (*name).to_owned()).collect()
 }
 
 /// What `:set` takes.
@@ -85,6 +94,11 @@ pub(crate) fn run(state: &mut State, line: &str) {
     match (word, rest.trim()) {
         ("set", rest) => set(state, rest),
         ("compare", file) => compare(state, file),
+        ("open", "") => act::menu(state),
+        ("open", file) => {
+            let source = source(file);
+            state.wishes.push(Wish::Work(Job::Open(source)));
+        }
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
@@ -101,16 +115,22 @@ pub(crate) fn run(state: &mut State, line: &str) {
 
 /// Reads a second scene, a file or a shipped one, or ends the comparison.
 fn compare(state: &mut State, file: &str) {
-    if state.study.is_none() || matches!(file, "" | "off") {
-        state.compared = None;
-        return;
+    match file {
+        "" => state.say(Role::Bad, state.texts.compare_what),
+        "off" => state.compared = None,
+        _ if state.study.is_none() => state.say(Role::Bad, state.texts.compare_with_what),
+        _ => state.wishes.push(Wish::Work(Job::Compare(source(file)))),
     }
+}
+
+/// A file, or else a shipped scene of this name.
+fn source(file: &str) -> Source {
+    let path = whatif::home(file);
     let shipped = super::menu::SCENES.iter().find(|(name, _)| *name == file);
-    let source = match shipped {
-        Some((name, _)) if !std::path::Path::new(file).exists() => Source::Shipped(name),
-        _ => Source::File(file.into()),
-    };
-    state.wishes.push(Wish::Work(Job::Compare(source)));
+    match shipped {
+        Some((name, _)) if !path.exists() => Source::Shipped(name),
+        _ => Source::File(path),
+    }
 }
 
 fn unknown(state: &mut State, name: &str) {
@@ -119,11 +139,12 @@ fn unknown(state: &mut State, name: &str) {
     state.say(Role::Bad, fill(state.texts.unknown_command, &[&name, &offer]));
 }
 
-/// `; did you mean ...?` or nothing.
+/// `; did you mean ...?` or nothing; of a short word few letters can be wrong.
 fn suggestion(state: &State, name: &str, known: &[String]) -> String {
+    let far = (name.chars().count() / LETTERS).clamp(1, FAR);
     let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
     match near {
-        Some((distance, candidate)) if distance <= FAR => fill(state.texts.did_you_mean, &[candidate]),
+        Some((distance, candidate)) if distance <= far => fill(state.texts.did_you_mean, &[candidate]),
         _ => String::new(),
     }
 }

@@ -6,10 +6,15 @@ use super::study::Study;
 pub(crate) const SCENES: &[(&str, &str)] = &[
     ("shaper.toml", include_str!("../../../fixtures/shaper.toml")),
     ("shaper-drive.toml", include_str!("../../../fixtures/shaper-drive.toml")),
+    ("four-bar.toml", include_str!("../../../fixtures/four-bar.toml")),
     ("slider-crank.toml", include_str!("../../../fixtures/slider-crank.toml")),
     ("press.toml", include_str!("../../../fixtures/press.toml")),
     ("conveyor.toml", include_str!("../../../fixtures/conveyor.toml")),
+    ("stephenson1.toml", include_str!("../../../fixtures/stephenson1.toml")),
     ("stephenson3.toml", include_str!("../../../fixtures/stephenson3.toml")),
+    ("watt.toml", include_str!("../../../fixtures/watt.toml")),
+    ("jansen.toml", include_str!("../../../fixtures/jansen.toml")),
+    ("r-rtr-rrt.toml", include_str!("../../../fixtures/r-rtr-rrt.toml")),
     ("guide-shaper.toml", include_str!("../../../fixtures/guide-shaper.toml")),
     ("andrews.toml", include_str!("../../../fixtures/andrews.toml")),
     ("flywheel.toml", include_str!("../../../fixtures/flywheel.toml")),
@@ -41,5 +46,25 @@ impl Menu {
     /// The picture of the chosen scene.
     pub(crate) fn preview(&self) -> Option<&Result<Box<Study>, String>> {
         self.previews.get(self.chosen)?.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::SCENES;
+
+    #[test]
+    fn every_scene_that_is_shipped_is_in_the_menu() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures");
+        let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+        let files: BTreeSet<String> = names
+            .map(|name| name.into_string().unwrap())
+            .filter(|name| std::path::Path::new(name).extension().is_some_and(|end| end == "toml"))
+            .collect();
+        let shown: BTreeSet<String> = SCENES.iter().map(|(name, _)| (*name).to_owned()).collect();
+        assert_eq!(shown, files);
+        assert_eq!(SCENES.len(), files.len(), "one is there twice");
     }
 }

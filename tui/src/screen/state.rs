@@ -174,7 +174,7 @@ impl State {
             Report::Changed(change, study) => return whatif::take(self, &change, study),
             Report::Preview(index, preview) => self.menu.keep(index, preview),
             Report::Progress { generation, count } => return self.take_progress(generation, count),
-            Report::Measured { generation, lines } => return self.take_measured(generation, lines),
+            Report::Measured { generation, measured } => return self.take_measured(generation, measured),
             Report::Compared(other) => self.take_compared(other),
             Report::Checked { number, checks } => return self.take_checks(number, checks),
             Report::Counted { number, count } => return self.take_count(number, count),
@@ -190,6 +190,8 @@ impl State {
             self.position = study.first_position();
             self.chosen = Chosen::default();
             self.zoom = Zoom::WHOLE;
+        }
+        if !again || self.view == View::Menu {
             self.view = View::Mechanism;
         }
         if self.study.as_ref().is_none_or(|old| !again || old.positions() != study.positions()) {

@@ -138,6 +138,23 @@ impl Study {
             && self.failures.iter().all(Option::is_none)
     }
 
+    /// The least determinant of a group over the positions, and the position that has it.
+    pub(crate) fn least_health(&self, group: usize) -> Option<(f64, usize)> {
+        let healths = self.poses.iter().enumerate().filter_map(|(position, pose)| {
+            let health = pose.as_ref()?.health.get(group)?.abs();
+            health.is_finite().then_some((health, position))
+        });
+        healths.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The group that comes nearest to a singular position, with its least determinant and where that is.
+    pub(crate) fn nearest_group(&self) -> Option<(usize, f64, usize)> {
+        let groups = 0..self.linkage.structure.groups.len();
+        let least =
+            groups.filter_map(|group| self.least_health(group).map(|(health, at)| (group, health, at)));
+        least.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// The first position that exists, or 0.
     pub(crate) fn first_position(&self) -> usize {
         self.poses.iter().position(Option::is_some).unwrap_or(0)

@@ -5,6 +5,7 @@ mod forces;
 mod frames;
 mod keys;
 mod language;
+mod reading;
 mod running;
 mod sizes;
 mod whatif;

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use assur_scene::edit::{SceneValue, bare, replaced};
 
 pub(crate) use act::{
-    choose, exact, lower, quit, raise, reloaded, save, save_line, search, set, step, take, toggle, undo,
+    choose, exact, home, lower, quit, raise, reloaded, save, save_line, search, set, step, take, toggle, undo,
 };
 
 use super::study::{Source, Study};
@@ -142,7 +142,7 @@ impl WhatIf {
 
     /// Whether there are changes that no file has.
     fn unsaved(&self) -> bool {
-        self.wanted != self.saved
+        !self.wanted.is_empty() && self.wanted != self.saved
     }
 
     /// What is asked for was written to a file.

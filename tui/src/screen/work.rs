@@ -10,7 +10,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_results::CheckRow;
 
-use super::accuracy::{self, Measurement};
+use super::accuracy::{self, Measured, Measurement};
 use super::found::Found;
 use super::menu::SCENES;
 use super::plans::Planner;
@@ -64,8 +64,8 @@ pub(crate) enum Report {
     Preview(usize, Result<Box<Study>, String>),
     /// How far a measurement is.
     Progress { generation: usize, count: String },
-    /// What was measured, a line each.
-    Measured { generation: usize, lines: Result<Vec<String>, String> },
+    /// What was measured.
+    Measured { generation: usize, measured: Result<Box<Measured>, String> },
     /// An analysis, or why there is none.
     Analyzed { number: usize, found: Result<Box<Found>, String> },
     /// The checks of an analysis that was given before.
@@ -96,7 +96,7 @@ fn failed(job: &Job, text: String) -> Report {
         Job::Change(change) => Report::Changed(change.clone(), Err(text)),
         Job::Compare(_) => Report::Compared(Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
-        Job::Measure(wanted) => Report::Measured { generation: wanted.generation, lines: Err(text) },
+        Job::Measure(wanted) => Report::Measured { generation: wanted.generation, measured: Err(text) },
         Job::Analyze(request) => Report::Analyzed { number: request.number, found: Err(text) },
     }
 }
@@ -117,8 +117,8 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
         }
         Job::Measure(wanted) => {
             let generation = wanted.generation;
-            let lines = accuracy::run(wanted, &|count| tell(Report::Progress { generation, count }));
-            Report::Measured { generation, lines: Ok(lines) }
+            let measured = accuracy::run(wanted, &|count| tell(Report::Progress { generation, count }));
+            Report::Measured { generation, measured: Ok(Box::new(measured)) }
         }
         Job::Analyze(request) => analyze(request, tell),
     }
@@ -165,8 +165,7 @@ fn analyze(request: &Request, tell: &dyn Fn(Report)) -> Report {
 /// The faults as text.
 pub(crate) fn open(source: Source) -> Result<Study, String> {
     let text = match &source {
-        Source::File(path) => std::fs::read_to_string(path)
-            .map_err(|error| fill(ENGLISH.unreadable, &[&path.display(), &error]))?,
+        Source::File(path) => crate::cli::text_of(path).map_err(|fault| fault.to_string())?,
         Source::Shipped(name) => SCENES
             .iter()
             .find(|(known, _)| known == name)

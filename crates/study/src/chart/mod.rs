@@ -40,7 +40,7 @@ pub use pareto::front;
 pub use report::report;
 pub use run::{ChartError, chart};
 pub use scatter::{Mark, Scatter};
-pub use text::text;
+pub use text::{text, text_in};
 
 #[cfg(test)]
 mod tests;

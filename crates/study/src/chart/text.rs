@@ -21,6 +21,11 @@ pub(crate) fn unit_words(stage: Stage) -> &'static str {
 
 /// All stages for a person.
 pub fn text(data: &ChartData, ascii: bool) -> String {
+    text_in(data, ascii, WIDTH)
+}
+
+/// The same in about so many columns; only a row of a table may be wider.
+pub fn text_in(data: &ChartData, ascii: bool, width: usize) -> String {
     let dash = if ascii { "-" } else { "—" };
     let mut text = format!("Speed against accuracy {dash} {}\n", data.title);
     if !data.complete {
@@ -29,7 +34,7 @@ pub fn text(data: &ChartData, ascii: bool) -> String {
     for stage in Stage::ALL {
         if data.of(stage).next().is_some() {
             text.push('\n');
-            text += &stage_text(data, stage, ascii, |_| true);
+            text += &stage_in(data, stage, ascii, width, |_| true);
         }
     }
     text
@@ -37,17 +42,21 @@ pub fn text(data: &ChartData, ascii: bool) -> String {
 
 /// One stage; the table has the rows that are wanted.
 pub(crate) fn stage_text(data: &ChartData, stage: Stage, ascii: bool, wanted: fn(&Row) -> bool) -> String {
+    stage_in(data, stage, ascii, WIDTH, wanted)
+}
+
+fn stage_in(data: &ChartData, stage: Stage, ascii: bool, width: usize, wanted: fn(&Row) -> bool) -> String {
     let mut text = format!("{}\n", stage.heading());
     if let Some(how) = data.reference.get(&stage) {
         let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);
         let about = format!("Reference: {how}; own error about {error:.0e}.");
-        text += &wrapped(&about, WIDTH);
+        text += &wrapped(&about, width);
     }
     let scatter = Scatter::of(data, stage);
     if let Some(scatter) = &scatter {
         text.push('\n');
-        text += &canvas::draw(scatter, WIDTH, HEIGHT, ascii);
-        text += &canvas::legend(scatter, WIDTH, ascii);
+        text += &canvas::draw(scatter, width, HEIGHT, ascii);
+        text += &canvas::legend(scatter, width, ascii);
     }
     text.push('\n');
     text + &table(data, stage, scatter.as_ref(), ascii, wanted)

@@ -56,6 +56,13 @@ impl Stability {
         text
     }
 
+    /// What follows from all of it, as [`Stability::to_text`] ends.
+    pub fn conclusion_text(&self) -> String {
+        let mut text = String::new();
+        self.conclusion(&mut text);
+        text.trim_start().to_owned()
+    }
+
     fn nearest(&self, text: &mut String) {
         if self.groups.is_empty() && self.failure.is_none() {
             return;

@@ -10,6 +10,7 @@ use crate::screen::number::plain;
 use crate::screen::series::{axis_range, extent};
 use crate::screen::state::Look;
 use crate::screen::theme::Role;
+use crate::screen::view::panel::cut;
 use crate::screen::view::put;
 
 /// What is marked on a curve.
@@ -45,6 +46,9 @@ pub(crate) struct Chart<'a> {
     pub(crate) places: Option<&'a [f64]>,
 }
 
+/// An end of the axis that is this small beside the other is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// Stars on a curve at most.
 const MOST_STARS: usize = 24;
 
@@ -72,7 +76,11 @@ impl Chart<'_> {
             return;
         }
         let plain_style = look.theme.style(Role::Plain);
-        put(buffer, area, labels, 0, &self.title, look.theme.style(Role::Header));
+        // A column stays free at the right; a long title begins above the labels of the axis.
+        let room = area.width - 1;
+        let column = labels.min(room.saturating_sub(short(self.title.chars().count())));
+        let title = cut(&self.title, usize::from(room - column));
+        put(buffer, area, column, 0, &title, look.theme.style(Role::Header));
         let plot = Rect {
             x: area.x + labels,
             y: area.y + 1,
@@ -201,8 +209,9 @@ impl Frame<'_> {
                 rows.push((row, 0.0));
             }
         }
+        let least = ROUNDING * self.low.abs().max(self.high.abs());
         for (row, value) in rows {
-            let text = plain(value);
+            let text = plain(if value.abs() <= least { 0.0 } else { value });
             let column = labels.saturating_sub(short(text.len()) + 1);
             put(buffer, area, column, row + 1, &text, style);
         }

@@ -29,6 +29,8 @@ pub(crate) struct Diagram<'a> {
     pub(crate) arrows: Vec<Arrow>,
     /// Unit of the scale.
     pub(crate) unit: &'a str,
+    /// The pole, where a plan has one: it is marked, and names stand at the tips, as in textbooks.
+    pub(crate) pole: Option<&'a str>,
 }
 
 impl Diagram<'_> {
@@ -55,8 +57,14 @@ impl Diagram<'_> {
             }
         }
         for arrow in self.arrows.iter().filter(|arrow| !arrow.name.is_empty()) {
-            let middle = [0, 1].map(|axis| 0.4 * arrow.from[axis] + 0.6 * arrow.to[axis]);
-            labels.beside(&raster, scale.cell(middle), &arrow.name, look.theme.style(Role::Header));
+            let part = if self.pole.is_some() { 1.0 } else { 0.6 };
+            let at = [0, 1].map(|axis| (1.0 - part) * arrow.from[axis] + part * arrow.to[axis]);
+            labels.beside(&raster, scale.cell(at), &arrow.name, look.theme.style(Role::Header));
+        }
+        if let Some(pole) = self.pole {
+            let at = scale.cell([0.0; 2]);
+            labels.put(at, "o", look.theme.style(Role::Header));
+            labels.beside(&raster, at, pole, look.theme.style(Role::Header));
         }
         raster.paint(plot, buffer);
         labels.write(&raster, buffer);

@@ -36,7 +36,7 @@ fn what_can_not_be_compared_is_told() {
     write(&mut state, ":compare slider-crank.toml");
     assert!(text(&state, 120, 40).contains("slider-crank.toml has 24 positions, not 48"));
     write(&mut state, ":compare nowhere.toml");
-    assert!(text(&state, 120, 40).contains("nowhere.toml could not be read"));
+    assert!(text(&state, 120, 40).contains("nowhere.toml: there is no such file"));
     // The drive changes no position.
     write(&mut state, ":compare shaper-drive.toml");
     press(&mut state, "2 Right");

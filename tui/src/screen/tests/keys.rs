@@ -3,6 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{View, opened, press, settle, text, write};
+use crate::screen::accuracy::Measured;
 use crate::screen::command::{self, COMMANDS};
 use crate::screen::key::Key;
 use crate::screen::keymap::Keymap;
@@ -65,7 +66,8 @@ fn every_command_does_something() {
             let mut state = opened("shaper.toml");
             enter(&mut state, view);
             (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
-            state.accuracy.lines = vec![String::new(); 9];
+            let chart = Err("line\n".repeat(90));
+            state.accuracy.measured = Some(Box::new(Measured { chart, stability: None }));
             let before = fingerprint(&state);
             (command.run)(&mut state);
             acts |= fingerprint(&state) != before;
@@ -258,7 +260,7 @@ fn the_menu_opens_a_scene() {
     crate::screen::act::preview_menu(&mut state);
     settle(&mut state);
     assert!(text(&state, 80, 24).contains("Shaper with rocker"));
-    press(&mut state, "Down Down Enter");
+    press(&mut state, "Down Down Down Enter");
     assert!(text(&state, 80, 24).contains("Compressor"));
 }
 

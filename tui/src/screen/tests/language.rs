@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// Words in quotes that are no language: commands, names in scenes, units, file types, settings.
 const NAMES: &[&str] = &[
     "ground", "position", "point", "link", "slide", "view", "menu", "braille", "half", "block", "ascii",
-    "cell", "compare", "part", "value", "toml",
+    "cell", "compare", "open", "part", "value", "toml",
 ];
 /// Files without words of the interface: names of commands, keys, themes and scenes; drawings; errors before there is a screen.
 const OTHER: &[&str] = &[

@@ -169,7 +169,7 @@ fn a_change_of_a_scene_that_was_left_is_dropped() {
     let mut state = opened("shaper.toml");
     write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
     let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
-    let other = Study::read(Source::Shipped("press.toml"), crate::screen::menu::SCENES[3].1);
+    let other = Study::read(Source::Shipped("press.toml"), crate::screen::menu::SCENES[4].1);
     state.take_report(Report::Opened(other.map(Box::new)));
     let title = header(&state);
     assert!(!state.take_report(crate::screen::work::run(&job, &|_| ())));

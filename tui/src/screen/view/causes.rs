@@ -144,5 +144,5 @@ fn draw_sum(state: &State, parts: &[Part], area: Rect, buffer: &mut Buffer) {
         return;
     }
     arrows.push(Arrow { from: [0.0; 2], to: at, name: state.texts.sum.to_owned(), role: Role::First });
-    Diagram { arrows, unit: "N" }.draw(state.look, area, buffer);
+    Diagram { arrows, unit: "N", pole: None }.draw(state.look, area, buffer);
 }

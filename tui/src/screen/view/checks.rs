@@ -4,6 +4,7 @@ use assur_results::CheckRow;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::panel::cut;
 use super::put;
 use crate::screen::draw::raster::short;
 use crate::screen::state::State;
@@ -42,8 +43,8 @@ fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &
     let cells = [check.name.as_str(), &residual, &limit, check.place.as_str(), &at];
     let ends = COLUMNS.iter().skip(1).chain([&WORD]);
     for ((text, &column), &end) in cells.into_iter().zip(&COLUMNS).zip(ends) {
-        let cut = Rect { width: (end - 1).min(area.width), ..area };
-        put(buffer, cut, column, 0, text, style);
+        let text = cut(text, usize::from(end - column - 1));
+        put(buffer, area, column, 0, &text, style);
     }
     let (word, role) = match (check.failed(), check.judged) {
         (true, _) => (state.texts.failed, Role::Bad),

@@ -5,6 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::motion::{numbers, speed_unit};
+use super::panel::cut;
 use super::{put, regime};
 use crate::screen::draw::raster::short;
 use crate::screen::number::digits;
@@ -29,6 +30,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
     match state.pane {
         Pane::Table | Pane::Causes => {
+            let area = warned(state, dynamics, area, buffer);
             let left = motor_and_flywheel(state, dynamics);
             let rows = short(left.len().max(12)) + 1;
             write(state, &left, area, 1, buffer);
@@ -62,6 +64,18 @@ fn write(state: &State, rows: &[Row], area: Rect, column: u16, buffer: &mut Buff
     for (row, (role, line)) in rows.iter().enumerate() {
         put(buffer, area, column, short(row), line, state.look.theme.style(*role));
     }
+}
+
+/// A line where there are warnings, which stand whole in the last part; what is left of the area.
+fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -> Rect {
+    let warnings = dynamics.motor.as_ref().map_or(&[][..], |motor| &motor.warnings);
+    let Some(first) = warnings.first() else { return area };
+    let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    let pane = state.keys.first("pane");
+    let more = fill(state.texts.warnings_there, &[&pane, &pane]);
+    let room = usize::from(area.width.saturating_sub(4)).saturating_sub(more.chars().count());
+    put(buffer, line, 1, 0, &format!("! {}{more}", cut(first, room)), state.look.theme.style(Role::Bad));
+    rest
 }
 
 /// Characteristic and moments, side by side or one above the other.

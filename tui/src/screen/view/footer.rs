@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
+use super::accuracy::folded;
 use super::put;
 use crate::screen::command::{COMMANDS, Command, named};
 use crate::screen::draw::raster::short;
@@ -103,6 +104,7 @@ fn hinted(state: &State) -> Vec<&'static Command> {
 fn hint(state: &State, command: &Command) -> &'static str {
     match (command.name, state.view) {
         ("search", View::Forces) => state.texts.find_pair,
+        ("command", View::Menu) => state.texts.open_file,
         _ => texts_of(state.texts, command.name).1,
     }
 }
@@ -131,14 +133,16 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
 
 /// The faults of a file that was not taken.
 pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, buffer: &mut Buffer) {
-    let lines = short(fault.lines().count());
+    let width = usize::from(area.width.saturating_sub(2));
+    let fault: Vec<String> = fault.lines().flat_map(|line| folded(line, width)).collect();
+    let lines = short(fault.len());
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
     Clear.render(place, buffer);
     let block = Block::bordered().title(title).style(state.look.theme.style(Role::Plain));
     let inner = block.inner(place);
     block.render(place, buffer);
-    for (row, line) in fault.lines().enumerate() {
+    for (row, line) in fault.iter().enumerate() {
         put(buffer, inner, 0, short(row), line, state.look.theme.style(Role::Plain));
     }
 }

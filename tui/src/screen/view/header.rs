@@ -49,6 +49,12 @@ const TABS: &[(&str, View)] = &[
     ("table", View::Table),
 ];
 
+/// The key of a view, or its name where it has none.
+pub(crate) fn key(state: &State, view: View) -> String {
+    let tab = TABS.iter().find(|(_, of)| *of == view);
+    tab.map_or_else(|| name(state, view).to_owned(), |(command, _)| state.keys.first(command))
+}
+
 /// Draws the header.
 pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let style = state.look.theme.style(Role::Header);

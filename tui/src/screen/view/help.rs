@@ -6,11 +6,11 @@ use ratatui::widgets::{Block, Clear, Widget};
 
 use super::footer::texts_of;
 use super::panel::wrapped;
-use super::put;
-use crate::screen::command::{COMMANDS, Command, Group};
+use super::{header, put};
+use crate::screen::command::{COMMANDS, Command, Group, SCENE};
 use crate::screen::draw::raster::short;
-use crate::screen::state::{Help, State};
-use crate::screen::text::Texts;
+use crate::screen::state::{Help, State, View};
+use crate::screen::text::{Texts, fill};
 use crate::screen::theme::Role;
 
 const KEYS_AT: u16 = 2;
@@ -95,11 +95,32 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
     rows
 }
 
+/// The keys of the views in which the keys of a command mean it, where it is not every view with a scene: ` (view 3)`.
+fn where_it_works(state: &State, command: &Command) -> String {
+    let names = |views: &[View]| {
+        let names: Vec<String> = views.iter().map(|view| header::key(state, *view)).collect();
+        names.join(" ")
+    };
+    let texts = state.texts;
+    match command.views {
+        [] => String::new(),
+        [View::Menu] => fill(texts.in_view, &[&texts.menu]),
+        [View::Values] => fill(texts.in_view, &[&texts.group_change]),
+        [one] => fill(texts.in_view, &[&names(&[*one])]),
+        several if 2 * several.len() <= SCENE.len() => fill(texts.in_views, &[&names(several)]),
+        most => {
+            let missing: Vec<View> = SCENE.iter().copied().filter(|view| !most.contains(view)).collect();
+            if missing.is_empty() { String::new() } else { fill(texts.not_in_view, &[&names(&missing)]) }
+        }
+    }
+}
+
 /// A command in as many rows as its line of help needs.
 fn rows_of(state: &State, command: &'static Command) -> Vec<Row> {
     // The border takes a column at each side.
     let width = usize::from(state.size.0.saturating_sub(HELP_AT + 2)).max(20);
-    let mut lines = wrapped(texts_of(state.texts, command.name).0, width).into_iter();
+    let text = format!("{}{}", texts_of(state.texts, command.name).0, where_it_works(state, command));
+    let mut lines = wrapped(&text, width).into_iter();
     let first = Row::Command(command, lines.next().unwrap_or_default());
     std::iter::once(first).chain(lines.map(Row::More)).collect()
 }
@@ -116,9 +137,18 @@ pub(crate) fn title(texts: &Texts, group: Group) -> &'static str {
     }
 }
 
+/// Rows that a page key scrolls: a row stays, to read on from.
+pub(crate) fn page(state: &State) -> usize {
+    height(state).saturating_sub(1).max(1)
+}
+
+/// Rows of the help that are seen at once: two of header, two of footer and two of border are not.
+fn height(state: &State) -> usize {
+    usize::from(state.size.1.saturating_sub(6))
+}
+
 /// The farthest that the help can be scrolled.
 pub(crate) fn last_scroll(state: &State) -> usize {
     let Some(help) = &state.help else { return 0 };
-    // Two rows of header, two of footer, two of border.
-    rows(state, help).len().saturating_sub(usize::from(state.size.1.saturating_sub(6)))
+    rows(state, help).len().saturating_sub(height(state))
 }

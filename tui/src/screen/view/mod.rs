@@ -72,6 +72,11 @@ fn shared(state: &State, body: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Min(0), Constraint::Length(list)]).areas(body)
 }
 
+/// Where the view is drawn on the terminal.
+pub(crate) fn room(state: &State) -> Rect {
+    shared(state, parts(Rect::new(0, 0, state.size.0, state.size.1))[1])[0]
+}
+
 /// Draws what is between header and footer.
 pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
     if let Some(study) = state.study.as_ref().filter(|_| !state.has(state.view)) {
@@ -101,8 +106,7 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     if !pressed || state.view != View::Curves {
         return false;
     }
-    let [body, _] = shared(state, parts(Rect::new(0, 0, state.size.0, state.size.1))[1]);
-    match curves::position_at(state, body, mouse.column) {
+    match curves::position_at(state, room(state), mouse.column) {
         Some(position) => std::mem::replace(&mut state.position, position) != position,
         None => false,
     }

@@ -68,6 +68,14 @@ pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
+/// The beginning of a text; that something is missing is seen.
+pub(crate) fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    text.chars().take(width.saturating_sub(1)).chain(['~']).collect()
+}
+
 /// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others as far as there is room.
 fn chosen(state: &State, study: &Study, lines: &mut Vec<(Role, String)>) {
     let Some(transfer) = study.transfers.get(state.chosen.transfer) else { return };

@@ -5,7 +5,7 @@ use assur_plans::{Plan, PlanVector, VectorKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::panel::wrapped;
+use super::panel::{cut, wrapped};
 use super::{advice, put};
 use crate::screen::draw::diagram::{Arrow, Diagram};
 use crate::screen::draw::raster::short;
@@ -21,6 +21,9 @@ use crate::screen::theme::Role;
 const LIST: u16 = 42;
 /// A vector smaller than this part of the greatest is rounding.
 const LEAST: f64 = 1e-12;
+
+/// Name of the pole of a plan of velocities or accelerations.
+const POLE: &str = "p";
 
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
@@ -102,7 +105,8 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
             role(item.kind)
         },
     });
-    Diagram { arrows: arrows.collect(), unit: &plan.unit }.draw(state.look, drawing, buffer);
+    let pole = matches!(state.plan, PlanKind::Velocity | PlanKind::Acceleration).then_some(POLE);
+    Diagram { arrows: arrows.collect(), unit: &plan.unit, pole }.draw(state.look, drawing, buffer);
 }
 
 /// What stands at a vector in the drawing and before it in the list: `R3`, or the point of an absolute velocity.
@@ -132,14 +136,6 @@ fn role(kind: VectorKind) -> Role {
         VectorKind::Absolute => Role::Velocity,
         _ => Role::Trace,
     }
-}
-
-/// The beginning of a text; that something is missing is seen.
-fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    text.chars().take(width.saturating_sub(1)).chain(['~']).collect()
 }
 
 /// Length at which 1 N is drawn: in the drawing of the mechanism the largest force is as long as half of it.
@@ -196,7 +192,7 @@ fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer
         Drawing::Polygon => "N",
         Drawing::Lever => "m/rad",
     };
-    Diagram { arrows: shown.map(|step| step_arrow(step, size)).collect(), unit }
+    Diagram { arrows: shown.map(|step| step_arrow(step, size)).collect(), unit, pole: None }
         .draw(state.look, drawing, buffer);
 }
 

@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::panel::wrapped;
+use super::panel::{cut, wrapped};
 use super::{mechanism, put};
 use crate::screen::draw::raster::short;
-use crate::screen::number::plain;
+use crate::screen::number::{digits, plain};
 use crate::screen::state::State;
 use crate::screen::study::Study;
 use crate::screen::text::fill;
@@ -14,10 +14,12 @@ use crate::screen::theme::Role;
 
 /// Columns before what is told of a group.
 const INDENT: usize = 5;
+/// Digits of the least determinant.
+const LEAST: usize = 3;
 
 /// Draws the view.
 pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let [top, rest] = Layout::vertical([Constraint::Length(3), Constraint::Min(0)]).areas(area);
+    let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
     let [tree, drawing] = Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest);
     let theme = state.look.theme;
     let structure = &study.linkage.structure;
@@ -26,6 +28,18 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     let mobility = fill(state.texts.mobility, &[&w.moving_links, &w.pairs, &w.value]);
     let class = fill(state.texts.class_of, &[&assur_structure::roman(structure.class())]);
     put(buffer, top, 1, 1, &format!("{mobility};  {class}"), theme.style(Role::Plain));
+    if let Some((group, health, at)) = study.nearest_group() {
+        let name = structure.group_name(&study.linkage.mechanism, group);
+        let nearest = fill(state.texts.nearest, &[&digits(health, LEAST), &at, &name]);
+        put(
+            buffer,
+            top,
+            1,
+            2,
+            &cut(&nearest, usize::from(top.width.saturating_sub(2))),
+            theme.style(Role::Plain),
+        );
+    }
     let lines = lines(state, study, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
     let height = usize::from(tree.height);
@@ -53,6 +67,10 @@ fn lines(state: &State, study: &Study, width: u16) -> Vec<(bool, String)> {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
         lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
+        if let Some((health, at)) = study.least_health(index) {
+            let least = fill(texts.least_health, &[&digits(health, LEAST), &at]);
+            lines.push((false, format!("{:INDENT$}{least}", "")));
+        }
         if chosen {
             let rows = details(state, study, group, index).into_iter();
             let rows = rows.flat_map(|line| wrapped(&line, usize::from(width).saturating_sub(INDENT)));

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::put;
 use crate::screen::draw::raster::short;
-use crate::screen::number::number;
+use crate::screen::number::{digits, number};
 use crate::screen::series::Series;
 use crate::screen::state::State;
 use crate::screen::study::Study;
@@ -96,11 +96,24 @@ fn draw_row(
     let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
-        let value =
-            study.column(column).map_or_else(String::new, |series| value(state, column, series, position));
+        let value = study.column(column).map_or_else(String::new, |series| {
+            let text = value(state, column, series, position);
+            fitted(text, usize::from(width) - 1)
+        });
         let _ = write!(text, "{value:>0$} ", usize::from(width) - 1);
     }
     put(buffer, Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, style);
+}
+
+/// A number in its cell: with fewer digits where it would be wider.
+fn fitted(text: String, width: usize) -> String {
+    let fits = |text: &String| text.chars().count() <= width;
+    match text.parse::<f64>() {
+        Ok(value) if !fits(&text) => {
+            (3..=5).rev().map(|many| digits(value, many)).find(fits).unwrap_or_else(|| format!("{value:.0e}"))
+        }
+        _ => text,
+    }
 }
 
 /// What stands in a cell: the value, or the difference to a second scene; of the coordinate always the value.
@@ -149,7 +162,7 @@ fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, bu
         let name = study.column(column).map_or("", |series| series.short.as_str());
         text.push_str("   ");
         text.push_str(&fill(state.texts.sorted_by, &[&name]));
-        text.push(if up { '^' } else { 'v' });
+        text.push(if up { '↑' } else { '↓' });
     }
     if let Some(compared) = &state.compared {
         text.push_str("   ");

@@ -212,7 +212,7 @@ pub(crate) fn save_line(state: &mut State, name: &str) {
 }
 
 /// `~/` is the home of the user, as in a shell.
-fn home(name: &str) -> PathBuf {
+pub(crate) fn home(name: &str) -> PathBuf {
     let home = || std::env::var_os("HOME").map(PathBuf::from);
     name.strip_prefix("~/").and_then(|rest| Some(home()?.join(rest))).unwrap_or_else(|| PathBuf::from(name))
 }
