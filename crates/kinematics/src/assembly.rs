@@ -57,4 +57,27 @@ impl Ways {
     pub fn changes(&self) -> &[(f64, usize)] {
         &self.changes
     }
+
+    /// The ways of a mechanism that is the same at the coordinate `from`, but in which the ways of some groups don't meet.
+    #[must_use]
+    pub fn without(&self, from: f64, gone: impl Fn(usize) -> bool) -> Self {
+        let changes: Vec<_> = self.changes.iter().copied().filter(|change| !gone(change.1)).collect();
+        let mut row = self.at(from).to_vec();
+        let before = changes.partition_point(|change| change.0 <= from);
+        for (_, group) in &changes[..before] {
+            row[*group] = 1 - row[*group];
+        }
+        Self { low: self.low, period: self.period, rows: rows_of(&row, &changes), changes }
+    }
+}
+
+/// Ways in each interval between changes, `first` before all of them.
+pub(crate) fn rows_of(first: &[u8], changes: &[(f64, usize)]) -> Vec<Vec<u8>> {
+    let mut rows = vec![first.to_vec()];
+    for (_, group) in changes {
+        let mut row = rows[rows.len() - 1].clone();
+        row[*group] = 1 - row[*group];
+        rows.push(row);
+    }
+    rows
 }

@@ -31,6 +31,7 @@ pub use linkage::{Linkage, Position};
 pub use patch::Across;
 pub use rank::{Rank, rank_of};
 pub use read::{LinkMotion, PointMotion, SlideMotion, continuous_angle};
+pub use seeds::iterated;
 
 #[cfg(test)]
 mod tests;

@@ -16,7 +16,7 @@ pub(crate) struct Seeds {
 }
 
 /// Links of the groups that may iterate: the five types of class II are closed forms, which don't look at a former place.
-pub(crate) fn iterated(structure: &Structure) -> Vec<usize> {
+pub fn iterated(structure: &Structure) -> Vec<usize> {
     let closed = |group: &&Group| group.plugin.class == 2 && (1..=5).contains(&group.plugin.number);
     structure
         .groups

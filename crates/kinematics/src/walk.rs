@@ -4,7 +4,7 @@ use assur_group::{Body, GroupError};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
-use crate::assembly::Ways;
+use crate::assembly::{Ways, rows_of};
 use crate::first::first_ways;
 use crate::leg::Leg;
 use crate::patch::Patch;
@@ -138,17 +138,6 @@ impl Walker<'_> {
         let grid: Vec<_> = back.grid.iter().skip(1).rev().chain(&forth.grid).cloned().collect();
         Seeds::keep(&self.iterated, from - before as f64 * step, step, false, &grid)
     }
-}
-
-/// Ways in each interval between changes.
-fn rows_of(first: &[u8], changes: &[(f64, usize)]) -> Vec<Vec<u8>> {
-    let mut rows = vec![first.to_vec()];
-    for (_, group) in changes {
-        let mut row = rows[rows.len() - 1].clone();
-        row[*group] = 1 - row[*group];
-        rows.push(row);
-    }
-    rows
 }
 
 /// Two legs from one start as one interval.

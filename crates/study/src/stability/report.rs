@@ -88,9 +88,7 @@ pub fn stability_watched<B>(
             rows.extend(scales::rows(&linkage, q, "whole mechanism, where it is healthiest"));
         }
     }
-    let critical: Vec<f64> = groups.iter().map(|group| group.coordinate).collect();
-    let lengths =
-        if failure.is_none() { margin::margins(&linkage, &critical, &mut step)? } else { Vec::new() };
+    let lengths = if failure.is_none() { margin::margins(&linkage, &mut step)? } else { Vec::new() };
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
     ControlFlow::Continue(Ok(Stability { title, angular, groups, lengths, rows, failure }))
 }

@@ -98,12 +98,13 @@ impl Stability {
         }
         text.push_str("\nLeast change of one length after which it no longer assembles all over\n");
         for margin in &self.lengths {
-            let show = |change: Option<f64>, sign: &str| match change {
-                Some(change) => format!("{sign}{:.6} mm", change * 1e3),
-                None => format!("{sign}any"),
+            let show = |change: Option<f64>, searched: f64, sign: &str| match change {
+                Some(change) => format!("{sign}{} mm", millimeters(change)),
+                None => format!("{sign} none found up to {} mm", millimeters(searched)),
             };
-            let (more, less) = (show(margin.increase, "+"), show(margin.decrease, "-"));
-            let _ = writeln!(text, "  {} ({:.6} mm): {more}, {less}", margin.length, margin.value * 1e3);
+            let more = show(margin.increase, margin.increase_searched, "+");
+            let less = show(margin.decrease, margin.decrease_searched, "-");
+            let _ = writeln!(text, "  {} ({} mm): {more}, {less}", margin.length, millimeters(margin.value));
         }
     }
 
@@ -134,9 +135,9 @@ impl Stability {
         {
             let _ = writeln!(
                 text,
-                "  The most critical length is {}: {:.6} mm of change.",
+                "  The most critical length is {}: {} mm of change.",
                 least.length,
-                change * 1e3
+                millimeters(change)
             );
         }
         let _ = writeln!(
@@ -153,6 +154,25 @@ impl Stability {
                 row.place, row.method, row.quantity, row.distance
             );
         }
+    }
+}
+
+/// A length in mm with eight significant digits, without zeros at the end.
+fn millimeters(length: f64) -> String {
+    let value = length * 1e3;
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    // The exponent after rounding: 9.99999999 has two digits before the point.
+    let scientific = format!("{value:.7e}");
+    let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok());
+    match exponent.map(|exponent| 7 - exponent) {
+        Some(decimals @ 1..=17) => {
+            let plain = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
+            plain.trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
+        Some(..=0) => format!("{value:.0}"),
+        _ => scientific,
     }
 }
 

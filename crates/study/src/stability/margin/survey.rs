@@ -1,0 +1,128 @@
+//! Whether a changed mechanism assembles at every coordinate, and how near it comes to not doing so.
+
+use assur_group::{Body, Order};
+use assur_kinematics::{Linkage, iterated};
+
+use super::golden::least_of;
+use super::length::Length;
+use super::trial::Trial;
+
+/// Every so many coordinates of the cycle are tried; between them the minima are sought.
+const STRIDE: usize = 4;
+
+/// Steps of the search for a minimum over the coordinate: its place to 1e-10 of a stride, and so its value to rounding.
+const STEPS: usize = 48;
+
+/// The coordinates at which a mechanism is tried.
+pub(super) struct Survey<'a> {
+    linkage: &'a Linkage,
+    length: &'a Length,
+    grid: &'a [f64],
+    /// By group: whether it begins at a former place.
+    iterates: Vec<bool>,
+    /// For each coordinate the links where the last mechanism had them that assembles; one for all if nothing iterates.
+    starts: Vec<Vec<Body<f64>>>,
+    /// Squared determinants by coordinate and group.
+    squares: Vec<Vec<f64>>,
+    /// The coordinate that failed last: it is tried first.
+    suspect: Option<(usize, f64)>,
+}
+
+/// The coordinates of the grid.
+pub(super) fn grid(linkage: &Linkage) -> Vec<f64> {
+    super::super::cycle::coordinates(linkage).into_iter().step_by(STRIDE).collect()
+}
+
+impl<'a> Survey<'a> {
+    /// Begins with the mechanism as it is.
+    pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a [f64]) -> Self {
+        let links = iterated(&linkage.structure);
+        let iterates: Vec<bool> = linkage
+            .structure
+            .groups
+            .iter()
+            .map(|group| group.frame.links.iter().any(|link| links.contains(link)))
+            .collect();
+        let mut position = linkage.position();
+        let starts = if links.is_empty() {
+            vec![position.bodies]
+        } else {
+            let mut at = |&q: &f64| {
+                // The mechanism as it is assembles all over; a singular place leaves the one before, which is near.
+                let _ = linkage.solve(q, Order::Place, &mut position);
+                position.bodies.clone()
+            };
+            grid.iter().map(&mut at).collect()
+        };
+        let squares = vec![vec![0.0; iterates.len()]; grid.len()];
+        Self { linkage, length, grid, iterates, starts, squares, suspect: None }
+    }
+
+    /// Least squared determinant of all groups over the cycle with the length longer by `change` (m); `None` where the
+    /// mechanism does not assemble all over.
+    pub(super) fn clearance(&mut self, change: f64) -> Option<f64> {
+        let mut trial = Trial::of(self.linkage, &self.length.changed(&self.linkage.mechanism, change))?;
+        let mut bodies = self.starts[0].clone();
+        if let Some((start, q)) = self.suspect {
+            bodies.clone_from(&self.starts[start]);
+            trial.place(q, &self.iterates, &mut bodies)?;
+        }
+        let mut placed = Vec::with_capacity(self.starts.len());
+        for (i, &q) in self.grid.iter().enumerate() {
+            let start = i.min(self.starts.len() - 1);
+            bodies.clone_from(&self.starts[start]);
+            if trial.place(q, &self.iterates, &mut bodies).is_none() {
+                self.suspect = Some((start, q));
+                return None;
+            }
+            self.squares[i].copy_from_slice(&trial.squares);
+            if self.starts.len() > 1 {
+                placed.push(bodies.clone());
+            }
+        }
+        let least = self.between(&mut trial, &placed)?;
+        if self.starts.len() > 1 {
+            self.starts = placed;
+        }
+        Some(least)
+    }
+
+    /// The least value, with the minima between the coordinates of the grid.
+    fn between(&mut self, trial: &mut Trial, placed: &[Vec<Body<f64>>]) -> Option<f64> {
+        let mut least = f64::INFINITY;
+        let mut bodies = self.starts[0].clone();
+        for group in 0..self.iterates.len() {
+            for i in 0..self.grid.len() {
+                let at = self.squares[i][group];
+                least = least.min(at);
+                let neighbors = [i.saturating_sub(1), (i + 1).min(self.grid.len() - 1)];
+                if !may_touch(at, neighbors.map(|k| self.squares[k][group])) {
+                    continue;
+                }
+                let [low, high] = neighbors.map(|k| self.grid[k]);
+                let mut failed = None;
+                let found = least_of(low, high, STEPS, |q| {
+                    if let Some(start) = placed.get(i) {
+                        bodies.clone_from(start);
+                    }
+                    failed = Some(q);
+                    trial.place(q, &self.iterates, &mut bodies)?;
+                    Some(trial.squares[group])
+                });
+                let Some((_, value)) = found else {
+                    self.suspect = failed.map(|q| (i.min(self.starts.len() - 1), q));
+                    return None;
+                };
+                least = least.min(value);
+            }
+        }
+        Some(least)
+    }
+}
+
+/// Whether a value that is not above its neighbors may be beside a minimum that reaches zero: a parabola through the three
+/// dips by an eighth of their difference at most.
+pub(super) fn may_touch(value: f64, neighbors: [f64; 2]) -> bool {
+    let [a, b] = neighbors;
+    value <= a && value <= b && value <= a.max(b) - value
+}
