@@ -23,16 +23,16 @@ impl Study {
         notes.extend(self.poles());
         notes.extend(self.barriers());
         if !positions.is_empty() {
-            let numbers: Vec<_> = positions.iter().map(ToString::to_string).collect();
-            notes.push(format!("No forces in positions {}: {LOST}.", numbers.join(", ")));
+            notes.push(format!("No forces in {}: {LOST}.", listed("position", positions)));
         }
         if samples.at_change_points > 0 {
-            notes.push(format!("No forces at {} samples of the motion: {LOST}.", samples.at_change_points));
+            let count = counted("sample", samples.at_change_points);
+            notes.push(format!("No forces at {count} of the motion: {LOST}."));
         }
         if let Some(reason) = &samples.reason {
             notes.push(format!(
-                "No forces at {} samples of the motion; at the first: {reason}.",
-                samples.refused
+                "No forces at {} of the motion; at the first: {reason}.",
+                counted("sample", samples.refused)
             ));
         }
         notes
@@ -45,7 +45,8 @@ impl Study {
         let linkage = &self.linkage;
         let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
         for &(coordinate, group) in linkage.change_points().iter().filter(|(at, _)| self.visits(*at)) {
-            match places.iter_mut().find(|(at, _)| (*at - coordinate).abs() < SAME) {
+            match places.iter_mut().find(|(at, _)| self.are_one(*at, coordinate)) {
+                Some((_, groups)) if groups.contains(&group) => {}
                 Some((_, groups)) => groups.push(group),
                 None => places.push((coordinate, vec![group])),
             }
@@ -53,13 +54,13 @@ impl Study {
         let words: Vec<String> = places.iter().map(|(at, groups)| self.change_point(*at, groups)).collect();
         let input = &linkage.mechanism.input;
         let across = |index: &usize| linkage.across(input.coordinate(*index)).is_some();
-        let positions: Vec<_> = (0..input.positions).filter(across).map(|index| index.to_string()).collect();
+        let positions: Vec<usize> = (0..input.positions).filter(across).collect();
         let interpolated = match &positions[..] {
             [] => String::new(),
             numbers => format!(
-                " In positions {} the equations of the group say nothing or little (0/0): their motion is interpolated \
+                " In {} the equations of the group say nothing or little (0/0): the motion there is interpolated \
                  from both sides.",
-                numbers.join(", ")
+                listed("position", numbers)
             ),
         };
         (!words.is_empty()).then(|| {
@@ -97,14 +98,12 @@ impl Study {
             linkage.structure.group_name(&linkage.mechanism, failure.group)
         );
         if !back.is_empty() {
-            let _ = write!(note, " Positions {} are reached by turning back only.", runs(&back));
+            let are = if back.len() == 1 { "is" } else { "are" };
+            let _ = write!(note, " {} {are} reached by turning back only.", runs(&back));
         }
         if !beyond.is_empty() {
-            let _ = write!(
-                note,
-                " Positions {} are places of the mechanism, but not of that motion.",
-                runs(&beyond)
-            );
+            let are = if beyond.len() == 1 { "is a place" } else { "are places" };
+            let _ = write!(note, " {} {are} of the mechanism, but not of that motion.", runs(&beyond));
         }
         Some(note)
     }
@@ -128,6 +127,18 @@ impl Study {
                 words.join("; ")
             )
         })
+    }
+
+    /// Whether two coordinates are one place of the input link. A mechanism whose cycle takes several turns comes to each of
+    /// its change points in several of them.
+    fn are_one(&self, a: f64, b: f64) -> bool {
+        let apart = (a - b).abs();
+        if !self.linkage.angular() {
+            return apart < SAME;
+        }
+        let turn = std::f64::consts::TAU;
+        let within = apart.rem_euclid(turn);
+        within.min(turn - within) < SAME
     }
 
     /// Whether the scene may come to a coordinate, in any turn.
@@ -167,13 +178,27 @@ impl Study {
     }
 }
 
-/// Increasing numbers in words: "3, 11 to 47".
+/// A number of things: "1 sample", "3 samples".
+fn counted(thing: &str, count: usize) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{plural}")
+}
+
+/// Numbered things: "position 3", "positions 3, 11".
+fn listed(thing: &str, numbers: &[usize]) -> String {
+    let plural = if numbers.len() == 1 { "" } else { "s" };
+    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
+    format!("{thing}{plural} {}", numbers.join(", "))
+}
+
+/// Increasing numbers of positions in words: "Positions 3, 11 to 47", "Position 3".
 fn runs(numbers: &[usize]) -> String {
     let parts = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
         [first, .., last] => format!("{first} to {last}"),
         _ => run.iter().map(ToString::to_string).collect(),
     });
-    parts.collect::<Vec<_>>().join(", ")
+    let plural = if numbers.len() == 1 { "" } else { "s" };
+    format!("Position{plural} {}", parts.collect::<Vec<_>>().join(", "))
 }
 
 /// Parts of the scene and of the choice of methods that are not used.

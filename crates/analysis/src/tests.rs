@@ -157,8 +157,21 @@ fn samples_without_forces_say_why() {
     let found = Study::of(mechanism, &options).unwrap().analyze();
     assert!(found.trajectory[0].balancing.is_none() && found.trajectory[1].balancing.is_some());
     let note = found.notes.iter().find(|note| note.contains("No forces")).unwrap();
-    assert!(note.starts_with("No forces at 1 samples of the motion; at the first: "), "{note}");
+    assert!(note.starts_with("No forces at 1 sample of the motion; at the first: "), "{note}");
     assert!(!note.contains("change point"), "{note}");
+}
+
+/// 200 + 400 = 350 + 250 mm: the ways meet once in a turn, so that the cycle is two turns with one place in both.
+#[test]
+fn a_change_point_of_both_turns_is_told_once() {
+    let scene = "[ground]\npoints = { O = [0, 0], C = [\"400 mm\", 0] }\n\
+        [link.crank]\npoints = { O = 0, A = \"200 mm\" }\n\
+        [link.coupler]\npoints = { A = 0, B = \"350 mm\" }\n\
+        [link.rocker]\npoints = { C = 0, B = \"250 mm\" }\n[input]\nlink = \"crank\"\npositions = 24\n";
+    let notes = analyzed(scene).notes;
+    assert_eq!(notes[0].matches("180.0000 deg").count(), 1, "{notes:?}");
+    assert!(notes[0].contains("180.0000 deg (group 1 (RRR coupler, rocker)). "), "{notes:?}");
+    assert!(notes[0].contains(" In position 12 the equations"), "{notes:?}");
 }
 
 /// Stones on the crank's guide and on the ground's share a pin: it is at infinity where the crank is parallel to the ground.

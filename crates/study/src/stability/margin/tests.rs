@@ -1,0 +1,133 @@
+//! Against closed forms of the limits.
+
+use assur_all as _;
+
+use super::super::{Margin, stability};
+
+/// A slider-crank with crank, rod and offset, m.
+fn slider_crank(crank: f64, rod: f64, offset: f64) -> String {
+    format!(
+        "[ground]\npoints = {{ O = [0, 0] }}\n[link.crank]\npoints = {{ O = 0, A = {crank:?} }}\n\
+         [link.rod]\npoints = {{ A = 0, B = {rod:?} }}\n[link.slider]\npoints = {{ B = 0 }}\n\
+         [[slide]]\nlink = \"slider\"\non = \"ground\"\nthrough = [0, {offset:?}]\n\
+         [input]\nlink = \"crank\"\nfrom = 0.3\n"
+    )
+}
+
+/// A four-bar with its ground pivots at (0, 0) and `c`, m.
+fn four_bar(c: [f64; 2], crank: f64, coupler: f64, rocker: f64) -> String {
+    format!(
+        "[ground]\npoints = {{ O = [0, 0], C = {c:?} }}\n[link.crank]\npoints = {{ O = 0, A = {crank:?} }}\n\
+         [link.coupler]\npoints = {{ A = 0, B = {coupler:?} }}\n[link.rocker]\npoints = {{ C = 0, B = {rocker:?} }}\n\
+         [input]\nlink = \"crank\"\n"
+    )
+}
+
+fn margins(text: &str) -> Vec<Margin> {
+    stability(assur_scene::read("scene.toml", text).unwrap()).unwrap().lengths
+}
+
+/// The increase and the decrease of the length that begins so are these, to 1e-12 of the size (1 m).
+fn check(found: &[Margin], start: &str, increase: Option<f64>, decrease: Option<f64>) {
+    let margin = found.iter().find(|margin| margin.length.starts_with(start)).unwrap();
+    for (found, wanted) in [(margin.increase, increase), (margin.decrease, decrease)] {
+        match (found, wanted) {
+            (Some(found), Some(wanted)) => assert!((found - wanted).abs() < 1e-12, "{wanted}: {margin:?}"),
+            (found, wanted) => assert_eq!(found, wanted, "{margin:?}"),
+        }
+    }
+}
+
+/// The rod reaches the guide all over while rod >= crank + |offset|.
+#[test]
+fn slider_crank_breaks_where_rod_is_crank_and_offset() {
+    let found = margins(&slider_crank(0.06, 0.24, 0.0));
+    check(&found, "crank", Some(0.18), None);
+    check(&found, "rod", None, Some(0.18));
+    check(&found, "slider", Some(0.18), Some(0.18));
+    let rod = found.iter().find(|margin| margin.length.starts_with("rod")).unwrap();
+    assert!((rod.increase_searched - 24.0).abs() < 1e-12);
+    let found = margins(&slider_crank(0.0613, 0.2471, 0.0391));
+    check(&found, "crank", Some(0.2471 - 0.0391 - 0.0613), None);
+    check(&found, "rod", None, Some(0.2471 - 0.0391 - 0.0613));
+    check(&found, "slider", Some(0.2471 - 0.0391 - 0.0613), Some(0.2471 + 0.0391 - 0.0613));
+}
+
+/// The crank turns fully while ground + crank <= coupler + rocker and |ground - crank| >= |coupler - rocker|.
+#[test]
+fn four_bar_breaks_where_grashof_says() {
+    let found = margins(&four_bar([0.4, 0.0], 0.1, 0.35, 0.25));
+    check(&found, "crank", Some(0.1), None);
+    check(&found, "ground", Some(0.1), Some(0.2));
+    check(&found, "coupler", Some(0.2), Some(0.1));
+    check(&found, "rocker", Some(0.4), Some(0.1));
+    // The ground at an angle: the coordinates of the limits lie between those of any grid.
+    let (x, y) = (0.32_f64, -0.04_f64);
+    let ground = x.hypot(y);
+    let found = margins(&four_bar([x, y], 0.09, 0.28, 0.21));
+    let sum = 0.28 + 0.21 - ground - 0.09;
+    check(&found, "crank", Some(sum), None);
+    check(&found, "ground", Some(sum), Some(ground - 0.09 - 0.07));
+    check(&found, "coupler", Some(ground - 0.09 - 0.07), Some(sum));
+}
+
+/// Coupler and rocker differ by 2 mm: a crank longer than 398 mm breaks, one longer than 402 mm doesn't.
+#[test]
+fn a_narrow_band_of_lengths_that_break_is_found() {
+    let found = margins(&four_bar([0.4, 0.0], 0.1, 0.7, 0.702));
+    check(&found, "crank", Some(0.298), None);
+    check(&found, "ground", Some(0.902), Some(0.298));
+    // A drag link: the shortest is the ground.
+    let found = margins(&four_bar([0.1, 0.0], 0.4, 0.7, 0.702));
+    check(&found, "crank", Some(0.902), Some(0.298));
+}
+
+/// 0.2 + 0.4 = 0.35 + 0.25: any longer crank breaks, and any shorter one turns.
+#[test]
+fn the_margin_of_a_change_point_is_zero() {
+    let found = margins(&four_bar([0.4, 0.0], 0.2, 0.35, 0.25));
+    check(&found, "crank", Some(0.0), None);
+    check(&found, "coupler", Some(0.1), Some(0.0));
+}
+
+/// A stone on a guide of the rocker that passes its pivot C at a distance: the crank pin must stay outside the circle that
+/// the guide touches.
+#[test]
+fn an_inverted_slider_crank_breaks_where_its_pin_meets_the_circle_of_the_guide() {
+    let found = margins(
+        "[ground]\npoints = { O = [0, 0], C = [0.31, 0.17] }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n\
+         [link.stone]\npoints = { A = 0 }\n[link.rocker]\npoints = { C = 0 }\n\
+         [[slide]]\nlink = \"stone\"\non = \"rocker\"\nthrough = [0, 0.05]\n[input]\nlink = \"crank\"\n",
+    );
+    let ground = 0.31_f64.hypot(0.17);
+    let left = ground - 0.1 - 0.05;
+    check(&found, "crank", Some(left), None);
+    check(&found, "ground", None, Some(left));
+    check(&found, "stone", Some(left), Some(ground - 0.1 + 0.05));
+}
+
+/// An ideal parallelogram turns a second crank as its own; behind it the slider-crank has its own limits.
+#[test]
+fn behind_a_parallelogram_the_limits_are_those_of_what_follows() {
+    let found = margins(
+        "[ground]\npoints = { O = [0, 0], C = [0.5, 0] }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n\
+         [link.coupler]\npoints = { A = 0, B = 0.5 }\n[link.second]\npoints = { C = 0, B = 0.1 }\n\
+         [link.rod]\npoints = { B = 0, D = 0.3 }\n[link.piston]\npoints = { D = 0 }\n\
+         [[slide]]\nlink = \"piston\"\non = \"ground\"\n[input]\nlink = \"crank\"\nfrom = 1\n\
+         [assembly]\nB = [0.554, 0.084]\nD = [0.84, 0]\n",
+    );
+    check(&found, "rod", None, Some(0.2));
+    check(&found, "piston", Some(0.2), Some(0.2));
+    check(&found, "crank", Some(0.0), None);
+}
+
+/// The size of a mechanism does not count.
+#[test]
+fn margins_scale_with_the_mechanism() {
+    for unit in [1e-6, 1e3] {
+        let found = margins(&four_bar([0.4 * unit, 0.0], 0.1 * unit, 0.35 * unit, 0.25 * unit));
+        let margin = found.iter().find(|margin| margin.length.starts_with("rocker")).unwrap();
+        assert!((margin.increase.unwrap() / unit - 0.4).abs() < 1e-12, "{unit}: {margin:?}");
+        assert!((margin.decrease.unwrap() / unit - 0.1).abs() < 1e-12, "{unit}: {margin:?}");
+    }
+}
