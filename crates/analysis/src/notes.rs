@@ -77,6 +77,8 @@ impl Study {
     fn barriers(&self) -> Option<String> {
         let linkage = &self.linkage;
         let input = &linkage.mechanism.input;
+        // Nothing is solved again where nothing is behind a gap.
+        (0..input.positions).find(|index| linkage.barrier(input.coordinate(*index)).is_some())?;
         let mut position = linkage.position();
         let mut solves = |index: usize| linkage.solve_index(index, Order::Place, &mut position).is_ok();
         let solved: Vec<bool> = (0..input.positions).map(&mut solves).collect();

@@ -95,6 +95,29 @@ fn figures_of_a_slider_crank() {
     assert!(found.is_ok(), "{}", found.to_text());
 }
 
+#[test]
+fn margins_are_told_with_the_digits_that_are_right() {
+    let text = stability(scene(CRANK_ROD)).unwrap().to_text();
+    assert!(
+        text.contains("rod: A to B (1000 mm): + none found up to 100000 mm, -750 mm\n")
+            && text.contains("crank: O to A (250 mm): +750 mm, - none found up to 249.99975 mm\n"),
+        "{text}"
+    );
+}
+
+#[test]
+fn ways_stay_where_they_no_longer_meet() {
+    let linkage = Linkage::compile(parallelogram()).unwrap();
+    assert_eq!(linkage.change_points().len(), 2);
+    assert_eq!(linkage.ways.without(1.0, |_| false), linkage.ways);
+    for from in [1.0, 4.0] {
+        let alone = linkage.ways.without(from, |_| true);
+        for q in [-2.0, 0.5, 2.0, 4.0, 7.0] {
+            assert_eq!(alone.at(q), linkage.ways.at(from), "{from}, {q}");
+        }
+    }
+}
+
 /// A crank-rocker 1 : 3.5 : 3 : 4 (crank, coupler, rocker, ground) by Grashof's sums.
 #[test]
 fn margins_of_a_four_bar() {
