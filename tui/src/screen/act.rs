@@ -87,7 +87,7 @@ pub(crate) fn preview(state: &mut State) {
 /// Opens the chosen shipped scene.
 pub(crate) fn open_scene(state: &mut State) {
     if let Some((name, _)) = super::menu::SCENES.get(state.menu.chosen) {
-        state.wishes.push(Wish::Work(Job::Open(Source::Shipped(name))));
+        super::whatif::open(state, Source::Shipped(name));
     }
 }
 

@@ -95,10 +95,7 @@ pub(crate) fn run(state: &mut State, line: &str) {
         ("set", rest) => set(state, rest),
         ("compare", file) => compare(state, file),
         ("open", "") => act::menu(state),
-        ("open", file) => {
-            let source = source(file);
-            state.wishes.push(Wish::Work(Job::Open(source)));
-        }
+        ("open", file) => whatif::open(state, source(file)),
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),

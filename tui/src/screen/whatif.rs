@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use assur_scene::edit::{SceneValue, bare, replaced};
 
 pub(crate) use act::{
-    choose, exact, home, lower, quit, raise, reloaded, save, save_line, search, set, step, take, toggle, undo,
+    choose, exact, home, lower, open, quit, raise, reloaded, save, save_line, search, set, step, take,
+    toggle, undo,
 };
 
 use super::study::{Source, Study};

@@ -3,6 +3,7 @@
 use super::words::TURNS;
 use super::{opened, press, scene, settle, text, write};
 use crate::screen::accuracy::Measured;
+use crate::screen::draw::chart::Chart;
 use crate::screen::draw::diagram::{Arrow, Diagram};
 use crate::screen::state::{Look, State, View};
 use crate::screen::theme::Role;
@@ -134,7 +135,7 @@ fn only_near_names_are_offered() {
         assert_eq!(text(&state, 80, 24).contains("did you mean"), offered, "{typed}");
     }
     write(&mut state, ":compare");
-    assert!(text(&state, 120, 24).contains("compare wants a scene"));
+    assert!(text(&state, 120, 24).contains("wants a scene file or the name of a shipped one; `off` ends it"));
 }
 
 #[test]
@@ -147,6 +148,17 @@ fn changes_that_are_taken_back_are_none() {
     press(&mut state, "u");
     super::command::press(&mut state, crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('q')));
     assert!(matches!(state.wishes[..], [super::Wish::Quit]), "{:?}", state.message);
+}
+
+#[test]
+fn another_scene_does_not_drop_changes_unasked() {
+    let mut state = opened("shaper.toml");
+    write(&mut state, ":value link.crank.points.A 101 mm");
+    write(&mut state, ":open four-bar.toml");
+    assert!(text(&state, 80, 24).contains("changes are not saved"));
+    assert_eq!(state.study.as_ref().unwrap().source.name(), "shaper.toml");
+    write(&mut state, ":open four-bar.toml");
+    assert_eq!(state.study.as_ref().unwrap().source.name(), "four-bar.toml");
 }
 
 #[test]
@@ -212,4 +224,23 @@ fn a_long_line_hangs() {
     // A word that is wider than everything is left to be cut.
     assert_eq!(folded("abcdefghij kl", 5), ["abcdefghij kl"]);
     assert_eq!(folded("", 5), [""]);
+}
+
+#[test]
+fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
+    let area = ratatui::layout::Rect::new(0, 0, 40, 6);
+    let mut buffer = ratatui::buffer::Buffer::empty(area);
+    let values = [1.27e-14, 367.0, 100.0];
+    let chart = Chart {
+        title: "piston/ground on piston F  133.269 N and more".to_owned(),
+        curves: vec![(&values, ratatui::style::Style::new())],
+        marks: Vec::new(),
+        cursor: 0,
+        floor: 0.0,
+        places: None,
+    };
+    chart.draw(area, 11, Look::default(), &mut buffer);
+    let row = |y: u16| (0..40).map(|x| buffer[(x, y)].symbol()).collect::<String>();
+    assert!(row(0).ends_with("133.269 N a~ "), "{}", row(0));
+    assert!(row(5).starts_with("         0│"), "{}", row(5));
 }

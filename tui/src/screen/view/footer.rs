@@ -134,7 +134,12 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
 /// The faults of a file that was not taken.
 pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.saturating_sub(2));
-    let fault: Vec<String> = fault.lines().flat_map(|line| folded(line, width)).collect();
+    // A line of the file stays one row, since the next one marks a place in it.
+    let quoted = |line: &str| {
+        line.split_once('|').is_some_and(|(number, _)| number.trim().chars().all(|c| c.is_ascii_digit()))
+    };
+    let rows = |line| if quoted(line) { vec![line.to_owned()] } else { folded(line, width) };
+    let fault: Vec<String> = fault.lines().flat_map(rows).collect();
     let lines = short(fault.len());
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);

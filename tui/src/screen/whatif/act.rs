@@ -7,7 +7,7 @@ use crate::screen::accuracy::{self, Accuracy};
 use crate::screen::act::round;
 use crate::screen::prompt;
 use crate::screen::state::{State, View, Wish};
-use crate::screen::study::Study;
+use crate::screen::study::{Source, Study};
 use crate::screen::text::fill;
 use crate::screen::theme::Role;
 use crate::screen::work::Job;
@@ -219,10 +219,24 @@ pub(crate) fn home(name: &str) -> PathBuf {
 
 /// Leaves, but first says that changes are not saved.
 pub(crate) fn quit(state: &mut State) {
-    if state.what_if.unsaved() && !std::mem::replace(&mut state.what_if.warned, true) {
+    if may_drop(state) {
+        state.wishes.push(Wish::Quit);
+    } else {
         let text = fill(state.texts.unsaved, &[&state.keys.first("save"), &state.keys.first("quit")]);
         state.say(Role::Bad, text);
-    } else {
-        state.wishes.push(Wish::Quit);
     }
+}
+
+/// Opens a scene, but first says that changes of the open one are not saved.
+pub(crate) fn open(state: &mut State, source: Source) {
+    if may_drop(state) {
+        state.wishes.push(Wish::Work(Job::Open(source)));
+    } else {
+        state.say(Role::Bad, fill(state.texts.unsaved_here, &[&state.keys.first("save")]));
+    }
+}
+
+/// Whether there is nothing to lose, or the user was told.
+fn may_drop(state: &mut State) -> bool {
+    !state.what_if.unsaved() || std::mem::replace(&mut state.what_if.warned, true)
 }
