@@ -9,6 +9,7 @@ use super::state::{Look, State, View, Wish};
 use super::study::Source;
 use super::text::fill;
 use super::theme::{Role, Theme};
+use super::view::help::where_it_works;
 use super::whatif;
 use super::work::Job;
 
@@ -104,6 +105,10 @@ pub(crate) fn run(state: &mut State, line: &str) {
         ("point" | "link" | "slide", name) => quantity(state, word, name),
         (name, "") => match command::named(name) {
             Some(command) if state.takes(command) => (command.run)(state),
+            Some(command) => {
+                let place = where_it_works(state, command);
+                state.say(Role::Bad, fill(state.texts.not_here, &[&name, &place]));
+            }
             _ => unknown(state, name),
         },
         _ => unknown(state, word),

@@ -134,6 +134,8 @@ fn only_near_names_are_offered() {
         write(&mut state, typed);
         assert_eq!(text(&state, 80, 24).contains("did you mean"), offered, "{typed}");
     }
+    write(&mut state, ":lower");
+    assert!(text(&state, 80, 24).contains("`lower` has no meaning here (view What if)"));
     write(&mut state, ":compare");
     assert!(text(&state, 120, 24).contains("wants a scene file or the name of a shipped one; `off` ends it"));
 }

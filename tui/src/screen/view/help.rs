@@ -96,7 +96,7 @@ fn rows(state: &State, help: &Help) -> Vec<Row> {
 }
 
 /// The keys of the views in which the keys of a command mean it, where it is not every view with a scene: ` (view 3)`.
-fn where_it_works(state: &State, command: &Command) -> String {
+pub(crate) fn where_it_works(state: &State, command: &Command) -> String {
     let names = |views: &[View]| {
         let names: Vec<String> = views.iter().map(|view| header::key(state, *view)).collect();
         names.join(" ")

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::panel::cut;
 use super::put;
 use crate::screen::draw::raster::short;
 use crate::screen::number::{digits, number};
@@ -168,6 +169,7 @@ fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, bu
         text.push_str("   ");
         text.push_str(&fill(state.texts.table_less, &[&compared.name]));
     }
+    let text = cut(&text, usize::from(area.width.saturating_sub(2)));
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));
 }
 
