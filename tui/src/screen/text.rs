@@ -84,6 +84,7 @@ texts! {
     nothing_to_write: "this view has nothing to write",
     no_file: "a shipped scene has no file to read again",
     worker_failed: "the calculation stopped unexpectedly: {0}",
+    more_rows: ".. {0} more lines",
     fault_title: "The scene was not taken; the old result stays. Any key goes on.",
     config_title: "The configuration was not taken; the defaults hold. Any key goes on.",
     config_head: "Configuration of assur's terminal UI. Every value here is the default; keep what you change.

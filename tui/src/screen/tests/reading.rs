@@ -246,3 +246,16 @@ fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
     assert!(row(0).ends_with("133.269 N a~ "), "{}", row(0));
     assert!(row(5).starts_with("         0│"), "{}", row(5));
 }
+
+#[test]
+fn every_fault_is_told_where_there_is_room_for_its_line_alone() {
+    let mut state = opened("shaper.toml");
+    let fault = |number: usize| {
+        format!("error: fault {number}\n  file, line {number}\n  |\n{number} | a = 1\n  | ^\n\n")
+    };
+    state.fault = Some(("title", (1..9).map(fault).collect::<Vec<_>>().concat()));
+    let frame = text(&state, 80, 24);
+    assert!((1..9).all(|number| frame.contains(&format!("file, line {number}"))), "{frame}");
+    state.fault = Some(("title", (1..30).map(fault).collect::<Vec<_>>().concat()));
+    assert!(text(&state, 80, 24).contains(".. 41 more lines"), "{}", text(&state, 80, 24));
+}

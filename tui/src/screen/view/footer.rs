@@ -139,7 +139,19 @@ pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, bu
         line.split_once('|').is_some_and(|(number, _)| number.trim().chars().all(|c| c.is_ascii_digit()))
     };
     let rows = |line| if quoted(line) { vec![line.to_owned()] } else { folded(line, width) };
-    let fault: Vec<String> = fault.lines().flat_map(rows).collect();
+    let room = usize::from(area.height.saturating_sub(2));
+    let mut shown: Vec<String> = fault.lines().flat_map(rows).collect();
+    if shown.len() > room {
+        // What is wrong and where, of every fault, goes before the lines of the file.
+        let told = |line: &&str| !quoted(line) && !line.is_empty() && !line.starts_with("  =");
+        shown = fault.lines().filter(told).flat_map(rows).collect();
+    }
+    if shown.len() > room {
+        let more = shown.len() - room.saturating_sub(1);
+        shown.truncate(room.saturating_sub(1));
+        shown.push(fill(state.texts.more_rows, &[&more]));
+    }
+    let fault = shown;
     let lines = short(fault.len());
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
