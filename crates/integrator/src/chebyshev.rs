@@ -52,6 +52,7 @@ impl Basis {
     }
 
     /// Coefficients of the polynomial through these values at the nodes.
+    #[inline]
     pub fn fit(&self, values: &[f64; NODES]) -> Series {
         let mut series = [0.0; TERMS];
         for (coefficient, row) in series.iter_mut().zip(&self.table) {
@@ -64,6 +65,7 @@ impl Basis {
 /// Value at `x`, by Clenshaw's recurrence for the even and for the odd terms, side by side: each is a chain of operations
 /// that wait for one another, and half as long. `T_2k(x) = T_k(u)` and `T_2k+1(x) = x V_k(u)` with `u = 2 x² - 1` and the
 /// polynomials of the third kind, `V_0 = 1`, `V_1 = 2 u - 1`.
+#[inline]
 pub fn value(series: &Series, x: f64) -> f64 {
     let twice = 2.0 * (2.0 * x * x - 1.0);
     let (mut even, mut even_before) = (0.0, 0.0);
@@ -77,6 +79,7 @@ pub fn value(series: &Series, x: f64) -> f64 {
 }
 
 /// Integral from -1, times `scale`.
+#[inline]
 pub fn integral(series: &Series, scale: f64) -> Series {
     let at = |k: usize| if k < TERMS { series[k] } else { 0.0 };
     let mut sum = [0.0; TERMS];
@@ -102,11 +105,13 @@ pub fn divided(p: &Series, r: f64) -> Series {
 }
 
 /// How much the last coefficients still matter: an upper estimate of what was left out.
+#[inline]
 pub fn tail(series: &Series) -> f64 {
     series[NODES - 1].abs() + series[NODES - 2].abs()
 }
 
 /// `Σ |c_k|` over k > 0: the value differs from the first coefficient by no more.
+#[inline]
 pub fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }

@@ -30,5 +30,5 @@ fn both_are_registered() {
         assert_eq!((assur_integrator::find(name).unwrap().instance)().name(), name);
     }
     let error = assur_integrator::find("euler").unwrap_err().to_string();
-    assert_eq!(error, "no integrator is named `euler`; there are: dop853, dopri5");
+    assert_eq!(error, "no integrator is called `euler`; there are: dop853, dopri5");
 }

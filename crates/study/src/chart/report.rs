@@ -40,7 +40,7 @@ What follows, and what the program does by default:
 * **Motion:** `auto` takes `closed-form` where J and M are constant; `quadrature` where J is constant and M depends on
   time alone or on the speed alone; `energy` where the moment depends on the coordinate alone, since it needs the fewest
   evaluations and drifts least (where a position costs next to nothing, as of a crank alone, its own
-  quadrature takes up to three times as long as steps in time would); `dopri5` for tolerances looser than 1e-4, `dop853` for
+  quadrature takes up to four times as long as steps in time would); `dopri5` for tolerances looser than 1e-4, `dop853` for
   tighter ones. `radau5` pays where a motor is steep. `uniform` and `rk4` at a fixed step are there to be compared. A
   test holds `auto` to at most three times the evaluations of the best method that meets the tolerance; the table above has
   its times.
