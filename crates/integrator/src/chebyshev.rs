@@ -20,10 +20,10 @@ pub struct Basis {
     table: [[f64; NODES]; NODES],
 }
 
-/// [`Basis::with_ends`], made once: its cosines cost as much as a short motion.
+/// The basis whose nodes have both ends, made once: its cosines cost as much as a short motion.
 pub static WITH_ENDS: LazyLock<Basis> = LazyLock::new(Basis::with_ends);
 
-/// [`Basis::inside`], made once.
+/// The basis whose nodes all lie inside, made once.
 pub static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
 
 impl Basis {
