@@ -128,7 +128,8 @@ fn compare(state: &mut State, file: &str) {
 /// A file, or else a shipped scene of this name.
 fn source(file: &str) -> Source {
     let path = whatif::home(file);
-    let shipped = super::menu::SCENES.iter().find(|(name, _)| *name == file);
+    let is_asked = |name: &str| name == file || name.strip_suffix(".toml") == Some(file);
+    let shipped = super::menu::SCENES.iter().find(|(name, _)| is_asked(name));
     match shipped {
         Some((name, _)) if !path.exists() => Source::Shipped(name),
         _ => Source::File(path),

@@ -116,6 +116,8 @@ fn another_scene_is_opened_by_its_name() {
     assert_eq!(state.view, View::Mechanism, "also the scene that is open already");
     write(&mut state, ":open four-bar.toml");
     assert_eq!(state.study.as_ref().unwrap().source.name(), "four-bar.toml");
+    write(&mut state, ":open press");
+    assert_eq!(state.study.as_ref().unwrap().source.name(), "press.toml");
     write(&mut state, &format!(":open {}", folder.path().display()));
     assert!(text(&state, 120, 24).contains("is a folder, not a scene file"));
     press(&mut state, "x");
