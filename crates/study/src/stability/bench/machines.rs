@@ -7,13 +7,13 @@ use assur_kinematics::Linkage;
 
 use super::places::compiled;
 use crate::stability::DISTANCES;
-use crate::stability::row::{Law, REFUSABLE, Row, Subject};
+use crate::stability::row::{Law, Row, Subject};
 
 static LAW: Law = Law {
     section: "machines",
     along: "by how much the friction is greater than the moment of the motor at rest, in parts of it; -0.8 where it is less",
-    expected: "start and regime in closed form: 1000 * tolerance (1e-10), for a fixed step its thousandth \
-               of the motion to the order of the method; a stalled motor is refused with the place where it \
+    expected: "start in closed form: steps * tolerance (1e-10), for a fixed step its thousandth \
+               of the motion to the order of the method; stall (its steps are not known: 1000 of them) and regime: 1000 * tolerance; a stalled motor is refused with the place where it \
                stops, known as exactly, over the excess where that is a difference of moments",
 };
 
@@ -73,17 +73,20 @@ fn row(
             health: distance.abs().min(1.0),
             bound,
         };
-        subject.row_or(outcome, may_refuse || bound > REFUSABLE)
+        subject.row_or(outcome, may_refuse)
     }
 }
 
-/// What a method of the fixed step of a thousandth of `duration` loses, of the others what the tolerance allows.
-fn bound(plugin: &IntegratorPlugin, duration: f64) -> f64 {
+/// Steps of a motion that ends in a refusal, which does not tell them.
+const STEPS: usize = 1000;
+
+/// What a method of the fixed step of a thousandth of `duration` loses; of the others the tolerance once for each step.
+fn bound(plugin: &IntegratorPlugin, duration: f64, steps: usize) -> f64 {
     let step = duration / 1000.0;
     match plugin.order {
         1 => step * duration,
         4 => step.powi(4) * duration,
-        _ => 1e3 * TOLERANCE,
+        _ => steps.max(1) as f64 * TOLERANCE,
     }
 }
 
@@ -93,8 +96,11 @@ fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
     let text = scene(friction, "kind = \"transient\"\nspeed = 0\nuntil = 2");
     let (linkage, loads) = machine(&text)?;
     let lost = -(-end).exp_m1();
-    let row = row("motor from rest", (plugin.name, "end"), excess, bound(plugin, end));
-    Some(match transient_by(&linkage, &loads, Some(plugin.name), Some(TOLERANCE)) {
+    let found = transient_by(&linkage, &loads, Some(plugin.name), Some(TOLERANCE));
+    let count = |steps: &assur_integrator::Statistics| steps.steps + steps.rejected;
+    let steps = found.as_ref().map_or(STEPS, |found| count(&found.trajectory.statistics));
+    let row = row("motor from rest", (plugin.name, "end"), excess, bound(plugin, end, steps));
+    Some(match found {
         Ok(found) => {
             let state = found.trajectory.end;
             let speed = (state.speed / (-over * lost) - 1.0).abs();
@@ -112,7 +118,7 @@ fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
     let duration = (50.0 / over).ln_1p();
     let stop = 50.0 - over * duration;
     // A step of a fixed length is a thousandth of the time that 50 turns at the speed of the start would take.
-    let bound = bound(plugin, duration.max(6.3)) + 1e3 * f64::EPSILON / excess;
+    let bound = bound(plugin, duration.max(6.3), STEPS) + 1e3 * f64::EPSILON / excess;
     let row = row("motor stalled by friction", (plugin.name, "place of the refusal"), excess, bound);
     Some(match transient_by(&linkage, &loads, Some(plugin.name), Some(TOLERANCE)) {
         Err(DynamicsError::Integration(IntegrationError::NotReached { at, .. })) => {
