@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use assur_force::{AnalyzerPlugin, Construction, Loads};
-use assur_group::{Order, Wrench};
-use assur_mechanism::PairId;
-use assur_plans::{
+use assur_diagram::{
     Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, Solver, constructions,
     enveloping, extremes, hodograph, sheet, sign_changes, split,
 };
+use assur_force::{AnalyzerPlugin, Construction, Loads};
+use assur_group::{Order, Wrench};
+use assur_mechanism::PairId;
 use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 
 use crate::{DEFAULT_ANALYZER, Study};

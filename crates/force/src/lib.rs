@@ -30,7 +30,7 @@ mod visit;
 mod wrenches;
 
 pub use analyzer::{ForceAnalyzer, ForceError};
-pub use assur_registry::RegistryError;
+pub use assur_plugin::RegistryError;
 pub use construction::{Construction, Drawing, Step, StepKind};
 pub use dependence::Dependence;
 pub use error::LoadError;

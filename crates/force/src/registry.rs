@@ -1,6 +1,6 @@
 //! The registry of force analyzers.
 
-use assur_registry::{Registered, RegistryError};
+use assur_plugin::{Registered, RegistryError};
 
 use crate::ForceAnalyzer;
 
@@ -41,7 +41,7 @@ impl Registered for AnalyzerPlugin {
 ///
 /// [`RegistryError`] where two have one name or none is registered.
 pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
-    assur_registry::all()
+    assur_plugin::all()
 }
 
 /// The method of this name.
@@ -50,5 +50,5 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
 ///
 /// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
-    assur_registry::find(name)
+    assur_plugin::find(name)
 }

@@ -22,7 +22,7 @@ pub mod plane;
 mod registry;
 mod wrench;
 
-pub use assur_registry::RegistryError;
+pub use assur_plugin::RegistryError;
 pub use body::Body;
 pub use dyad::{Dyad, PinEnd, SlideEnd};
 pub use error::{GroupError, LEAST_HEALTH};

@@ -1,7 +1,7 @@
 //! The registry of the kinds of groups.
 
 use assur_number::{Dd, F64x4};
-use assur_registry::{Registered, RegistryError};
+use assur_plugin::{Registered, RegistryError};
 
 use crate::{AssurGroup, GroupFrame, Number};
 
@@ -107,7 +107,7 @@ impl Registered for GroupPlugin {
 ///
 /// [`RegistryError`] where two have one name or none is registered.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
-    assur_registry::all()
+    assur_plugin::all()
 }
 
 /// The registered kind of a group; of two that match, the lower class, then the first name.

@@ -40,7 +40,7 @@ mod request;
 mod stepper;
 mod stretch;
 
-pub use assur_registry::RegistryError;
+pub use assur_plugin::RegistryError;
 pub use choose::{Choice, choose};
 pub use control::{Control, Scale};
 pub use crossing::root;

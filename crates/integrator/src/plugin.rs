@@ -1,6 +1,6 @@
 //! The registry of integrators.
 
-use assur_registry::{Registered, RegistryError};
+use assur_plugin::{Registered, RegistryError};
 
 use crate::Integrator;
 
@@ -41,7 +41,7 @@ impl Registered for IntegratorPlugin {
 ///
 /// [`RegistryError`] where two have one name or none is linked.
 pub fn integrators() -> Result<Vec<&'static IntegratorPlugin>, RegistryError> {
-    assur_registry::all()
+    assur_plugin::all()
 }
 
 /// The integrator of that name.
@@ -50,5 +50,5 @@ pub fn integrators() -> Result<Vec<&'static IntegratorPlugin>, RegistryError> {
 ///
 /// [`RegistryError`] where the registry is faulty or has no such integrator.
 pub fn find(name: &str) -> Result<&'static IntegratorPlugin, RegistryError> {
-    assur_registry::find(name)
+    assur_plugin::find(name)
 }

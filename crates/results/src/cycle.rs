@@ -1,6 +1,6 @@
 //! What is told about the reactions as a whole, the contact and the plans.
 
-use assur_plans::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
+use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use serde::Serialize;
 
 use crate::{Named, PairReaction};

@@ -9,6 +9,7 @@ mod case;
 mod checks;
 mod dice;
 mod sample;
+pub mod specimen;
 
 pub use case::{Case, Fault};
 pub use dice::Dice;

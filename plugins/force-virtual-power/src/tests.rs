@@ -8,7 +8,7 @@ use assur_group_rpr as _;
 use assur_group_rrp as _;
 use assur_group_rrr as _;
 use assur_kinematics::{Linkage, Position};
-use assur_specimen::Recipe;
+use assur_testkit::specimen::Recipe;
 
 use crate::VirtualPower;
 

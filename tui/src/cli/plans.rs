@@ -1,7 +1,7 @@
 //! `assur analyze --plans N`, `--by-cause`.
 
 use assur_analysis::Study;
-use assur_plans::sheet_text;
+use assur_diagram::sheet_text;
 use assur_results::{Analysis, PositionPlans};
 use clap::Args;
 

@@ -4,8 +4,8 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use assur_analysis::Study;
+use assur_diagram::{PlansError, Sheet};
 use assur_force::Construction;
-use assur_plans::{PlansError, Sheet};
 
 use super::draw::scale::Bounds;
 

@@ -5,7 +5,7 @@
 use assur_all as _;
 use assur_analysis::{Options, Study};
 use assur_mechanism::{Mechanism, Output, PairId};
-use assur_specimen::Rng;
+use assur_testkit::specimen::Rng;
 
 mod cost;
 mod numbers;

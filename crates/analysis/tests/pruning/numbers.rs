@@ -1,7 +1,7 @@
 //! Bit for bit.
 
 use assur_mechanism::{Mechanism, Motion};
-use assur_specimen::{Recipe, Rng};
+use assur_testkit::specimen::{Recipe, Rng};
 
 use crate::probe::probe;
 use crate::same::Count;

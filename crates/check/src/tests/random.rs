@@ -1,7 +1,7 @@
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PointId, Range};
-use assur_specimen::{Kind, Recipe, Rng};
+use assur_testkit::specimen::{Kind, Recipe, Rng};
 
 use super::{checks, hold, show};
 
@@ -19,7 +19,12 @@ fn every_check_holds_on_random_mechanisms() {
     for seed in 0..200 {
         let mechanism = specimen(seed);
         let all = checks(&Linkage::compile(mechanism.clone()).unwrap());
-        assert!(hold(&all), "seed {seed}\n{}\n{}", show(&all), assur_specimen::scene_text(&mechanism));
+        assert!(
+            hold(&all),
+            "seed {seed}\n{}\n{}",
+            show(&all),
+            assur_testkit::specimen::scene_text(&mechanism)
+        );
         compared += usize::from(all.iter().any(|check| check.name == "agreement of the methods"));
     }
     assert!(compared > 150, "only {compared} of the specimens had forces");
@@ -55,7 +60,7 @@ fn no_check_fails_on_random_mechanisms_next_to_the_ends_of_their_assembly() {
                     all.iter().all(|check| check.ok || !check.judged),
                     "seed {seed}, 1e-{power} from {end}\n{}\n{}",
                     show(&all),
-                    assur_specimen::scene_text(&near.mechanism)
+                    assur_testkit::specimen::scene_text(&near.mechanism)
                 );
                 checked += 1;
             }

@@ -1,6 +1,6 @@
 //! The side on which guides press, and the straight line that an arc envelopes.
 
-use assur_plans::{Enveloping, EnvelopingPoint, SignChange};
+use assur_diagram::{Enveloping, EnvelopingPoint, SignChange};
 
 use super::Source;
 use super::layout::{Cells, Column, Page};

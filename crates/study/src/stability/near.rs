@@ -6,7 +6,7 @@ use assur_force::Reactions;
 use assur_group::{Body, Order, PairGeometry, plane};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::Mechanism;
-use assur_specimen::{Recipe, Rng};
+use assur_testkit::specimen::{Recipe, Rng};
 
 use super::cycle::healthiest;
 use super::report::stability;

@@ -1,8 +1,8 @@
 use assur_all as _;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
-use assur_specimen::{Kind, Recipe};
 use assur_structure::Structure;
+use assur_testkit::specimen::{Kind, Recipe};
 
 use super::*;
 

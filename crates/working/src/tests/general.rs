@@ -1,7 +1,7 @@
 //! The linear system works every group, so that a kind without its own equations needs nothing.
 
 use assur_force::State;
-use assur_specimen::Recipe;
+use assur_testkit::specimen::Recipe;
 
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;

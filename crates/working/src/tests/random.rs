@@ -1,4 +1,4 @@
-use assur_specimen::{Kind, Recipe};
+use assur_testkit::specimen::{Kind, Recipe};
 
 use super::evaluate::recomputes;
 use super::{compiled, forces_agree, worked};

@@ -90,7 +90,7 @@ pub(crate) fn difference(state: &mut State) {
 /// The next or previous polygon, or step of the construction.
 pub(crate) fn step(state: &mut State, by: isize) {
     let Some(plans) = found(state).map(|found| found.plans.at(state.position)) else { return };
-    let count = |read: fn(&assur_plans::Sheet) -> usize| plans.sheet.as_ref().map_or(0, read);
+    let count = |read: fn(&assur_diagram::Sheet) -> usize| plans.sheet.as_ref().map_or(0, read);
     let chosen = &mut state.chosen;
     match state.plan {
         PlanKind::Construction => {

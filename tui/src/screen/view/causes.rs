@@ -1,6 +1,6 @@
 //! The chosen reaction by cause: what weight, inertia and each load do alone; their sum is the whole.
 
-use assur_plans::{JointForce, Share, Split};
+use assur_diagram::{JointForce, Share, Split};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 

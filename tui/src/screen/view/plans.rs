@@ -1,7 +1,7 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
+use assur_diagram::{Plan, PlanVector, VectorKind};
 use assur_force::{Construction, Drawing, Step, StepKind};
-use assur_plans::{Plan, PlanVector, VectorKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 

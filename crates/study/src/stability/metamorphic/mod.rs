@@ -5,7 +5,7 @@ use assur_force::{Loads, Reactions, State, find};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, Link, Mechanism, Motion, Place, Point, Range, Sense};
-use assur_specimen::Recipe;
+use assur_testkit::specimen::Recipe;
 
 use super::compare::worst;
 

@@ -7,7 +7,7 @@ use assur_mechanism::{
     Shape, Spring, Table, Value,
 };
 
-use crate::draft::Draft;
+use super::draft::Draft;
 
 /// A place whose virtual velocity is less than this part of the usual one can't carry the balancing load.
 const LIVELY: f64 = 0.15;

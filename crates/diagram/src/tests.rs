@@ -58,7 +58,7 @@ pub(super) fn all() -> Vec<(String, Linkage)> {
     let mut list: Vec<_> = SCENES.map(|name| (name.to_owned(), compile(&fixture(name)))).into();
     for seed in 0..30 {
         let groups = 1 + usize::try_from(seed % 4).unwrap();
-        if let Some(specimen) = assur_specimen::Recipe::of(groups).specimen(seed) {
+        if let Some(specimen) = assur_testkit::specimen::Recipe::of(groups).specimen(seed) {
             list.push((format!("random {seed}"), Linkage::compile(specimen.mechanism).unwrap()));
         }
     }

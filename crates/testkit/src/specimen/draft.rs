@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide, SlideId};
 
-use crate::Rng;
+use super::Rng;
 
 /// Pose of a link in the first position.
 #[derive(Debug, Clone, Copy, PartialEq)]

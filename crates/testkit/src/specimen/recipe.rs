@@ -6,8 +6,8 @@ use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, Input, InputPair, Mechanism, Range, Sense};
 
-use crate::chains::Kind;
-use crate::draft::Draft;
+use super::chains::Kind;
+use super::draft::Draft;
 
 /// What a specimen shall consist of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,7 +70,7 @@ impl Recipe {
         let mechanism = mechanism_of(&mut draft, pair, from);
         let (mut mechanism, health) = with_range(&mut draft, mechanism)?;
         if self.loads {
-            crate::loads::add(&mut draft, &mut mechanism);
+            super::loads::add(&mut draft, &mut mechanism);
         }
         Some(Specimen { mechanism, poses, kinds, health })
     }

@@ -2,7 +2,7 @@ use assur_all as _;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
-use crate::{Kind, Recipe, Specimen, scene_text};
+use super::{Kind, Recipe, Specimen, scene_text};
 
 /// Specimens of one to five groups, a few for each kind alone and more of all kinds.
 fn specimens() -> Vec<(u64, Specimen)> {

@@ -2,7 +2,7 @@
 
 use assur_mechanism::{GROUND, InputPair, LinkId};
 
-use crate::draft::{Draft, length, minus};
+use super::draft::{Draft, length, minus};
 
 /// The five kinds of groups of class II.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
