@@ -1,3 +1,5 @@
+mod search;
+
 use proptest::prelude::*;
 
 use crate::{Dd, F64x4, Lanes, Real};
