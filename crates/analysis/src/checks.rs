@@ -3,11 +3,11 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
+use crate::results::CheckRow;
 use assur_check::{Subject, methods};
 use assur_dynamics::{Steady, Transient};
 use assur_force::State;
 use assur_mechanism::{Motion, Solve};
-use assur_results::CheckRow;
 
 use crate::{Course, Progress, Study};
 

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::plan::Plan;
 use assur_dynamics::{
     DynamicsError, Machine, Steady, Tell, Transient, equation, steady_told, transient_told,
 };
@@ -11,7 +12,6 @@ use assur_integrator::{
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
-use assur_plan::Plan;
 
 use crate::{AnalysisError, DEFAULT_INTEGRATOR, Options, Progress};
 

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use assur_dynamics::{ReductionPoint, Regime, Steady, SteadyMotor, Transient};
-use assur_integrator::{Event, EventKind, State};
-use assur_motor::{FlywheelPlaces, FlywheelSize, RimSpeedCheck};
-use assur_results::{
+use crate::results::{
     CourseRow, Dynamics, Energy, EventRow, FlywheelRow, Instant, Integration, MotorReport, MotorWork, Named,
     PointReport, RegimeReport, RunnerUp, TrialRow, TurnRow, WheelRow,
 };
+use assur_dynamics::{ReductionPoint, Regime, Steady, SteadyMotor, Transient};
+use assur_integrator::{Event, EventKind, State};
+use assur_motor::{FlywheelPlaces, FlywheelSize, RimSpeedCheck};
 
 use crate::{Course, Study};
 

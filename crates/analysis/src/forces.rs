@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use crate::plan::Wanted;
+use crate::results::{Named, PairReaction};
 use assur_force::{AnalyzerPlugin, ForceError, JointReaction, Loads, Reactions, State, joint_reactions};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
-use assur_plan::Wanted;
-use assur_results::{Named, PairReaction};
 
 use crate::names::Names;
 

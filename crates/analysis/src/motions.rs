@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::plan::Wanted;
+use crate::results::{Derivatives, Named, Rates, Transfer};
 use assur_kinematics::{Linkage, Position};
-use assur_plan::Wanted;
-use assur_results::{Derivatives, Named, Rates, Transfer};
 
 use crate::names::Names;
 

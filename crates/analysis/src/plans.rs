@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 use assur_diagram::{
     Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, Solver, constructions,
     enveloping, extremes, hodograph, sheet, sign_changes, split,
@@ -9,7 +10,6 @@ use assur_diagram::{
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::{Order, Wrench};
 use assur_mechanism::PairId;
-use assur_results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 
 use crate::{DEFAULT_ANALYZER, Study};
 
@@ -20,7 +20,7 @@ impl Study {
     /// All plans of a position in its motion: prescribed, or of the steady regime. In a transient motion, and where no regime
     /// is found, forces do not belong to the positions and theirs are left out.
     ///
-    /// Needs the whole mechanism: see [`Plan::is_partial`](assur_plan::Plan::is_partial).
+    /// Needs the whole mechanism: see [`Plan::is_partial`](crate::plan::Plan::is_partial).
     ///
     /// # Errors
     ///

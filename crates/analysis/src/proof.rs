@@ -1,10 +1,10 @@
 //! Motions proved by other means than those that found them: work against energy, a cycle run once more in time.
 
+use crate::results::CheckRow;
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
 use assur_integrator::{
     Integrator, Motion, Request, Sample, State, Trajectory, Until, choose, find, integrators,
 };
-use assur_results::CheckRow;
 
 use crate::Study;
 use crate::checks::row;

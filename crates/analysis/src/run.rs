@@ -4,10 +4,10 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::results::{Analysis, Failure, InputReport, Named, PositionResult, Reduced};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::Balance;
-use assur_results::{Analysis, Failure, InputReport, Named, PositionResult, Reduced};
 
 use crate::Progress;
 use crate::Study;

@@ -1,8 +1,8 @@
 //! The structure as results tell it.
 
+use crate::results::{GroupReport, StructureReport};
 use assur_group::{Order, Pair};
 use assur_kinematics::{Linkage, rank_of};
-use assur_results::{GroupReport, StructureReport};
 
 pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
     let structure = &linkage.structure;

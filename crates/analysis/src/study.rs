@@ -2,10 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use crate::plan::{Methods, Plan};
 use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
-use assur_plan::{Methods, Plan};
 use assur_structure::Structure;
 
 use crate::{AnalysisError, Course, Progress};

@@ -1,7 +1,7 @@
 //! The plan is obeyed, and failures are told.
 
+use crate::results::Analysis;
 use assur_all as _;
-use assur_results::Analysis;
 
 use crate::{AnalysisError, Options, Study};
 

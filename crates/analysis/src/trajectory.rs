@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
+use crate::results::{Named, Spot, Trajectory};
 use assur_force::State;
 use assur_kinematics::Position;
-use assur_results::{Named, Spot, Trajectory};
 
 use crate::angles::Angles;
 use crate::forces::Forces;

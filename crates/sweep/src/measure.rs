@@ -1,6 +1,6 @@
 //! The columns of one point.
 
-use assur_results::{Analysis, Derivatives, Named, PairReaction, PositionResult};
+use assur_analysis::results::{Analysis, Derivatives, Named, PairReaction, PositionResult};
 
 use crate::row::Cells;
 

@@ -1,9 +1,9 @@
 //! The calculation of one point.
 
+use assur_analysis::results::Failure;
 use assur_analysis::{Options, Study};
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Mechanism, Motion};
-use assur_results::Failure;
 
 use crate::row::{Layouts, Row};
 use crate::{Status, measure};

@@ -1,6 +1,7 @@
 //! `assur analyze`.
 
-use assur_results::{Failure, csv, json};
+use assur_analysis::results::Failure;
+use assur_report::{csv, json};
 
 use super::args::{AnalyzeArgs, Format};
 use super::fault::{Fault, Status};
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             output::write_folder(folder, &files)?;
         }
         (Format::Text | Format::Csv, _) => {
-            let mut text = assur_results::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            let mut text = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
             text += &plans::text(&analysis, style);
             output::print_or_write(&text, target)?;
         }

@@ -1,6 +1,7 @@
 //! `assur check`.
 
-use assur_results::{CheckRow, text};
+use assur_analysis::results::CheckRow;
+use assur_report::text;
 
 use super::args::SceneArgs;
 use super::fault::{Fault, Status};

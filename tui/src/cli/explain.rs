@@ -1,10 +1,10 @@
 //! `assur explain`.
 
 use assur_analysis::methods;
+use assur_analysis::plan::{Plan, explain};
 use assur_force::{Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
-use assur_plan::{Plan, explain};
 use assur_structure::Structure;
 use assur_working::{Working, WorkingError};
 

@@ -1,7 +1,7 @@
 //! `assur plugins` and `assur motors`.
 
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
-use assur_results::text::columns;
+use assur_report::text::columns;
 use assur_scene::{Dimension, quantity};
 
 use super::args::MotorArgs;

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use assur_results::csv::CsvFile;
+use assur_report::csv::CsvFile;
 use tempfile::NamedTempFile;
 
 use super::fault::Fault;

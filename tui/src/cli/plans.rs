@@ -1,8 +1,8 @@
 //! `assur analyze --plans N`, `--by-cause`.
 
 use assur_analysis::Study;
+use assur_analysis::results::{Analysis, PositionPlans};
 use assur_diagram::sheet_text;
-use assur_results::{Analysis, PositionPlans};
 use clap::Args;
 
 use super::args::{Format, SceneArgs};

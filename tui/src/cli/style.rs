@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::Write;
 
-use assur_results::to_ascii;
+use assur_report::to_ascii;
 
 use crate::locale::is_utf8;
 

@@ -1,6 +1,6 @@
 //! The analysis of the open scene: asked for, taken, and which views it fills.
 
-use assur_results::CheckRow;
+use assur_analysis::results::CheckRow;
 
 use super::found::Found;
 use super::running::{Cancel, Running};

@@ -1,6 +1,6 @@
 //! What the analysis found, beside the transfer functions: rates, reduction, reactions, checks, course over time.
 
-use assur_results::{Analysis, CheckRow, PositionResult};
+use assur_analysis::results::{Analysis, CheckRow, PositionResult};
 
 use super::plans::Planner;
 use super::series::Series;
@@ -181,7 +181,7 @@ impl Gather {
     }
 }
 
-pub(crate) fn rates_of(position: &PositionResult, order: usize) -> Option<&assur_results::Rates> {
+pub(crate) fn rates_of(position: &PositionResult, order: usize) -> Option<&assur_analysis::results::Rates> {
     if order == 1 { position.velocities.as_ref() } else { position.accelerations.as_ref() }
 }
 

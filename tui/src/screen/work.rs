@@ -6,9 +6,9 @@ use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 
+use assur_analysis::results::CheckRow;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
-use assur_results::CheckRow;
 
 use super::accuracy::{self, Measured, Measurement};
 use super::found::Found;

@@ -1,6 +1,6 @@
 //! Comparison of results bit for bit.
 
-use assur_results::{
+use assur_analysis::results::{
     Analysis, Derivatives, Named, PairReaction, PositionResult, Rates, Trajectory, Transfer,
 };
 
@@ -78,7 +78,7 @@ impl Count {
         self.rates(part.accelerations.as_ref(), whole.accelerations.as_ref());
         if let Some(part) = part.reduced {
             let whole = whole.reduced.unwrap();
-            let each = |r: assur_results::Reduced| [r.inertia, r.inertia_derivative, r.moment];
+            let each = |r: assur_analysis::results::Reduced| [r.inertia, r.inertia_derivative, r.moment];
             self.numbers("reduced", each(part), each(whole));
         }
         self.reactions(part.reactions.as_ref(), whole.reactions.as_ref());

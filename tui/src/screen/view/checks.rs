@@ -1,6 +1,6 @@
 //! Every check in a line: name, largest residual, limit, where, and whether it holds, in words.
 
-use assur_results::CheckRow;
+use assur_analysis::results::CheckRow;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

@@ -1,6 +1,6 @@
 //! The drive: motor, ratio, flywheel by every method; its characteristic and moments; places and runners-up.
 
-use assur_results::{Dynamics, MotorReport};
+use assur_analysis::results::{Dynamics, MotorReport};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 

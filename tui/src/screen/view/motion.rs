@@ -1,6 +1,6 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_results::{Analysis, Dynamics};
+use assur_analysis::results::{Analysis, Dynamics};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 

@@ -1,6 +1,6 @@
 //! The steady regime as plots: speed beside the first turn, moments with their mean, motor, iteration.
 
-use assur_results::{CourseRow, Dynamics, RegimeReport};
+use assur_analysis::results::{CourseRow, Dynamics, RegimeReport};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 

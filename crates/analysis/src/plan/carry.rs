@@ -1,0 +1,74 @@
+//! Which groups loads act on, and which reactions are zero because nothing reaches a group.
+
+use assur_mechanism::{Balance, GROUND, LinkId, Mechanism};
+use assur_structure::Structure;
+
+use crate::plan::needs::group_of;
+
+/// By link: whether something acts on it, or (`weighty`) its mass counts in the reduced inertia.
+///
+/// A load that happens to be zero is a load: the plan looks at what the scene gives, not at numbers.
+fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
+    let mut loaded: Vec<bool> = (0..mechanism.links.len()).map(|id| id != GROUND && heavy(id)).collect();
+    let forces = mechanism.forces.iter().map(|force| force.at.link);
+    let moments = mechanism.moments.iter().map(|moment| moment.link);
+    let contacts = mechanism.contacts.iter().map(|contact| contact.center.link);
+    // Between points of one link the two forces of a spring cancel.
+    let springs = mechanism.springs.iter().filter(|spring| spring.ends[0].link != spring.ends[1].link);
+    let springs = springs.flat_map(|spring| spring.ends.map(|end| end.link));
+    for link in forces.chain(moments).chain(contacts).chain(springs) {
+        loaded[link] = true;
+    }
+    loaded
+}
+
+/// Whether a link has a weight.
+fn weight(mechanism: &Mechanism, link: LinkId) -> bool {
+    mechanism.links[link].mass > 0.0 && mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0])
+}
+
+/// Links whose mass or loads enter J or Q.
+pub(crate) fn reduced_links(mechanism: &Mechanism) -> Vec<LinkId> {
+    let loaded = loaded(mechanism, |link| is_heavy(mechanism, link));
+    (1..mechanism.links.len()).filter(|link| loaded[*link]).collect()
+}
+
+/// Whether a link has mass or moment of inertia.
+pub(crate) fn is_heavy(mechanism: &Mechanism, link: LinkId) -> bool {
+    mechanism.links[link].mass > 0.0 || mechanism.links[link].inertia > 0.0
+}
+
+/// By group: whether its reactions can differ from zero. The groups are gone through from the last to the first: one carries
+/// a load if its links have one of their own, or if a group behind it that carries one hangs on them.
+pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> {
+    let moves = mechanism.motion.is_some();
+    let mut links = loaded(mechanism, |link| weight(mechanism, link) || moves && is_heavy(mechanism, link));
+    match mechanism.balance {
+        Some(Balance::Moment(link)) => links[link] = true,
+        Some(Balance::Force { at, .. }) => links[at.link] = true,
+        None => {}
+    }
+    let mut carrying = vec![false; structure.groups.len()];
+    for (index, group) in structure.groups.iter().enumerate().rev() {
+        let frame = &group.frame;
+        carrying[index] = frame.links.iter().any(|link| links[*link]);
+        if carrying[index] {
+            let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+            ends.for_each(|link| links[link] = true);
+        }
+    }
+    carrying
+}
+
+/// Links outside the input link on which something acts always against the motion: whether their points stand is told by
+/// PF1 against PF2.
+pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
+    let far = |link: LinkId| link != GROUND && link != mechanism.input.link;
+    let against = |direction| matches!(direction, assur_mechanism::Direction::AgainstMotion);
+    mechanism.forces.iter().any(|force| against(force.direction) && far(force.at.link))
+}
+
+/// Whether a link of a group has mass.
+pub(crate) fn heavy_groups(mechanism: &Mechanism, structure: &Structure) -> bool {
+    (1..mechanism.links.len()).any(|link| is_heavy(mechanism, link) && group_of(structure, link).is_some())
+}

@@ -1,0 +1,81 @@
+//! The stages that place the links: positions, transfer functions, velocities.
+
+use assur_group::Order;
+use assur_mechanism::Mechanism;
+use assur_structure::Structure;
+
+use crate::plan::stages::{left_out, run};
+use crate::plan::words::{count, others};
+use crate::plan::{Plan, Stage, needs};
+
+fn solved(plan: &Plan) -> usize {
+    plan.groups_needed.iter().filter(|needed| **needed).count()
+}
+
+pub(crate) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
+    let left = if plan.is_partial() {
+        let names = others(mechanism, structure, &plan.groups_needed);
+        format!("; not solved, nor looked at whether they can be assembled: {names}")
+    } else {
+        String::new()
+    };
+    let reason = format!(
+        "{} over {}; {} of {} groups are needed for what is asked for{left}",
+        count(mechanism.input.positions, "position"),
+        needs::coordinate_words(mechanism),
+        solved(plan),
+        structure.groups.len()
+    );
+    let mut kinds: Vec<&str> = Vec::new();
+    for (group, _) in structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed) {
+        if !kinds.contains(&group.plugin.name) {
+            kinds.push(group.plugin.name);
+        }
+    }
+    let method = if kinds.is_empty() {
+        "the input link alone".to_owned()
+    } else {
+        format!(
+            "group after group by the registered kinds ({}); the assembly is followed by continuity from the first position",
+            kinds.join(", ")
+        )
+    };
+    run("positions (PF0)", reason, method)
+}
+
+pub(crate) fn transfer(plan: &Plan) -> Stage {
+    let name = "transfer functions (PF1, PF2)";
+    let method = if solved(plan) == 0 {
+        "of the input link, exact"
+    } else {
+        "derivatives of the closed forms of each group by the input coordinate, not by differences"
+    };
+    let groups = match solved(plan) {
+        0 => String::new(),
+        number => format!(" of {}", count(number, "group")),
+    };
+    let needed_for = plan.order_for.join("; ");
+    match plan.order {
+        Order::Place => left_out(
+            name,
+            format!("orders up to 0: nothing that is asked for needs derivatives; saves PF1 and PF2{groups}"),
+        ),
+        Order::First => run(
+            name,
+            format!("orders up to 1, for: {needed_for}; nothing needs PF2; saves PF2{groups}"),
+            method,
+        ),
+        Order::Second => run(name, format!("orders up to 2, for: {needed_for}"), method),
+    }
+}
+
+pub(crate) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
+    let name = "velocities and accelerations";
+    if plan.velocities {
+        return run(name, "the scene has a `[motion]`", "v = PF1 w, a = PF2 w^2 + PF1 e");
+    }
+    if mechanism.motion.is_none() {
+        return left_out(name, "no motion is given; add `[motion]` with a speed");
+    }
+    left_out(name, "`[output]` asks for no link, point or slide")
+}

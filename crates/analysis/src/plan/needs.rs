@@ -1,0 +1,107 @@
+//! What is asked for, and which groups it depends on.
+
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place};
+use assur_structure::Structure;
+
+use crate::plan::{Plan, Wanted, carry};
+
+/// What `[output]` names, or everything, without repetition and in the order of the scene.
+pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure) -> Wanted {
+    let Some(output) = &mechanism.output else { return everything(mechanism, structure) };
+    Wanted {
+        links: (1..mechanism.links.len()).filter(|id| output.links.contains(id)).collect(),
+        points: (0..mechanism.points.len())
+            .filter(|id| output.points.contains(id))
+            .map(|id| (id, earliest(mechanism, structure, id)))
+            .collect(),
+        slides: (0..mechanism.slides.len()).filter(|id| output.slides.contains(id)).collect(),
+        reactions: pairs(mechanism).into_iter().filter(|pair| output.reactions.contains(pair)).collect(),
+    }
+}
+
+fn everything(mechanism: &Mechanism, structure: &Structure) -> Wanted {
+    Wanted {
+        links: (1..mechanism.links.len()).collect(),
+        points: (0..mechanism.points.len()).map(|id| (id, earliest(mechanism, structure, id))).collect(),
+        slides: (0..mechanism.slides.len()).collect(),
+        reactions: pairs(mechanism),
+    }
+}
+
+/// Pins, then slides.
+fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
+    let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
+    let slides = (0..mechanism.slides.len()).map(PairId::Slide);
+    pins.map(|(id, _)| PairId::Pin(id)).chain(slides).collect()
+}
+
+/// The groups that what is told and what acts depend on.
+///
+/// A method that treats the mechanism as one system needs all of them.
+pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
+    if plan.forces && !plan.by_groups {
+        return vec![true; structure.groups.len()];
+    }
+    let mut links = told(mechanism, &plan.wanted);
+    if plan.reduction {
+        links.extend(carry::reduced_links(mechanism));
+    }
+    if plan.forces {
+        let carrying = structure.groups.iter().zip(&plan.groups_carrying).filter(|(_, carrying)| **carrying);
+        links.extend(carrying.flat_map(|(group, _)| &group.frame.links));
+    }
+    behind(structure, links)
+}
+
+/// The links whose motion is told.
+fn told(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
+    let slides = wanted.slides.iter().map(|&slide| &mechanism.slides[slide]);
+    let points = wanted.points.iter().map(|(_, place)| place.link);
+    wanted
+        .links
+        .iter()
+        .copied()
+        .chain(points)
+        .chain(slides.flat_map(|slide| [slide.link, slide.on]))
+        .collect()
+}
+
+/// The groups of these links, and the groups that they hang on.
+fn behind(structure: &Structure, mut links: Vec<LinkId>) -> Vec<bool> {
+    let mut needed = vec![false; structure.groups.len()];
+    while let Some(link) = links.pop() {
+        let Some(group) = group_of(structure, link) else { continue };
+        if !needed[group] {
+            needed[group] = true;
+            let frame = &structure.groups[group].frame;
+            links.extend(frame.outer.iter().flat_map(|pair| [pair.a, pair.b]));
+        }
+    }
+    needed
+}
+
+/// Where a point is read: in the link that is known first (ground, input link, then the groups in their order).
+fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place {
+    let rank = |place: &&Place| match group_of(structure, place.link) {
+        None if place.link == GROUND => 0,
+        None => 1,
+        Some(group) => group + 2,
+    };
+    let places = &mechanism.points[point].places;
+    // A point always has a place; the ground's origin stands in for one that has none.
+    places.iter().min_by_key(rank).copied().unwrap_or(Place { link: GROUND, at: [0.0; 2] })
+}
+
+/// The group of a link; none for the ground and the input link.
+pub(crate) fn group_of(structure: &Structure, link: LinkId) -> Option<usize> {
+    structure.groups.iter().position(|group| group.frame.links.contains(&link))
+}
+
+/// The name of the input's pair, for reasons.
+pub(crate) fn coordinate_words(mechanism: &Mechanism) -> String {
+    let link = &mechanism.links[mechanism.input.link].name;
+    match mechanism.input.pair {
+        InputPair::Pin(_) => format!("the angle of `{link}`"),
+        InputPair::Slide(_) => format!("the displacement of `{link}`"),
+    }
+}

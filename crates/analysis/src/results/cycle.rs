@@ -1,0 +1,45 @@
+//! What is told about the reactions as a whole, the contact and the plans.
+
+use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
+use serde::Serialize;
+
+use crate::results::{Named, PairReaction};
+
+/// Reactions over the cycle, geometry of the contacts, plans of the positions asked for. Sections that don't apply are absent.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Cycle {
+    /// Greatest modulus and root mean square of each reaction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reaction_extremes: Vec<Extreme>,
+    /// By slide that bears a force: where the force changes the side of the guide. A slide without a change has an empty list.
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    pub sign_changes: Named<Vec<SignChange>>,
+    /// The straight line that the arc of each contact envelopes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub enveloping: Vec<Enveloping>,
+    /// Polar diagrams of the reactions, where they were asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub hodographs: Vec<Hodograph>,
+    /// The plans of the positions asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub plans: Vec<PositionPlans>,
+}
+
+/// The plans of one position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PositionPlans {
+    /// Number of the position.
+    pub index: usize,
+    /// All plans.
+    #[serde(flatten)]
+    pub sheet: Sheet,
+}
+
+/// Reactions and balancing load of one position by cause: `weight`, `inertia`, then each load by its name. They sum to the whole.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct ByCause {
+    /// By cause, the reactions by pin or slide.
+    pub reactions_by_cause: Named<Named<PairReaction>>,
+    /// By cause, the balancing moment (N m) or force (N).
+    pub balancing_by_cause: Named<f64>,
+}

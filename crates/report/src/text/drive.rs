@@ -1,0 +1,251 @@
+//! Steady regime, drive and flywheel.
+
+use super::Source;
+use super::layout::{Cells, Column, Page};
+use super::number::{short, single};
+use super::units::Unit;
+use assur_analysis::results::{CourseRow, Dynamics, MotorReport, RegimeReport};
+
+/// Rows of the course over a cycle, without the first.
+const ROWS: usize = 48;
+/// Radians a second in a revolution a minute.
+const RPM: f64 = 30.0 / std::f64::consts::PI;
+
+pub(super) fn write(source: &Source<'_>, page: &mut Page) {
+    let Some(found) = &source.analysis.dynamics else { return };
+    if let Some(regime) = &found.regime {
+        page.section("Steady regime");
+        numbers(source, found, regime, page);
+        iteration(source, regime, page);
+        course(source, regime, page);
+    }
+    if found.motor.is_some() || found.flywheel.is_some() {
+        page.section("Drive and flywheel");
+        drive(source, found, page);
+        flywheels(found, page);
+    }
+}
+
+fn row(page: &mut Page, what: &str, value: &str, unit: &str) {
+    page.paragraph(format!("{what}: {value} {unit}").trim_end());
+}
+
+fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &mut Page) {
+    let (rate, place) = (source.units.rates[0], source.units.coordinate);
+    let moment = source.units.reduced[2].name;
+    let at = |q: Option<f64>| {
+        q.map_or_else(|| "-".to_owned(), |q| format!("{} {}", single(q * place.factor), place.name))
+    };
+    let all = [
+        ("Mean speed (greatest + least)/2", found.mean_speed, rate.name),
+        ("Unevenness (greatest - least)/mean", found.unevenness, ""),
+        ("Excess work between least and greatest speed, in this motion", found.excess_work, "J"),
+        ("Dynamic unevenness (Artobolevsky)", found.dynamic_unevenness, ""),
+        ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
+        ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
+        ("Constant moment of the drive", found.torque, moment),
+        ("Power that the motor needs, at the mean speed", found.required_power, "W"),
+        ("Time of a cycle", Some(regime.cycle_time), "s"),
+        ("A small change of the speed is multiplied over a cycle by", Some(regime.multiplier), ""),
+    ];
+    for (what, value, unit) in all {
+        if let Some(value) = value {
+            row(page, what, &single(value), unit);
+        }
+    }
+    for (what, speed, q) in [
+        ("Least speed", found.speed_min, found.coordinate_at_min),
+        ("Greatest speed", found.speed_max, found.coordinate_at_max),
+    ] {
+        if let Some(speed) = speed {
+            row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
+        }
+    }
+    page.paragraph(&format!(
+        "Found by shooting on collocation of order 15: {} cycles, {} panels a cycle, {} evaluations of the mechanism; the \
+         equation of motion is missed between the nodes by {:.1e} of the kinetic energy",
+        regime.cycles, regime.panels, regime.evaluations, regime.residual
+    ));
+}
+
+fn iteration(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
+    let rate = source.units.rates[0].name;
+    let [start, end] = ["start", "end"].map(|end| format!("speed at the {end}, {rate}"));
+    if !regime.iteration.is_empty() {
+        let mut rows =
+            vec![["cycle", &start, &end, &format!("end - start, {rate}")].map(str::to_owned).to_vec()];
+        rows.extend(regime.iteration.iter().map(|turn| {
+            let number = turn.number.to_string();
+            vec![number, digits(turn.speed_start), digits(turn.speed_end), format!("{:.3e}", turn.residual)]
+        }));
+        page.caption("Iteration to the periodic regime from the mean speed (S fig. 10)");
+        page.rows(&rows);
+    }
+    if regime.trials.len() > 1 {
+        let mean = format!("mean speed, {rate}");
+        let mut rows =
+            vec![["trial", "ratio", "flywheel, kg m^2", &mean, "unevenness"].map(str::to_owned).to_vec()];
+        rows.extend(regime.trials.iter().map(|trial| {
+            let ratio = trial.ratio.map_or_else(|| "-".to_owned(), digits);
+            let number = trial.number.to_string();
+            vec![number, ratio, digits(trial.flywheel), digits(trial.mean_speed), digits(trial.unevenness)]
+        }));
+        page.caption("Trials of ratio and flywheel, each with its periodic regime (S stage 6)");
+        page.rows(&rows);
+    }
+}
+
+/// Ten digits, so that an iteration shows how it closes.
+fn digits(value: f64) -> String {
+    let size = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    if !(-4.0..10.0).contains(&size) {
+        return format!("{value:.9e}");
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 13")]
+    let decimals = (9.0 - size).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+fn course(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
+    let units = &source.units;
+    // Every so many rows, both ends among them; JSON has all.
+    let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
+    let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
+    let column = |head: &str, unit: Unit, value: &dyn Fn(&CourseRow) -> Option<f64>| Column {
+        head: head.to_owned(),
+        unit: unit.name.to_owned(),
+        cells: Cells::Numbers(rows.iter().map(|row| value(row).map(|value| value * unit.factor)).collect()),
+    };
+    let key = column(&source.analysis.input.link, units.coordinate, &|row| Some(row.coordinate));
+    let mean = regime.mean_resistance;
+    let columns = vec![
+        column("speed", units.rates[0], &|row| Some(row.speed)),
+        column("first turn", units.rates[0], &|row| row.first_turn),
+        column("loads", units.reduced[2], &|row| Some(row.load)),
+        column("drive", units.reduced[2], &|row| Some(row.drive)),
+        column("mean load", units.reduced[2], &|row| Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })),
+        column("J", units.reduced[0], &|row| Some(row.inertia)),
+        column("dJ/dq", units.reduced[1], &|row| Some(row.inertia_derivative)),
+    ];
+    page.caption("Speed in the regime and in the first turn (S fig. 9), moments and inertia reduced to the input (S fig. 12)");
+    page.table(&[key], vec![columns]);
+}
+
+fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
+    if let Some(motor) = &found.motor {
+        motor_lines(motor, page);
+    }
+    if let Some(ratio) = found.ratio {
+        row(page, "Gear ratio (motor speed / input speed)", &single(ratio), "");
+    }
+    let unit = source.units.reduced[0].name;
+    if let Some(regime) = found.regime.as_ref().filter(|regime| regime.shaft_inertia > 0.0) {
+        row(page, "Flywheel and rotor, reduced to the input", &single(regime.shaft_inertia), unit);
+    }
+    if let Some(flywheel) = found.flywheel {
+        row(page, "Flywheel, on its own shaft, without the rotor", &single(flywheel), "kg·m²");
+    }
+    if found.regime.as_ref().is_some_and(|regime| regime.flywheel_needless) {
+        page.paragraph("The wanted unevenness is met without a flywheel.");
+    }
+    let Some(motor) = &found.motor else { return };
+    for warning in &motor.warnings {
+        page.paragraph(&format!("Warning: {warning}"));
+    }
+    if !motor.runners_up.is_empty() {
+        let head = ["motor", "catalogue", "kW", "rpm", "ratio", "mass, kg"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        rows.extend(motor.runners_up.iter().take(10).map(|other| {
+            let mass = other.mass.map_or_else(|| "-".to_owned(), short);
+            let (kilowatts, speed) = (short(other.power / 1e3), short(other.rated_speed * RPM));
+            vec![
+                other.designation.clone(),
+                other.catalogue.clone(),
+                kilowatts,
+                speed,
+                single(other.ratio),
+                mass,
+            ]
+        }));
+        page.caption(&format!(
+            "Other motors that would do, with the ratio that each would need (first {} of {})",
+            rows.len() - 1,
+            motor.runners_up.len()
+        ));
+        page.rows(&rows);
+    }
+}
+
+fn motor_lines(motor: &MotorReport, page: &mut Page) {
+    let name = if motor.designation.is_empty() { "given by its rated data" } else { &motor.designation };
+    let catalogue = motor.catalogue.as_ref().map_or_else(String::new, |name| format!(" (catalogue {name})"));
+    row(page, "Motor", &format!("{name}{catalogue}"), "");
+    row(page, "  Rated power", &single(motor.power), "W");
+    for (what, speed) in
+        [("  Synchronous speed", motor.synchronous_speed), ("  Rated speed", motor.rated_speed)]
+    {
+        row(page, what, &single(speed), &format!("rad/s ({} rpm)", short(speed * RPM)));
+    }
+    let optional = [
+        ("  Breakdown torque / rated torque", motor.max_torque_ratio, ""),
+        ("  Rotor", motor.inertia, "kg·m²"),
+        ("  Mass", motor.mass, "kg"),
+        ("  Length", motor.length.map(|length| 1e3 * length), "mm"),
+        ("  Diameter", motor.diameter.map(|diameter| 1e3 * diameter), "mm"),
+    ];
+    for (what, value, unit) in optional {
+        if let Some(value) = value {
+            row(page, what, &short(value), unit);
+        }
+    }
+    let Some(work) = &motor.work else { return };
+    row(page, "  Characteristic", work.characteristic, "");
+    row(page, "  Rated torque", &single(work.rated_torque), "N·m");
+    if let Some(breakdown) = work.breakdown_torque {
+        row(page, "  Breakdown torque", &single(breakdown), "N·m");
+    }
+    let [slow, fast] = work.speed.map(single);
+    row(page, "  Working section, speed", &format!("{slow} to {fast}"), "rad/s");
+    let [low, high] = work.torque.map(single);
+    row(page, "  Working section, torque", &format!("{low} to {high}"), "N·m");
+    row(page, "  Root mean square torque", &single(work.rms_torque), "N·m");
+    row(page, "  Greatest torque of the load at rest", &single(work.starting_load), "N·m");
+}
+
+fn flywheels(found: &Dynamics, page: &mut Page) {
+    if !found.flywheel_methods.is_empty() {
+        let head = ["method", "flywheel, kg·m²", "from exact, %", "formula"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        rows.extend(found.flywheel_methods.iter().map(|one| {
+            let off = one.difference.map_or_else(|| "-".to_owned(), |off| format!("{:.3}", 100.0 * off));
+            vec![one.method.to_owned(), single(one.flywheel), off, one.formula.to_owned()]
+        }));
+        page.caption("Flywheel by each method (all but the exact one take a constant drive: another excess work A than above)");
+        page.rows(&rows);
+    }
+    if !found.flywheel_places.is_empty() {
+        let head = [
+            "shaft",
+            "J, kg·m²",
+            "diameter, mm",
+            "width, mm",
+            "mass, kg",
+            "rim, m/s",
+            "allowed",
+            "rim speed",
+        ];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        rows.extend(found.flywheel_places.iter().map(|one| {
+            let kept = if one.ok { "kept" } else { "EXCEEDED" };
+            let numbers = [one.inertia, 1e3 * one.diameter, 1e3 * one.width, one.mass, one.rim_speed];
+            let mut cells = vec![one.shaft.to_owned()];
+            cells.extend(numbers.map(single));
+            cells.extend([short(one.admissible_rim_speed), kept.to_owned()]);
+            cells
+        }));
+        page.caption(
+            "The two places of the flywheel (S fig. 13), as a steel disc of width b = 0.1 D: J = π ρ b D⁴/32, m = π ρ b D²/4",
+        );
+        page.rows(&rows);
+    }
+}

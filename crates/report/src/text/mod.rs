@@ -1,0 +1,123 @@
+//! The text report: tables that can be handed in, and plain aligned columns for lists.
+//!
+//! Angles in degrees, lengths in millimeters, the rest in SI; each column with as many digits as its largest value needs.
+
+mod causes;
+mod condition;
+mod contact;
+mod course;
+mod drive;
+mod forces;
+mod geometry;
+mod layout;
+mod motion;
+mod number;
+mod point;
+mod structure;
+mod units;
+
+use assur_mechanism::Mechanism;
+
+use assur_analysis::results::{Analysis, CheckRow};
+
+pub use layout::columns;
+use layout::{Page, wrap};
+use units::Units;
+
+/// What the sections of a report are made from.
+struct Source<'a> {
+    analysis: &'a Analysis,
+    mechanism: &'a Mechanism,
+    units: Units,
+}
+
+/// The whole report; `ascii`: no character beyond ASCII.
+pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String {
+    let source = Source { analysis, mechanism, units: Units::of(analysis.input.angular) };
+    let mut page = Page::new(ascii);
+    if !analysis.title.is_empty() {
+        page.title(&analysis.title);
+    }
+    structure::write(&source, &mut page);
+    geometry::write(&source, &mut page);
+    motion::write(&source, &mut page);
+    course::write(&source, &mut page);
+    drive::write(&source, &mut page);
+    forces::write(&source, &mut page);
+    causes::write(&source, &mut page);
+    contact::write(&source, &mut page);
+    condition::write(&source, &mut page);
+    if !analysis.notes.is_empty() {
+        page.section("Notes");
+        for note in &analysis.notes {
+            page.paragraph(note);
+        }
+    }
+    if !analysis.failures.is_empty() {
+        page.section("Positions without a solution");
+        for failure in &analysis.failures {
+            page.paragraph(&failure.message);
+        }
+    }
+    if !analysis.checks.is_empty() {
+        page.section("Checks");
+        page.text(&checks(&analysis.checks, ascii));
+    }
+    page.finish()
+}
+
+/// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what
+/// was not judged, and why.
+pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
+    let mut rows =
+        vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
+    rows.extend(checks.iter().map(|check| {
+        vec![
+            check.name.clone(),
+            scientific(check.residual),
+            check.at.map_or_else(|| "-".to_owned(), |at| at.to_string()),
+            if check.place.is_empty() { "-".to_owned() } else { check.place.clone() },
+            scientific(check.limit),
+            verdict(check).to_owned(),
+        ]
+    }));
+    let lines = not_judged(checks).iter().map(|line| wrapped(line, 2, ascii)).collect::<String>();
+    columns(&rows, ascii) + &lines
+}
+
+fn verdict(check: &CheckRow) -> &'static str {
+    match (check.failed(), check.judged) {
+        (true, _) => "FAILED",
+        (false, true) => "ok",
+        (false, false) => "not judged",
+    }
+}
+
+/// In how many positions which checks could not judge, and why: one sentence for those that have both in common.
+pub fn not_judged(checks: &[CheckRow]) -> Vec<String> {
+    let mut kinds: Vec<(usize, &str, Vec<&str>)> = Vec::new();
+    for check in checks.iter().filter(|check| check.left_out > 0) {
+        let (count, why) = (check.left_out, check.why_left_out.as_str());
+        match kinds.iter_mut().find(|kind| (kind.0, kind.1) == (count, why)) {
+            Some((_, _, names)) => names.push(&check.name),
+            None => kinds.push((count, why, vec![&check.name])),
+        }
+    }
+    let sentence = |(count, why, names): (usize, &str, Vec<&str>)| {
+        let positions = if count == 1 { "position" } else { "positions" };
+        format!("not judged in {count} {positions}: {}: {why}", names.join(", "))
+    };
+    kinds.into_iter().map(sentence).collect()
+}
+
+/// Broken into lines of the report's width, the ones after the first `indent` columns in.
+pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
+    wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, indent)
+}
+
+fn scientific(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.2e}") }
+}
+
+#[cfg(test)]
+mod tests;

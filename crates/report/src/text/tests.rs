@@ -1,0 +1,75 @@
+//! Digits and columns.
+
+use super::layout::{columns, wrap};
+use super::number::{column, short, single};
+
+#[test]
+fn a_column_has_the_digits_of_its_largest_value() {
+    let cells = column(&[Some(1500.0), Some(-0.25), None, Some(0.0)], 1500.0);
+    assert_eq!(cells, ["1500.00", "-0.25", "-", "0.00"]);
+    assert_eq!(column(&[Some(0.012_345_678), Some(-1e-9)], 0.0123), ["0.0123457", "0.0000000"]);
+    assert_eq!(column(&[Some(2e9), Some(0.0)], 2e9), ["2.00000e9", "0"]);
+}
+
+#[test]
+fn what_is_rounding_beside_its_kind_is_zero() {
+    assert_eq!(column(&[Some(3e-15), Some(-2e-15)], 60.0), ["0", "0"]);
+    assert_eq!(column(&[Some(3e-9), Some(-2e-9)], 60.0), ["3.00000e-9", "-2.00000e-9"]);
+}
+
+#[test]
+fn single_numbers_have_six_digits() {
+    assert_eq!([single(2007.9712), single(0.25), single(-1e-5)], ["2007.97", "0.250000", "-1.00000e-5"]);
+    assert_eq!([short(100.0), short(0.04), short(0.0), short(-12.5)], ["100", "0.04", "0", "-12.5"]);
+}
+
+#[test]
+fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
+    let rows = [["pair", "N"], ["A", "1.5"], ["größe", "-12.25"]].map(|row| row.map(String::from).to_vec());
+    assert_eq!(columns(&rows, false), "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
+    assert!(columns(&rows, true).contains("groesse  -12.25\n"));
+}
+
+#[test]
+fn words_break_at_the_width_and_are_never_lost() {
+    let words = "word ".repeat(60);
+    let text = wrap(&words, 2);
+    assert!(
+        text.lines().all(|line| line.len() <= 100) && text.lines().skip(1).all(|line| line.starts_with("  "))
+    );
+    assert_eq!(text.split_whitespace().count(), 60);
+}
+
+fn check(name: &str, left_out: usize, judged: bool, ok: bool) -> assur_analysis::results::CheckRow {
+    assur_analysis::results::CheckRow {
+        name: name.to_owned(),
+        residual: 1e-12,
+        limit: 1e-9,
+        at: Some(3),
+        place: "link rod".to_owned(),
+        reason: String::new(),
+        left_out,
+        why_left_out: if left_out > 0 { "too close".to_owned() } else { String::new() },
+        judged,
+        ok,
+    }
+}
+
+#[test]
+fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
+    let rows = [
+        check("closure", 0, true, true),
+        check("PF1", 2, true, true),
+        check("PF2", 2, false, false),
+        check("J", 1, true, false),
+    ];
+    let text = super::checks(&rows, false);
+    let words: Vec<_> = text.lines().skip(2).take(4).map(|line| line.rsplit("  ").next().unwrap()).collect();
+    assert_eq!(words, ["ok", "ok", "not judged", "FAILED"]);
+    let below: Vec<_> = text.lines().skip(6).collect();
+    assert_eq!(
+        below,
+        ["not judged in 2 positions: PF1, PF2: too close", "not judged in 1 position: J: too close"]
+    );
+    assert_eq!(rows.map(|row| row.failed()), [false, false, false, true]);
+}
