@@ -44,12 +44,11 @@ impl Study {
         &self,
         watch: &mut impl FnMut(Progress) -> ControlFlow<B>,
     ) -> ControlFlow<B, Vec<CheckRow>> {
-        let first = self.analyzer.map_or(crate::DEFAULT_ANALYZER, |plugin| plugin.name);
         let subject = Subject {
             linkage: &self.linkage,
             loads: self.loads.as_ref().filter(|_| self.plan.forces && self.no_motion.is_none()),
             states: self.checked_states(),
-            methods: methods(&self.linkage, first),
+            methods: methods(&self.linkage, self.analyzer.map(|plugin| plugin.name)),
         };
         let found = subject.checks_watched(&mut |done, total| watch(Progress::Checks { done, total }))?;
         let rows = found.into_iter().map(|check| CheckRow {

@@ -25,7 +25,7 @@ mod trajectory;
 pub use course::{Course, explain_motion};
 pub use error::AnalysisError;
 pub use progress::Progress;
-pub use study::{DEFAULT_ANALYZER, DEFAULT_INTEGRATOR, Options, Study, methods};
+pub use study::{DEFAULT_INTEGRATOR, Options, Study, methods};
 
 #[cfg(test)]
 mod tests;

@@ -11,7 +11,7 @@ use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::{Order, Wrench};
 use assur_mechanism::PairId;
 
-use crate::{DEFAULT_ANALYZER, Study};
+use crate::Study;
 
 /// A guide whose force stays below this part of the greatest reaction bears nothing but rounding.
 const LEAST_FORCE: f64 = 1e-9;
@@ -67,7 +67,7 @@ impl Study {
     fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, PlansError> {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
-            None => Ok(assur_force::find(DEFAULT_ANALYZER)?),
+            None => Ok(assur_force::choose(None)?),
         }
     }
 

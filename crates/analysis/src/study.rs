@@ -10,15 +10,13 @@ use assur_structure::Structure;
 
 use crate::{AnalysisError, Course, Progress};
 
-/// The force analyzer that is taken where none is named.
-pub const DEFAULT_ANALYZER: &str = "groups";
 /// The integrator that is taken where none is named.
 pub const DEFAULT_INTEGRATOR: &str = "auto";
 
 /// What a user may choose.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
-    /// Force analyzer by name; `None`: [`DEFAULT_ANALYZER`].
+    /// Force analyzer by name; `None`: the preferred one.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
     pub integrator: Option<String>,
@@ -108,17 +106,18 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
         _ => DEFAULT_INTEGRATOR,
     };
-    let analyzer = options.analyzer.as_deref().unwrap_or(DEFAULT_ANALYZER);
+    let named = options.analyzer.as_deref();
+    let chosen = assur_force::choose(named);
     Methods {
-        analyzer: analyzer.to_owned(),
-        // A name that is not registered is refused when it comes to its turn.
-        by_groups: assur_force::find(analyzer).is_ok_and(|plugin| plugin.instance.by_groups()),
+        // A name that is not registered is refused when its turn comes.
+        analyzer: chosen.as_ref().map_or(named.unwrap_or_default(), |plugin| plugin.name).to_owned(),
+        by_groups: chosen.is_ok_and(|plugin| plugin.by_groups),
         integrator: options.integrator.clone().unwrap_or_else(|| own.to_owned()),
     }
 }
 
 fn analyzer(linkage: &Linkage, options: &Options) -> Result<&'static AnalyzerPlugin, AnalysisError> {
-    let plugin = assur_force::find(options.analyzer.as_deref().unwrap_or(DEFAULT_ANALYZER))?;
+    let plugin = assur_force::choose(options.analyzer.as_deref())?;
     match plugin.instance.supports(linkage) {
         Ok(()) => Ok(plugin),
         Err(reason) => Err(AnalysisError::Unfit { analyzer: plugin.name, reason }),

@@ -1,11 +1,11 @@
 //! Agreement of the methods: every reaction and the balancing load.
 
-use assur_force::{Loads, Reactions, State};
+use assur_force::{AnalyzerPlugin, Loads, Reactions, State};
 use assur_group::{Order, Wrench};
 
 use crate::forces::{NO_ANSWER, SOLUTION, largest};
 use crate::noise::{SAMPLES, SPACING, noise_of};
-use crate::subject::{Answer, Method, Solved, Subject};
+use crate::subject::{Answer, Solved, Subject};
 use crate::worst::{Check, Worst};
 
 /// A measured rounding is right within a small factor.
@@ -85,7 +85,7 @@ impl<'a> Agreement<'a> {
 
     /// Deviation of the rounding of each number, from answers at closely spaced coordinates, the position among them. The
     /// loads keep their laws; only the places move.
-    fn rounding(&self, one: &Solved, state: &State, method: &Method<'_>) -> Option<Numbers> {
+    fn rounding(&self, one: &Solved, state: &State, method: &AnalyzerPlugin) -> Option<Numbers> {
         let linkage = self.subject.linkage;
         let mut position = linkage.position();
         let mut reactions = Reactions::new(linkage);
@@ -96,7 +96,7 @@ impl<'a> Agreement<'a> {
             linkage.solve(one.position.coordinate + shift, Order::Second, &mut position).ok()?;
             self.loads.apply(state, &position.bodies, &mut wrenches);
             self.loads.inertia(state, &position.bodies, &mut wrenches);
-            method.analyzer.solve(linkage, &position, &mut wrenches, &mut reactions).ok()?;
+            method.instance.solve(linkage, &position, &mut wrenches, &mut reactions).ok()?;
             rows.push(numbers(&reactions));
         }
         let noise = |k: usize| noise_of(&std::array::from_fn(|i| rows[i][k]));

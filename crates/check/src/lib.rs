@@ -25,7 +25,7 @@ mod wide;
 mod worst;
 mod written;
 
-pub use subject::{Method, Subject, checks, methods};
+pub use subject::{Subject, checks, methods};
 pub use worst::Check;
 
 #[cfg(test)]

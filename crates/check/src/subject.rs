@@ -3,23 +3,12 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{ForceAnalyzer, Loads, Reactions, State, analyzers};
+use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 
 use crate::worst::Check;
 use crate::{closure, forces, test_pf};
-
-/// A method whose answers are compared.
-#[derive(Debug, Clone, Copy)]
-pub struct Method<'a> {
-    /// Its name.
-    pub name: &'a str,
-    /// The method.
-    pub analyzer: &'a dyn ForceAnalyzer,
-    /// Whether it finds reactions; otherwise the balancing load alone.
-    pub gives_reactions: bool,
-}
 
 /// What is checked.
 #[derive(Debug)]
@@ -31,7 +20,7 @@ pub struct Subject<'a> {
     /// The state in each position of the scene. Positions without one are not checked for forces.
     pub states: Vec<State>,
     /// The methods. The first one that gives reactions is checked in full, all others against it.
-    pub methods: Vec<Method<'a>>,
+    pub methods: Vec<AnalyzerPlugin>,
 }
 
 /// A solved position of the scene.
@@ -51,23 +40,16 @@ pub(crate) type Answer = Option<Reactions>;
 /// Half the width, in units of the coordinate, of the bridge that kinematics lays across a change point.
 const BRIDGE: f64 = 0.0125;
 
-/// All registered methods that can treat the linkage; `first` is put in front.
-pub fn methods(linkage: &Linkage, first: &str) -> Vec<Method<'static>> {
-    let mut all: Vec<_> = analyzers()
-        .unwrap_or_default()
-        .into_iter()
-        .filter(|plugin| plugin.instance.supports(linkage).is_ok())
-        .map(|plugin| Method {
-            name: plugin.name,
-            analyzer: plugin.instance,
-            gives_reactions: plugin.gives_reactions,
-        })
-        .collect();
-    all.sort_by_key(|method| (method.name != first, method.name));
+/// The registered methods that can treat the linkage: the one called `first` (`None`: the preferred one), then all others
+/// by name.
+pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
+    let first = choose(first).map_or("", |plugin| plugin.name);
+    let mut all: Vec<_> = applicable(linkage).into_iter().copied().collect();
+    all.sort_by_key(|method| method.name != first);
     all
 }
 
-/// Every check of a linkage under its prescribed motion, by all registered methods, `groups` first.
+/// Every check of a linkage under its prescribed motion, by all registered methods.
 ///
 /// Loads that need a motion which the scene has not leave out the checks of forces.
 pub fn checks(linkage: &Linkage) -> Vec<Check> {
@@ -75,7 +57,7 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
     let input = &linkage.mechanism.input;
     let coordinates = (0..input.positions).map(|index| input.coordinate(index));
     let states = coordinates.map(|q| State::prescribed(&linkage.mechanism, q)).collect();
-    Subject { linkage, loads: loads.as_ref(), states, methods: methods(linkage, "groups") }.checks()
+    Subject { linkage, loads: loads.as_ref(), states, methods: methods(linkage, None) }.checks()
 }
 
 impl Subject<'_> {
@@ -163,7 +145,7 @@ impl Subject<'_> {
             let mut reactions = Reactions::new(self.linkage);
             loads.apply(state, &one.position.bodies, &mut wrenches);
             loads.inertia(state, &one.position.bodies, &mut wrenches);
-            let solved = method.analyzer.solve(self.linkage, &one.position, &mut wrenches, &mut reactions);
+            let solved = method.instance.solve(self.linkage, &one.position, &mut wrenches, &mut reactions);
             solved.ok().map(|()| reactions)
         });
         each.collect()

@@ -30,12 +30,6 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         out: &mut Reactions,
     ) -> Result<(), ForceError>;
 
-    /// Whether the method goes group by group, so that a group which is not placed, or carries no load, is left out
-    /// ([`Reactions::solved`]). Other methods need all groups placed.
-    fn by_groups(&self) -> bool {
-        false
-    }
-
     /// The construction on paper that this method stands for, at one position; `None` for a method without one.
     ///
     /// `loads` as in [`solve`](Self::solve).

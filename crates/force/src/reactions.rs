@@ -16,7 +16,7 @@ pub struct Reactions {
     /// mechanism in its motion.
     pub balancing: f64,
     /// By group: whether its equations are solved. The reactions of the others stay exactly zero: a group that carries no load,
-    /// and a group that is not placed. Heeded by methods that go [by groups](crate::ForceAnalyzer::by_groups).
+    /// and a group that is not placed. Heeded by methods that go [by groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<f64>>,

@@ -1,5 +1,6 @@
-//! The registry of force analyzers.
+//! The registry of force analyzers, and the choice among them by what they declare.
 
+use assur_kinematics::Linkage;
 use assur_plugin::{Registered, RegistryError};
 
 use crate::ForceAnalyzer;
@@ -19,6 +20,12 @@ pub struct AnalyzerPlugin {
     pub instance: &'static dyn ForceAnalyzer,
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
+    /// Whether it goes group by group, so that a group which is not placed, or carries no load, is left out
+    /// ([`Reactions::solved`](crate::Reactions::solved)). Other methods need all groups placed.
+    pub by_groups: bool,
+    /// Order of preference: of the methods that give reactions, the one of the lowest rank is used where the user names
+    /// none. Methods of equal rank go by name.
+    pub rank: u8,
 }
 
 inventory::collect!(AnalyzerPlugin);
@@ -44,6 +51,12 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
+/// The registered methods that can treat a mechanism, sorted by name; none where the registry is faulty.
+pub fn applicable(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
+    let all = analyzers().unwrap_or_default().into_iter();
+    all.filter(|plugin| plugin.instance.supports(linkage).is_ok()).collect()
+}
+
 /// The method of this name.
 ///
 /// # Errors
@@ -51,4 +64,17 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
 /// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
     assur_plugin::find(name)
+}
+
+/// The method of this name; without a name the preferred one of those that give reactions.
+///
+/// # Errors
+///
+/// [`RegistryError`] where the registry is faulty or has no such method.
+pub fn choose(name: Option<&str>) -> Result<&'static AnalyzerPlugin, RegistryError> {
+    if let Some(name) = name {
+        return find(name);
+    }
+    let all = analyzers()?.into_iter().filter(|plugin| plugin.gives_reactions);
+    all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty { what: AnalyzerPlugin::WHAT })
 }

@@ -8,8 +8,8 @@
 //! Where the balancing load acts elsewhere, its size follows from linearity: the drive must be idle under all loads
 //! together, M(loads) + B M(unit load) = 0.
 
-use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, UnitBalance};
-use assur_group::{Body, Pair, PairGeometry, Wrench};
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, UnitBalance, group_by_group};
+use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
 
 assur_force::inventory::submit! {
@@ -20,6 +20,8 @@ assur_force::inventory::submit! {
         source: "S stage 9: kinetostatics of Assur groups",
         instance: &Groups,
         gives_reactions: true,
+        by_groups: true,
+        rank: 0,
     }
 }
 
@@ -30,10 +32,6 @@ pub struct Groups;
 impl ForceAnalyzer for Groups {
     fn supports(&self, _linkage: &Linkage) -> Result<(), String> {
         Ok(())
-    }
-
-    fn by_groups(&self) -> bool {
-        true
     }
 
     #[inline]
@@ -62,42 +60,16 @@ fn pass(
     loads: &mut [Wrench<f64>],
     pairs: &mut [Wrench<f64>],
 ) -> Result<f64, ForceError> {
-    for (index, group) in linkage.groups().iter().enumerate().rev() {
+    let bodies = &position.bodies;
+    group_by_group(linkage, linkage.groups(), bodies, loads, pairs, |index, group, loads, pairs| {
         if !solved[index] {
-            continue;
+            return Ok(());
         }
-        if let Err(source) = group.reactions(&position.bodies, loads, pairs) {
+        group.reactions(bodies, loads, pairs).map_err(|source| {
             let group = linkage.structure.group_name(&linkage.mechanism, index);
-            return Err(ForceError::Group { group, coordinate: position.coordinate, source });
-        }
-    }
-    let input = linkage.mechanism.input.link;
-    let (reaction, drive) = input_link(&linkage.structure.pairs[0].pair, input, &position.bodies, loads);
-    pairs[0] = reaction;
-    Ok(drive)
-}
-
-/// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the drive.
-#[inline]
-fn input_link(pair: &Pair, input: usize, bodies: &[Body<f64>], loads: &[Wrench<f64>]) -> (Wrench<f64>, f64) {
-    let (body, load) = (&bodies[input], &loads[input]);
-    match pair.geometry {
-        PairGeometry::Pin { at_a, .. } => {
-            let reaction = Wrench { fx: -load.fx, fy: -load.fy, m: 0.0 };
-            (reaction, -load.about(body.arm(at_a)))
-        }
-        PairGeometry::Slide { point, .. } => {
-            // The coordinate is the way along the guide, so that PF1 of the origin is the guide's direction.
-            let (c, s) = (body.x1, body.y1);
-            let [x, y] = bodies[pair.a].point(point);
-            // The drive takes the component along the guide, the guide the one across.
-            let across = c * load.fy - s * load.fx;
-            let sign = if pair.a == input { 1.0 } else { -1.0 };
-            let (fx, fy) = (sign * across * s, -sign * across * c);
-            let m = -sign * load.about([x - body.x, y - body.y]);
-            (Wrench { fx, fy, m }, -(load.fx * c + load.fy * s))
-        }
-    }
+            ForceError::Group { group, coordinate: position.coordinate, source }
+        })
+    })
 }
 
 /// Adds the reactions of the balancing load that makes the drive idle.

@@ -45,6 +45,8 @@ assur_force::inventory::submit! {
         source: SOURCE,
         instance: &Longitudinal { form: Form::Stable },
         gives_reactions: true,
+        by_groups: false,
+        rank: 2,
     }
 }
 
@@ -56,6 +58,8 @@ assur_force::inventory::submit! {
         source: SOURCE,
         instance: &Longitudinal { form: Form::Published },
         gives_reactions: true,
+        by_groups: false,
+        rank: 3,
     }
 }
 

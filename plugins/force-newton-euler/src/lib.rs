@@ -21,6 +21,8 @@ assur_force::inventory::submit! {
         source: "equilibrium of each link with its inertia loads (d'Alembert); LU with partial pivoting",
         instance: &NewtonEuler,
         gives_reactions: true,
+        by_groups: false,
+        rank: 1,
     }
 }
 

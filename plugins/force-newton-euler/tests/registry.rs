@@ -1,6 +1,6 @@
 //! The analyzers register themselves in a program that links them.
 
-use assur_force::{RegistryError, analyzers, find};
+use assur_force::{RegistryError, analyzers, choose, find};
 use assur_force_groups as _;
 use assur_force_newton_euler as _;
 
@@ -19,4 +19,12 @@ fn registered_under_their_names() {
     assert_eq!(error, RegistryError::Unknown { what, name, known: known.clone() });
     let text = format!("no force analyzer is called `graphical`; there are: {}", known.join(", "));
     assert_eq!(error.to_string(), text);
+}
+
+#[test]
+fn without_a_name_the_lowest_rank_is_chosen() {
+    let chosen = choose(None).unwrap();
+    assert_eq!((chosen.name, chosen.by_groups), ("groups", true));
+    assert_eq!(choose(Some("newton-euler")).unwrap().name, "newton-euler");
+    assert!(choose(Some("no such method")).is_err());
 }

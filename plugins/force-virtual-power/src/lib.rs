@@ -22,6 +22,8 @@ assur_force::inventory::submit! {
         source: "principle of virtual power; Zhukovsky's lever",
         instance: &VirtualPower,
         gives_reactions: false,
+        by_groups: false,
+        rank: 4,
     }
 }
 

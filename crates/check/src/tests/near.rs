@@ -104,7 +104,7 @@ fn every_slip_in_a_closed_form_is_caught_next_to_a_singular_position() {
                 if !differs(&numbers, &found) || is_hidden(&sound, &numbers, &found) {
                     continue;
                 }
-                let caught = failed(&linkage, &loads, methods(&linkage, "groups"));
+                let caught = failed(&linkage, &loads, methods(&linkage, None));
                 assert!(!caught.is_empty(), "{kind}, {distance:e} away, victim {victim}: {}", slip.name);
                 planted += 1;
             }

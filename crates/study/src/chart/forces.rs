@@ -153,7 +153,8 @@ fn sizes(truth: &[Truth], scale: f64) -> [f64; 3] {
 pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError> {
     let linkage = loaded.work.linkage;
     let mut entries = Vec::new();
-    for plugin in analyzers()? {
+    let all = analyzers()?;
+    for plugin in &all {
         let mut row = row(plugin.name, "f64");
         if !plugin.gives_reactions {
             row.setting.0.push((GIVES, Value::Word("balancing load only")));
@@ -164,7 +165,8 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
         });
     }
     let single = ByGroups::<f32>::new(loaded, Forms::Closed)?;
-    entries.push(Entry::new(row("groups", "f32"), loaded.positions.len(), single));
+    let by_groups = all.iter().find(|plugin| plugin.by_groups).map_or("by groups", |plugin| plugin.name);
+    entries.push(Entry::new(row(by_groups, "f32"), loaded.positions.len(), single));
     let general = ByGroups::<f64>::new(loaded, Forms::General)?;
     entries.push(Entry::new(row("groups-general", "f64"), loaded.positions.len(), general));
     Ok(Field { reference: loaded.reference.clone(), entries })

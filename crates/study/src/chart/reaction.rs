@@ -1,10 +1,8 @@
 //! Group by group in any number: reactions and the balancing load, by the closed forms of the groups or by their one
 //! linear system.
 
-use assur_force::UnitBalance;
-use assur_group::{
-    AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane, reactions_generally,
-};
+use assur_force::{UnitBalance, group_by_group};
+use assur_group::{AssurGroup, Body, GroupError, Number, Wrench, reactions_generally};
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
@@ -74,41 +72,8 @@ fn pass<T: Number>(
     pairs: &mut [Wrench<T>],
     forms: Forms,
 ) -> Result<T, GroupError> {
-    for group in groups.iter().rev() {
-        match forms {
-            Forms::Closed => group.reactions(bodies, loads, pairs)?,
-            Forms::General => reactions_generally(group.frame(), bodies, loads, pairs)?,
-        }
-    }
-    let (reaction, drive) =
-        input_link(&linkage.structure.pairs[0].pair, linkage.mechanism.input.link, bodies, loads);
-    pairs[0] = reaction;
-    Ok(drive)
-}
-
-/// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the drive.
-fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[Wrench<T>]) -> (Wrench<T>, T) {
-    let (body, load) = (&bodies[input], &loads[input]);
-    let on_input = pair.a == input;
-    let signed = |x: T| if on_input { x } else { -x };
-    match pair.geometry {
-        PairGeometry::Pin { at_a, at_b } => {
-            let own = plane::vector(if on_input { at_a } else { at_b });
-            let reaction = Wrench { fx: signed(-load.fx), fy: signed(-load.fy), m: T::ZERO };
-            (reaction, -load.about(body.arm(own)))
-        }
-        PairGeometry::Slide { point, .. } => {
-            // d(origin)/dq is the unit vector along the guide.
-            let along = [body.x1, body.y1];
-            let force = load.force();
-            let across = plane::cross(along, force);
-            let [x, y] = bodies[pair.a].point(plane::vector(point));
-            let reaction = Wrench {
-                fx: signed(across * along[1]),
-                fy: signed(-(across * along[0])),
-                m: signed(-load.about([x - body.x, y - body.y])),
-            };
-            (reaction, -plane::dot(force, along))
-        }
-    }
+    group_by_group(linkage, groups, bodies, loads, pairs, |_, group, loads, pairs| match forms {
+        Forms::Closed => group.reactions(bodies, loads, pairs),
+        Forms::General => reactions_generally(group.frame(), bodies, loads, pairs),
+    })
 }

@@ -1,6 +1,6 @@
 //! Walks the whole mechanism along its coordinate to where each group is least healthy.
 
-use assur_force::{AnalyzerPlugin, Reactions, analyzers};
+use assur_force::{AnalyzerPlugin, Reactions, applicable};
 use assur_group::{Body, Order, Wrench};
 use assur_kinematics::{Across, Chain, Linkage, Position};
 use assur_number::{Dd, Real};
@@ -55,8 +55,7 @@ impl Stop<'_> {
 
 /// Registered analyzers that can find the reactions of a mechanism.
 pub(crate) fn analyzers_of(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
-    let fits = |plugin: &&AnalyzerPlugin| plugin.gives_reactions && plugin.instance.supports(linkage).is_ok();
-    analyzers().unwrap_or_default().into_iter().filter(fits).collect()
+    applicable(linkage).into_iter().filter(|plugin| plugin.gives_reactions).collect()
 }
 
 /// A load on every link, all different, moments as long as the mechanism.

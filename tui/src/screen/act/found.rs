@@ -54,10 +54,9 @@ pub(crate) fn causes(state: &mut State) {
 /// The next registered force analyzer that can treat the open scene.
 fn next_analyzer(state: &State) -> Option<String> {
     let study = state.study.as_ref()?;
-    let fit: Vec<&str> = assur_force::analyzers()
-        .unwrap_or_default()
+    let fit: Vec<&str> = assur_force::applicable(&study.linkage)
         .into_iter()
-        .filter(|plugin| plugin.gives_reactions && plugin.instance.supports(&study.linkage).is_ok())
+        .filter(|plugin| plugin.gives_reactions)
         .map(|plugin| plugin.name)
         .collect();
     let now = study.found.as_ref().map_or("", |found| &found.analyzer);

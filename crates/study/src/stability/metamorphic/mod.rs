@@ -1,7 +1,7 @@
 //! Random mechanisms, changed in ways after which the results must change exactly so.
 
 use assur_all as _;
-use assur_force::{Loads, Reactions, State, find};
+use assur_force::{Loads, Reactions, State, choose};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, Link, Mechanism, Motion, Place, Point, Range, Sense};
@@ -39,7 +39,7 @@ fn solve(mechanism: &Mechanism) -> Found {
         let state = State::prescribed(&linkage.mechanism, position.coordinate);
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.apply(&state, &position.bodies, &mut wrenches);
-        find("groups").unwrap().instance.solve(&linkage, &position, &mut wrenches, &mut out).unwrap();
+        choose(None).unwrap().instance.solve(&linkage, &position, &mut wrenches, &mut out).unwrap();
         found.turns.extend(position.bodies.iter().skip(1).map(|body| [body.w1, body.w2]));
         found.forces.extend(out.pairs.iter().map(Wrench::force));
         found.moments.extend(out.pairs.iter().map(|pair| pair.m));
