@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use crate::results::{
-    CourseRow, Dynamics, Energy, EventRow, FlywheelRow, Instant, Integration, MotorReport, MotorWork, Named,
-    PointReport, RegimeReport, RunnerUp, TrialRow, TurnRow, WheelRow,
+    CourseRow, Dynamics, Energy, EventRow, Instant, Integration, MotorReport, MotorWork, Named, PointReport,
+    RegimeReport, RunnerUp,
 };
-use assur_dynamics::{ReductionPoint, Regime, Steady, SteadyMotor, Transient};
+use assur_dynamics::{FlywheelByMethod, ReductionPoint, Regime, Steady, SteadyMotor, Transient};
 use assur_integrator::{Event, EventKind, State};
-use assur_motor::{FlywheelPlaces, FlywheelSize, RimSpeedCheck};
 
 use crate::{Course, Study};
 
@@ -40,7 +39,7 @@ impl Study {
             motor: found.motor.as_ref().map(motor),
             flywheel_by_method: by_method(regime, has_flywheel),
             flywheel_methods: if has_flywheel { methods(regime) } else { Vec::new() },
-            flywheel_places: found.places.as_ref().map_or_else(Vec::new, wheels),
+            flywheel_places: found.flywheel_sizes.clone(),
             regime: Some(self.regime(found)),
             reduction_point: self.reduction_point(),
         })
@@ -64,31 +63,9 @@ impl Study {
             multiplier: regime.multiplier,
             shaft_inertia: regime.shaft_inertia,
             flywheel_needless: regime.flywheel_needless,
-            cycles: regime.effort.cycles,
-            evaluations: regime.effort.evaluations,
-            panels: regime.effort.panels,
-            residual: regime.effort.residual,
-            iteration: regime
-                .turns
-                .iter()
-                .map(|turn| TurnRow {
-                    number: turn.number,
-                    speed_start: turn.speed_start,
-                    speed_end: turn.speed_end,
-                    residual: turn.residual,
-                })
-                .collect(),
-            trials: regime
-                .trials
-                .iter()
-                .map(|trial| TrialRow {
-                    number: trial.number,
-                    ratio: trial.ratio,
-                    flywheel: trial.flywheel,
-                    mean_speed: trial.mean_speed,
-                    unevenness: trial.unevenness,
-                })
-                .collect(),
+            effort: regime.effort,
+            iteration: regime.turns.clone(),
+            trials: regime.trials.clone(),
             course: (0..=COURSE).map(row).collect(),
         }
     }
@@ -143,36 +120,9 @@ fn by_method(regime: &Regime, has_flywheel: bool) -> Named<f64> {
     rows.map(|row| (Arc::from(row.method), row.flywheel)).collect()
 }
 
-fn methods(regime: &Regime) -> Vec<FlywheelRow> {
+fn methods(regime: &Regime) -> Vec<FlywheelByMethod> {
     let rows = regime.flywheel_by_method.iter().filter(|row| row.flywheel.is_finite());
-    rows.map(|row| FlywheelRow {
-        method: row.method,
-        formula: row.formula,
-        flywheel: row.flywheel,
-        difference: finite(row.difference),
-    })
-    .collect()
-}
-
-fn wheels(places: &FlywheelPlaces) -> Vec<WheelRow> {
-    vec![
-        wheel("input", &places.on_input, &places.on_input_rim),
-        wheel("motor", &places.on_motor, &places.on_motor_rim),
-    ]
-}
-
-fn wheel(shaft: &'static str, size: &FlywheelSize, rim: &RimSpeedCheck) -> WheelRow {
-    WheelRow {
-        shaft,
-        inertia: size.inertia,
-        diameter: size.diameter,
-        width: size.width,
-        mass: size.mass,
-        material: size.material.name,
-        rim_speed: rim.rim_speed,
-        admissible_rim_speed: rim.admissible,
-        ok: rim.ok,
-    }
+    rows.copied().collect()
 }
 
 fn motor(found: &SteadyMotor) -> MotorReport {
@@ -208,7 +158,7 @@ fn motor(found: &SteadyMotor) -> MotorReport {
 
 fn work(found: &SteadyMotor) -> MotorWork {
     MotorWork {
-        characteristic: found.motor.kind.name(),
+        characteristic: found.characteristic.name(),
         rated_torque: found.characteristic.rated_torque(),
         breakdown_torque: found.characteristic.breakdown_torque(),
         speed: found.speed,

@@ -1,7 +1,7 @@
 //! Why there is no motion to report.
 
 use assur_integrator::{IntegrationError, MotionError, RegistryError};
-use assur_motor::{CatalogueError, FlywheelError, LookupError, RatedDataError, SelectionError};
+use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
 
 /// What went wrong, where, and what to do.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -154,7 +154,4 @@ pub enum DynamicsError {
     /// No motor can be chosen.
     #[error(transparent)]
     Selection(#[from] SelectionError),
-    /// The flywheel has no size.
-    #[error(transparent)]
-    Flywheel(#[from] FlywheelError),
 }

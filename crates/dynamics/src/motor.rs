@@ -1,6 +1,6 @@
 //! The motor of a scene: given by its data, looked up, or chosen (S stage 5).
 
-use assur_mechanism::{Characteristic as Form, Motor as Asked};
+use assur_mechanism::Motor as Asked;
 use assur_motor::{
     Candidate, CharacteristicKind, Motor, MotorFilter, RatedData, SelectionRequest, catalogues, find_motor,
     list_motors, select,
@@ -30,27 +30,19 @@ impl DriveMotor {
     }
 }
 
-/// The characteristic that a scene asks for.
-pub(crate) fn kind_of(form: Form) -> CharacteristicKind {
-    match form {
-        Form::Kloss => CharacteristicKind::Kloss,
-        Form::Linear => CharacteristicKind::Linear,
-    }
-}
-
 /// What a scene asks of its motor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MotorWish<'a> {
     pub(crate) motor: &'a Asked,
     pub(crate) catalogue: Option<&'a str>,
     pub(crate) max_speed: Option<f64>,
-    pub(crate) form: Form,
+    pub(crate) kind: CharacteristicKind,
 }
 
 impl MotorWish<'_> {
     /// Finds the motor; power (W, at the motor shaft) and speed of the input are for choosing, `None` where that is impossible.
     pub(crate) fn find(&self, need: Option<[f64; 2]>) -> Result<DriveMotor, DynamicsError> {
-        let kind = kind_of(self.form);
+        let kind = self.kind;
         let row = |motor: &'static Motor, runners_up| DriveMotor {
             designation: Some(motor.designation.clone()),
             rated: motor.rated_data(),
@@ -60,13 +52,8 @@ impl MotorWish<'_> {
         };
         match self.motor {
             Asked::Rated(rated) => {
-                let rated = RatedData {
-                    power: rated.power,
-                    synchronous_speed: rated.synchronous_speed,
-                    rated_speed: rated.rated_speed,
-                    max_torque_ratio: rated.max_torque_ratio,
-                    inertia: rated.inertia.filter(|inertia| *inertia > 0.0),
-                };
+                let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
+                let rated = RatedData { inertia, ..*rated };
                 Ok(DriveMotor { designation: None, rated, kind, row: None, runners_up: Vec::new() })
             }
             Asked::Designation(designation) => Ok(row(find_motor(self.catalogue, designation)?, Vec::new())),

@@ -5,8 +5,8 @@ use assur_integrator::Motion as IsMotion;
 use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
 use assur_motor::{
-    Characteristic, FlywheelPlaces, FlywheelProportions, MotorWarning, STEEL, check_breakdown, check_rms,
-    check_rotor_inertia, check_starting, rms_torque,
+    Characteristic, FlywheelSize, MotorWarning, check_breakdown, check_rms, check_rotor_inertia,
+    check_starting, flywheel_sizes, rms_torque,
 };
 
 use crate::motor::{DriveMotor, MotorWish};
@@ -24,9 +24,9 @@ pub struct Steady {
     pub mean_resistance: f64,
     /// Work of the resistance over a cycle, J.
     pub resistance_work: f64,
-    /// The sizes of a steel disc a tenth as wide as its diameter for the two places of the flywheel (S fig. 13); `None`
-    /// without motor or flywheel.
-    pub places: Option<FlywheelPlaces>,
+    /// The sizes of a steel disc a tenth as wide as its diameter on the input shaft and on the motor shaft (S fig. 13);
+    /// empty without motor or flywheel.
+    pub flywheel_sizes: Vec<FlywheelSize>,
 }
 
 /// How the motor works in the regime. Torques and speeds of its own shaft.
@@ -114,9 +114,9 @@ pub fn steady_told(
         }
         _ => None,
     };
-    let places = places(&regime, motor.is_some(), drive.flywheel_on_motor)?;
+    let flywheel_sizes = sizes(&regime, motor.is_some(), drive.flywheel_on_motor);
     let (mean_resistance, resistance_work) = (survey.mean_resistance(), survey.resistance_work());
-    Ok(Steady { regime, motor, mean_resistance, resistance_work, places })
+    Ok(Steady { regime, motor, mean_resistance, resistance_work, flywheel_sizes })
 }
 
 /// The input link about its pin (a sliding one: its mass): the part of J(q) that never varies.
@@ -156,7 +156,7 @@ fn drive_request(
                 motor,
                 catalogue: catalogue.as_deref(),
                 max_speed: *max_speed,
-                form: *characteristic,
+                kind: *characteristic,
             };
             let (motor, characteristic) = chosen(&wish, survey, drive.efficiency)?;
             let torque = TorqueRequest::Motor {
@@ -229,9 +229,10 @@ fn steady_motor(
     }
 }
 
-fn places(regime: &Regime, has_motor: bool, on_motor: bool) -> Result<Option<FlywheelPlaces>, DynamicsError> {
-    let Some(ratio) = regime.ratio.filter(|_| has_motor && regime.flywheel > 0.0) else { return Ok(None) };
-    let inertia = if on_motor { regime.flywheel * ratio * ratio } else { regime.flywheel };
-    let speed = regime.speed_max.abs();
-    Ok(Some(FlywheelPlaces::compare(inertia, ratio, speed, &FlywheelProportions::DISC, STEEL)?))
+fn sizes(regime: &Regime, has_motor: bool, on_motor: bool) -> Vec<FlywheelSize> {
+    let ratio = regime.ratio.filter(|_| has_motor && regime.flywheel > 0.0);
+    ratio.map_or_else(Vec::new, |ratio| {
+        let inertia = if on_motor { regime.flywheel * ratio * ratio } else { regime.flywheel };
+        flywheel_sizes(inertia, ratio, regime.speed_max.abs()).to_vec()
+    })
 }

@@ -214,7 +214,7 @@ fn source_of(drive: &Drive, sense: f64) -> Result<(Source, Option<DriveMotor>), 
                 motor,
                 catalogue: catalogue.as_deref(),
                 max_speed: *max_speed,
-                form: *characteristic,
+                kind: *characteristic,
             };
             let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
             let motor = wish.find(None)?;

@@ -1,34 +1,8 @@
 //! The contract of a motor catalogue, and the registry of the catalogues that are linked into the program.
 
+use assur_plugin::Registered;
+
 use crate::{CatalogueError, LookupError, Motor, find_designation, same_designation};
-
-/// A list of motors.
-pub trait MotorCatalogue: std::fmt::Debug + Sync {
-    /// Stable identifier, as scenes write it: `4A`. Compared like designations, without regard to case.
-    fn name(&self) -> &str;
-
-    /// One line: what motors these are.
-    fn summary(&self) -> &str;
-
-    /// Where the numbers are printed.
-    fn source(&self) -> &str;
-
-    /// All rows, in the order of the source; read once, then kept.
-    ///
-    /// # Errors
-    ///
-    /// [`CatalogueError`] if the table cannot be read or a row is impossible.
-    fn rows(&self) -> Result<&[Motor], CatalogueError>;
-
-    /// The motor of that designation, see [`find_designation`].
-    ///
-    /// # Errors
-    ///
-    /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
-    fn find(&self, designation: &str) -> Result<&Motor, LookupError> {
-        find_designation(self.rows()?, designation, &format!("catalogue {}", self.name()))
-    }
-}
 
 /// Registry entry of a catalogue; give it to `inventory::submit!`.
 #[derive(Debug, Clone, Copy)]
@@ -47,21 +21,26 @@ pub struct CataloguePlugin {
 
 inventory::collect!(CataloguePlugin);
 
-impl MotorCatalogue for CataloguePlugin {
-    fn name(&self) -> &str {
+impl CataloguePlugin {
+    /// The motor of that designation, see [`find_designation`].
+    ///
+    /// # Errors
+    ///
+    /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
+    pub fn find(&self, designation: &str) -> Result<&'static Motor, LookupError> {
+        find_designation((self.rows)()?, designation, &format!("catalogue {}", self.name))
+    }
+}
+
+impl Registered for CataloguePlugin {
+    const WHAT: &'static str = "motor catalogue";
+
+    fn name(&self) -> &'static str {
         self.name
     }
 
-    fn summary(&self) -> &str {
-        self.summary
-    }
-
-    fn source(&self) -> &str {
-        self.source
-    }
-
-    fn rows(&self) -> Result<&[Motor], CatalogueError> {
-        (self.rows)()
+    fn crate_name(&self) -> &'static str {
+        self.crate_name
     }
 }
 
@@ -69,9 +48,9 @@ impl MotorCatalogue for CataloguePlugin {
 ///
 /// # Errors
 ///
-/// [`CatalogueError::DuplicateName`] if two have one name, [`CatalogueError::NoneRegistered`] if there is none.
+/// [`CatalogueError::Registry`] if two have one name or there is none.
 pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, CatalogueError> {
-    sorted(inventory::iter::<CataloguePlugin>.into_iter().collect())
+    Ok(assur_plugin::all()?)
 }
 
 /// The registered catalogue of that name, without regard to case, spaces and script.
@@ -97,24 +76,6 @@ pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static
         all.extend((plugin.rows)()?);
     }
     find_designation(all.iter().copied(), designation, "any catalogue")
-}
-
-/// Sorts by name and refuses what would make a name ambiguous.
-pub(crate) fn sorted(mut all: Vec<&CataloguePlugin>) -> Result<Vec<&CataloguePlugin>, CatalogueError> {
-    if all.is_empty() {
-        return Err(CatalogueError::NoneRegistered);
-    }
-    all.sort_by_key(|c| (c.name.to_uppercase(), c.crate_name));
-    for (i, first) in all.iter().enumerate() {
-        if let Some(second) = all[i + 1..].iter().find(|c| same_designation(c.name, first.name)) {
-            return Err(CatalogueError::DuplicateName {
-                name: first.name.to_owned(),
-                first: first.crate_name.to_owned(),
-                second: second.crate_name.to_owned(),
-            });
-        }
-    }
-    Ok(all)
 }
 
 /// The catalogue of that name among these.

@@ -39,25 +39,10 @@ pub(crate) fn without_climate(key: &str) -> &str {
     base.filter(|base| base.ends_with(|c: char| c.is_ascii_digit())).unwrap_or(key)
 }
 
+/// The Latin letter that looks like this Cyrillic one; every other character as it is.
 fn look_alike(c: char) -> char {
-    match c {
-        'А' => 'A',
-        'В' => 'B',
-        'Е' | 'Ё' => 'E',
-        'Ѕ' => 'S',
-        'І' | 'Ї' => 'I',
-        'Ј' => 'J',
-        'К' => 'K',
-        'М' => 'M',
-        'Н' => 'H',
-        'О' => 'O',
-        'Р' => 'P',
-        'С' => 'C',
-        'Т' => 'T',
-        'У' => 'Y',
-        'Х' => 'X',
-        other => other,
-    }
+    let pair = "АВЕЁЅІЇЈКМНОРСТУХ".chars().zip("ABEESIIJKMHOPCTYX".chars()).find(|pair| pair.0 == c);
+    pair.map_or(c, |pair| pair.1)
 }
 
 fn push_latin(latin: &mut String, c: char) {
@@ -74,35 +59,19 @@ fn push_latin(latin: &mut String, c: char) {
     }
 }
 
+/// Latin letters of an upper-case Cyrillic one by its sound.
 fn by_sound(upper: char) -> &'static str {
+    const CYRILLIC: &str = "АБВГҐДЕЁЭЗИІЇЙЈКЛМНОПРСЅТУФХЦЫ";
+    const LATIN: &str = "ABBGGDEEEZIIIJJKLMNOPRSSTUFHCY";
+    if let Some(at) = CYRILLIC.chars().position(|c| c == upper) {
+        return &LATIN[at..=at];
+    }
     match upper {
-        'А' => "A",
-        'Б' | 'В' => "B",
-        'Г' | 'Ґ' => "G",
-        'Д' => "D",
-        'Е' | 'Ё' | 'Э' => "E",
         'Ж' => "ZH",
-        'З' => "Z",
-        'И' | 'І' | 'Ї' => "I",
-        'Й' | 'Ј' => "J",
-        'К' => "K",
-        'Л' => "L",
-        'М' => "M",
-        'Н' => "N",
-        'О' => "O",
-        'П' => "P",
-        'Р' => "R",
-        'С' | 'Ѕ' => "S",
-        'Т' => "T",
-        'У' => "U",
-        'Ф' => "F",
-        'Х' => "H",
-        'Ц' => "C",
         'Ч' => "CH",
         'Ш' => "SH",
         'Щ' => "SCH",
         'Ъ' | 'Ь' => "",
-        'Ы' => "Y",
         'Ю' => "YU",
         'Я' => "YA",
         'Є' => "YE",

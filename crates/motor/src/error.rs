@@ -1,5 +1,7 @@
 //! What can be wrong with a catalogue, and with a designation that someone asks for.
 
+use assur_plugin::RegistryError;
+
 /// Why a catalogue cannot be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -30,19 +32,9 @@ pub enum CatalogueError {
         /// What is impossible.
         fault: RowFault,
     },
-    /// Two registered catalogues have one name.
-    #[error("two motor catalogues are named `{name}`: in {first} and in {second}; rename one of them")]
-    DuplicateName {
-        /// The name.
-        name: String,
-        /// Crate of the first.
-        first: String,
-        /// Crate of the second.
-        second: String,
-    },
-    /// No catalogue is linked into the program.
-    #[error("no motor catalogue is registered; link a catalogue plugin, or give the motor by its rated data")]
-    NoneRegistered,
+    /// Two registered catalogues have one name, or none is registered.
+    #[error(transparent)]
+    Registry(#[from] RegistryError),
     /// There is no catalogue of that name.
     #[error("no motor catalogue `{name}`; there are: {}", known.join(", "))]
     UnknownName {

@@ -1,12 +1,12 @@
 //! Asynchronous motors as data and as functions of speed: the contract of a catalogue and its registry,
-//! the mechanical characteristic, the motor seen from the input shaft, selection, and flywheel sizes.
+//! the mechanical characteristic, selection, and flywheel sizes.
 //!
 //! Knows no catalogue, no scene file and no terminal. SI units: W, rad/s, N·m, kg·m², m, kg.
 //! The formulas are those of the working section and of Kloss (theory of the asynchronous machine); each
 //! stands at the function that uses it.
 //!
 //! ```
-//! use assur_motor::{Characteristic, CharacteristicKind, RatedData, ShaftMotor, rad_per_s};
+//! use assur_motor::{Characteristic, CharacteristicKind, RatedData, rad_per_s};
 //!
 //! let rated = RatedData {
 //!     power: 1100.0,
@@ -17,10 +17,6 @@
 //! };
 //! let kloss = Characteristic::new(CharacteristicKind::Kloss, &rated)?;
 //! assert!((kloss.torque(rated.rated_speed) - 7.4498).abs() < 1e-4); // 1100 W / 147.65 rad/s
-//!
-//! // Behind a reducer 23.5 : 1 of efficiency 0.95, driving counter-clockwise.
-//! let motor = ShaftMotor::new(kloss, 23.5, 0.95, 1.0)?;
-//! assert!((motor.torque(rad_per_s(60.0)) - 166.32).abs() < 0.01); // 23.5 * 0.95 * 7.4498
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -56,30 +52,24 @@ mod flag;
 mod flywheel;
 mod lookup;
 mod motor;
-mod plausibility;
 mod rated;
 mod selection;
-mod shaft;
 mod table;
 mod units;
 mod warning;
 
-pub use catalogue::{CataloguePlugin, MotorCatalogue, catalogues, find_catalogue, find_motor};
-pub use characteristic::{Characteristic, CharacteristicKind, Kloss, Linear};
+pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
+pub use catalogue::{CataloguePlugin, catalogues, find_catalogue, find_motor};
+pub use characteristic::Characteristic;
 pub use designation::{latin_designation, normalize_designation, same_designation};
 pub use error::{CatalogueError, LookupError, RowFault};
 pub use filter::{MotorFilter, list_motors};
 pub use flag::flag_meaning;
-pub use flywheel::{
-    CAST_IRON, FlywheelError, FlywheelMaterial, FlywheelPlaces, FlywheelProportions, FlywheelShape,
-    FlywheelSize, RimSpeedCheck, STEEL,
-};
+pub use flywheel::{FlywheelSize, flywheel_sizes};
 pub use lookup::find_designation;
 pub use motor::Motor;
-pub use plausibility::{Doubt, doubts};
-pub use rated::{RatedData, RatedDataError};
-pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, SkipReason, Skipped, select};
-pub use shaft::{ShaftError, ShaftMotor};
+pub use rated::RatedDataError;
+pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
 pub use units::{rad_per_s, rpm};
 pub use warning::{

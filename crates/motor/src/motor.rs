@@ -69,16 +69,6 @@ impl Motor {
         }
     }
 
-    /// Rated torque, N·m: rated power / rated speed.
-    pub fn rated_torque(&self) -> f64 {
-        self.rated_power / self.rated_speed
-    }
-
-    /// Rated slip from the printed speeds, a fraction.
-    pub fn rated_slip(&self) -> f64 {
-        (self.synchronous_speed - self.rated_speed) / self.synchronous_speed
-    }
-
     /// The designation in ASCII: [`latin_designation`] of what is printed.
     pub fn latin_designation(&self) -> String {
         latin_designation(&self.designation)

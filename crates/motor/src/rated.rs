@@ -1,19 +1,6 @@
-//! The rated data that a mechanical characteristic is built from.
+//! The rated data that a mechanical characteristic is built from: what is on the name plate.
 
-/// What is on the name plate, as far as the mechanical characteristic needs it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RatedData {
-    /// Rated shaft power Pn, W.
-    pub power: f64,
-    /// Synchronous speed ws, rad/s.
-    pub synchronous_speed: f64,
-    /// Rated speed wn, rad/s; between zero and the synchronous speed.
-    pub rated_speed: f64,
-    /// Breakdown torque / rated torque, above 1. Needed for Kloss's formula.
-    pub max_torque_ratio: Option<f64>,
-    /// Moment of inertia of the rotor, kg·m²; `None`: not modelled.
-    pub inertia: Option<f64>,
-}
+use crate::RatedData;
 
 /// Why rated data cannot be those of an asynchronous motor.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -53,44 +40,35 @@ pub enum RatedDataError {
     NoMaxTorqueRatio,
 }
 
-impl RatedData {
-    /// Checks every value that is given.
-    ///
-    /// # Errors
-    ///
-    /// [`RatedDataError`] with the value that cannot be.
-    pub fn validate(&self) -> Result<(), RatedDataError> {
-        let inertia = self.inertia.unwrap_or(1.0);
-        let named = [
-            ("power (W)", self.power),
-            ("synchronous speed (rad/s)", self.synchronous_speed),
-            ("speed (rad/s)", self.rated_speed),
-            ("rotor inertia (kg*m^2)", inertia),
-        ];
-        for (what, value) in named {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(RatedDataError::NotPositive { what, value });
-            }
-        }
-        let Self { rated_speed, synchronous_speed, .. } = *self;
-        if rated_speed >= synchronous_speed {
-            return Err(RatedDataError::NoSlip { rated_speed, synchronous_speed });
-        }
-        match self.max_torque_ratio {
-            Some(value) if !(value > 1.0 && value.is_finite()) => {
-                Err(RatedDataError::MaxTorqueRatio { value })
-            }
-            _ => Ok(()),
+/// Checks every value that is given.
+pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
+    let named = [
+        ("power (W)", rated.power),
+        ("synchronous speed (rad/s)", rated.synchronous_speed),
+        ("speed (rad/s)", rated.rated_speed),
+        ("rotor inertia (kg*m^2)", rated.inertia.unwrap_or(1.0)),
+    ];
+    for (what, value) in named {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(RatedDataError::NotPositive { what, value });
         }
     }
+    let RatedData { rated_speed, synchronous_speed, .. } = *rated;
+    if rated_speed >= synchronous_speed {
+        return Err(RatedDataError::NoSlip { rated_speed, synchronous_speed });
+    }
+    match rated.max_torque_ratio {
+        Some(value) if !(value > 1.0 && value.is_finite()) => Err(RatedDataError::MaxTorqueRatio { value }),
+        _ => Ok(()),
+    }
+}
 
-    /// Rated torque Mn = Pn / wn, N·m.
-    pub fn torque(&self) -> f64 {
-        self.power / self.rated_speed
-    }
+/// Rated torque Mn = Pn / wn, N·m.
+pub(crate) fn rated_torque(rated: &RatedData) -> f64 {
+    rated.power / rated.rated_speed
+}
 
-    /// Rated slip sn = (ws - wn) / ws.
-    pub fn slip(&self) -> f64 {
-        (self.synchronous_speed - self.rated_speed) / self.synchronous_speed
-    }
+/// Rated slip sn = (ws - wn) / ws.
+pub(crate) fn rated_slip(rated: &RatedData) -> f64 {
+    (rated.synchronous_speed - rated.rated_speed) / rated.synchronous_speed
 }

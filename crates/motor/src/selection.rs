@@ -28,8 +28,6 @@ pub struct Candidate<'a> {
     pub motor: &'a Motor,
     /// Rated speed / input speed.
     pub ratio: f64,
-    /// Rated power / required power, at least 1.
-    pub power_reserve: f64,
 }
 
 /// What was chosen, and from what.
@@ -39,34 +37,6 @@ pub struct Selection<'a> {
     pub chosen: Candidate<'a>,
     /// The others that would do, the best first.
     pub runners_up: Vec<Candidate<'a>>,
-    /// Rows with enough power that were left out, with the reason.
-    pub skipped: Vec<Skipped<'a>>,
-}
-
-/// A row that was left out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Skipped<'a> {
-    /// The catalogue row.
-    pub motor: &'a Motor,
-    /// Why.
-    pub reason: SkipReason,
-}
-
-/// Why a row was left out though it has the power.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SkipReason {
-    /// Kloss's formula needs the breakdown torque.
-    #[error("the catalogue does not print its breakdown torque, which Kloss's formula needs")]
-    NoMaxTorqueRatio,
-    /// It is too fast.
-    #[error("its synchronous speed {:.0} rpm exceeds the limit {:.0} rpm", rpm(*synchronous_speed), rpm(*limit))]
-    TooFast {
-        /// Synchronous speed, rad/s.
-        synchronous_speed: f64,
-        /// The limit, rad/s.
-        limit: f64,
-    },
 }
 
 /// Why no motor can be chosen.
@@ -137,18 +107,12 @@ where
     request.validate()?;
     let motors: Vec<&Motor> = motors.into_iter().collect();
     let enough = |m: &&Motor| m.rated_power >= request.required_power * (1.0 - SLACK);
-    let mut fits: Vec<&Motor> = Vec::new();
-    let mut skipped = Vec::new();
-    for &motor in motors.iter().filter(|m| enough(m)) {
-        match request.obstacle(motor) {
-            None => fits.push(motor),
-            Some(reason) => skipped.push(Skipped { motor, reason }),
-        }
-    }
+    let fit = |m: &&Motor| enough(m) && request.has_data(m) && request.keeps_limit(m);
+    let mut fits: Vec<&Motor> = motors.iter().copied().filter(fit).collect();
     fits.sort_by(|a, b| better(a, b));
     let mut candidates = fits.into_iter().map(|motor| request.candidate(motor));
     let chosen = candidates.next().ok_or_else(|| request.why_none(&motors))?;
-    Ok(Selection { chosen, runners_up: candidates.collect(), skipped })
+    Ok(Selection { chosen, runners_up: candidates.collect() })
 }
 
 fn better(a: &Motor, b: &Motor) -> Ordering {
@@ -178,20 +142,8 @@ impl SelectionRequest {
         self.max_motor_speed.is_none_or(|limit| motor.synchronous_speed <= limit * (1.0 + SLACK))
     }
 
-    fn obstacle(&self, motor: &Motor) -> Option<SkipReason> {
-        if !self.has_data(motor) {
-            return Some(SkipReason::NoMaxTorqueRatio);
-        }
-        let limit = self.max_motor_speed.filter(|_| !self.keeps_limit(motor))?;
-        Some(SkipReason::TooFast { synchronous_speed: motor.synchronous_speed, limit })
-    }
-
     fn candidate<'a>(&self, motor: &'a Motor) -> Candidate<'a> {
-        Candidate {
-            motor,
-            ratio: motor.rated_speed / self.input_speed.abs(),
-            power_reserve: motor.rated_power / self.required_power,
-        }
+        Candidate { motor, ratio: motor.rated_speed / self.input_speed.abs() }
     }
 
     /// Which of the demands no row meets, the most fundamental first.

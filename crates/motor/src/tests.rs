@@ -5,9 +5,7 @@ mod characteristic;
 mod designation;
 mod filter;
 mod flywheel;
-mod plausibility;
 mod selection;
-mod shaft;
 mod table;
 mod warning;
 

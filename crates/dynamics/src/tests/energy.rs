@@ -156,9 +156,9 @@ fn motor_and_places_of_the_flywheel() {
         found.regime.required_power,
         max_relative = 0.02
     );
-    let places = found.places.unwrap();
-    assert_relative_eq!(places.on_motor.inertia * ratio * ratio, found.regime.flywheel, max_relative = 1e-12);
-    assert!(places.on_motor.mass < places.on_input.mass);
+    let [on_input, on_motor] = found.flywheel_sizes[..] else { panic!("two places") };
+    assert_relative_eq!(on_motor.inertia * ratio * ratio, found.regime.flywheel, max_relative = 1e-12);
+    assert!(on_motor.mass < on_input.mass);
 }
 
 #[test]

@@ -1,5 +1,5 @@
-use crate::catalogue::{named, sorted};
-use crate::{CatalogueError, CataloguePlugin, CatalogueTable, MotorCatalogue};
+use crate::catalogue::named;
+use crate::{CataloguePlugin, CatalogueTable};
 
 static TABLE: CatalogueTable = CatalogueTable::new(
     "B",
@@ -14,28 +14,6 @@ const fn plugin(name: &'static str, crate_name: &'static str) -> CataloguePlugin
 static A: CataloguePlugin = plugin("4A", "crate-a");
 static B: CataloguePlugin = plugin("b-IEC", "crate-b");
 static C: CataloguePlugin = plugin("C", "crate-c");
-/// With a Cyrillic letter and in lower case: the same name as A.
-static A_AGAIN: CataloguePlugin = plugin("4а", "crate-z");
-
-#[test]
-fn sorted_by_name_whatever_the_order_of_linking() {
-    for order in [vec![&A, &B, &C], vec![&C, &B, &A], vec![&B, &A, &C]] {
-        let names: Vec<&str> = sorted(order).unwrap().iter().map(|c| c.name()).collect();
-        assert_eq!(names, ["4A", "b-IEC", "C"]);
-    }
-}
-
-#[test]
-fn one_name_twice_is_an_error_that_names_both_crates() {
-    let error = sorted(vec![&A_AGAIN, &B, &A]).unwrap_err().to_string();
-    assert!(error.contains("crate-a") && error.contains("crate-z"), "{error}");
-    assert!(matches!(sorted(vec![&A, &A]), Err(CatalogueError::DuplicateName { .. })));
-}
-
-#[test]
-fn no_catalogue_at_all_is_an_error() {
-    assert_eq!(sorted(vec![]).unwrap_err(), CatalogueError::NoneRegistered);
-}
 
 #[test]
 fn found_without_regard_to_case_else_the_nearest_first() {

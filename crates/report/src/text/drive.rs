@@ -61,10 +61,11 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
             row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
         }
     }
+    let effort = &regime.effort;
     page.paragraph(&format!(
         "Found by shooting on collocation of order 15: {} cycles, {} panels a cycle, {} evaluations of the mechanism; the \
          equation of motion is missed between the nodes by {:.1e} of the kinetic energy",
-        regime.cycles, regime.panels, regime.evaluations, regime.residual
+        effort.cycles, effort.panels, effort.evaluations, effort.residual
     ));
 }
 

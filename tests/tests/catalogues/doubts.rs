@@ -1,5 +1,16 @@
-use super::motors;
-use crate::{Doubt, doubts, flag_meaning};
+//! Each kind of doubt, and the flags that name one.
+
+use assur_motor::{Motor, flag_meaning, parse_table};
+
+use super::plausibility::{Doubt, doubts};
+
+/// A table with the least columns: designation, poles, kW, synchronous and rated rpm, Mmax/Mn.
+fn motors(rows: &[&str]) -> Vec<Motor> {
+    let header =
+        "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,max_torque_ratio,source\n";
+    let rows: String = rows.iter().map(|row| format!("{row},by hand\n")).collect();
+    parse_table("TEST", &format!("{header}{rows}")).unwrap()
+}
 
 fn of(row: &str, flags: &[&str]) -> Vec<Doubt> {
     let mut motor = motors(&[row]).remove(0);

@@ -1,8 +1,8 @@
 //! Doubts about a row: what can be, but seldom is, and then should carry a flag.
 //!
-//! For the authors of catalogues: a transcription that is shifted by a row or has lost a digit shows here.
+//! A transcription that is shifted by a row or has lost a digit shows here.
 
-use crate::{Characteristic, CharacteristicKind, Motor, flag_meaning};
+use assur_motor::{Characteristic, CharacteristicKind, Motor, flag_meaning};
 
 /// Slips of real motors from 0.06 kW on, fractions.
 const SLIPS: [f64; 2] = [0.005, 0.12];
@@ -13,8 +13,7 @@ const CURRENT_SLACK: f64 = 0.12;
 
 /// Something in a row that should be verified.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Doubt {
+pub(crate) enum Doubt {
     /// A value outside of the usual range.
     #[error("{what} is {value:.4}, usual are {low} to {high}")]
     Unusual {
@@ -52,8 +51,8 @@ pub enum Doubt {
 }
 
 /// The doubts about a row that its flags do not already name.
-pub fn doubts(motor: &Motor) -> Vec<Doubt> {
-    let slip = motor.rated_slip();
+pub(crate) fn doubts(motor: &Motor) -> Vec<Doubt> {
+    let slip = (motor.synchronous_speed - motor.rated_speed) / motor.synchronous_speed;
     let has = |name: &str| motor.flags.iter().any(|flag| flag.starts_with(name));
     let mut doubts: Vec<Doubt> = motor
         .flags
