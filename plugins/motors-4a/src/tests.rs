@@ -14,7 +14,11 @@ fn every_row_is_complete_for_kloss() {
         assert_eq!(motor.catalogue, "4A");
         assert!((60.0..=90_000.0).contains(&motor.rated_power), "{}", motor.designation);
         let c = Characteristic::new(CharacteristicKind::Kloss, &motor.rated_data()).unwrap();
-        assert_relative_eq!(c.torque(motor.rated_speed), motor.rated_power / motor.rated_speed, max_relative = 1e-12);
+        assert_relative_eq!(
+            c.torque(motor.rated_speed),
+            motor.rated_power / motor.rated_speed,
+            max_relative = 1e-12
+        );
         assert!(motor.starting_torque_ratio.is_some(), "{}", motor.designation);
         assert_eq!(motor.rotor_inertia, None, "the series prints none");
     }
