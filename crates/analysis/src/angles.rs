@@ -31,7 +31,7 @@ impl Angles {
         if told.is_empty() {
             return &[];
         }
-        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        let unit = linkage.coordinate_unit();
         let mut angles = match self.last.take() {
             None => position.bodies.iter().map(|body| first(body.s.atan2(body.c))).collect(),
             Some((from, mut angles)) => {

@@ -53,7 +53,7 @@ impl Study {
         }
         let words: Vec<String> = places.iter().map(|(at, groups)| self.change_point(*at, groups)).collect();
         let input = &linkage.mechanism.input;
-        let across = |index: &usize| linkage.across(input.coordinate(*index)).is_some();
+        let across = |index: &usize| linkage.is_interpolated(input.coordinate(*index));
         let positions: Vec<usize> = (0..input.positions).filter(across).collect();
         let interpolated = match &positions[..] {
             [] => String::new(),

@@ -92,7 +92,7 @@ impl<'a> Agreement<'a> {
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         let mut rows: Vec<Numbers> = Vec::with_capacity(SAMPLES);
         for i in 0..SAMPLES {
-            let shift = (i as f64 - 3.0) * SPACING * self.subject.coordinate_unit();
+            let shift = (i as f64 - 3.0) * SPACING * self.subject.linkage.coordinate_unit();
             linkage.solve(one.position.coordinate + shift, Order::Second, &mut position).ok()?;
             self.loads.apply(state, &position.bodies, &mut wrenches);
             self.loads.inertia(state, &position.bodies, &mut wrenches);

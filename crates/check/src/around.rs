@@ -26,10 +26,6 @@ const LEAST_LEVELS: usize = 4;
 /// beyond the bridge across a change point, whose innermost nodes carry the most.
 const PLACES: [f64; 3] = [0.0, 0.013, -0.013];
 
-/// Sum of the absolute weights of the interpolation across a change point (six nodes on each side, in its middle): by so much
-/// it may magnify the rounding of its nodes.
-const BRIDGE_GAIN: f64 = 3.5;
-
 /// A number for every element and order, J and J'.
 #[derive(Debug, Clone)]
 pub(crate) struct Numbers {
@@ -88,7 +84,7 @@ pub(crate) fn narrow(
     one: &Solved,
     scratch: &mut Position,
 ) -> Option<Around> {
-    let (q, unit) = (one.position.coordinate, subject.coordinate_unit());
+    let (q, unit) = (one.position.coordinate, subject.linkage.coordinate_unit());
     let mut at = |coordinate: f64| {
         subject.linkage.solve(coordinate, Order::Second, scratch).ok()?;
         Some(numbers(subject, all, scratch, &one.position))
@@ -107,7 +103,9 @@ pub(crate) fn narrow(
         return None;
     }
     let values = numbers(subject, all, &one.position, &one.position);
-    let gain = if subject.is_bridged(one) { BRIDGE_GAIN } else { 1.0 };
+    let change_point = subject.linkage.nearest_change_point(q).filter(|_| subject.is_bridged(one));
+    let interpolation = change_point.and_then(|at| subject.linkage.interpolation(at));
+    let gain = interpolation.map_or(1.0, |interpolation| interpolation.gain);
     let mut below = measured(&values, q, unit, &mut at);
     below.scale(gain);
     Some(Around { quotients, own: below.clone(), below, floor: gain, values })

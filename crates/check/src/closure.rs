@@ -42,7 +42,7 @@ pub(crate) fn checks<B>(
             }
         }
         // What is interpolated knows nothing of a determinant.
-        let across = linkage.across(one.position.coordinate).is_some();
+        let across = linkage.is_interpolated(one.position.coordinate);
         let turned = subject.bridged(one, 0) / if across { 1.0 } else { one.health };
         for (id, body) in bodies.iter().enumerate().skip(1) {
             // The direction of a link is a unit vector.

@@ -110,7 +110,7 @@ impl<'a> Power<'a> {
     }
 
     fn compare_reduced(&mut self, one: &Solved, mine: [f64; 3], theirs: [f64; 3], sizes: f64) {
-        let unit = self.subject.coordinate_unit();
+        let unit = self.subject.linkage.coordinate_unit();
         let mechanism = &self.subject.linkage.mechanism;
         // J' is the sum of terms that cancel; their sizes are those of products of PF1 and PF2.
         let slopes = kinetics::slope_terms(mechanism, &one.position.bodies);

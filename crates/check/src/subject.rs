@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
 use assur_group::{Order, Wrench};
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::{Interpolation, Linkage, Position};
 
 use crate::worst::Check;
 use crate::{closure, forces, test_pf};
@@ -36,9 +36,6 @@ pub(crate) struct Solved {
 
 /// Answer of one method in one position.
 pub(crate) type Answer = Option<Reactions>;
-
-/// Half the width, in units of the coordinate, of the bridge that kinematics lays across a change point.
-const BRIDGE: f64 = 0.0125;
 
 /// The registered methods that can treat the linkage: the one called `first` (`None`: the preferred one), then all others
 /// by name.
@@ -103,28 +100,18 @@ impl Subject<'_> {
         all
     }
 
-    /// Unit of the coordinate: 1 rad, or the typical length of the mechanism for a sliding input, m.
-    pub(crate) fn coordinate_unit(&self) -> f64 {
-        if self.linkage.angular() { 1.0 } else { self.linkage.structure.scale }
-    }
-
     /// Unit of a transfer function of this order: a typical length (or 1 rad) per unit of the coordinate.
     pub(crate) fn unit(&self, order: usize, is_length: bool) -> f64 {
         let top = if is_length { self.linkage.structure.scale } else { 1.0 };
         let mut unit = top;
-        (0..order).for_each(|_| unit /= self.coordinate_unit());
+        (0..order).for_each(|_| unit /= self.linkage.coordinate_unit());
         unit
     }
 
     /// Whether a position lies on the bridge across a change point, or close to it.
     pub(crate) fn is_bridged(&self, solved: &Solved) -> bool {
-        let period = if self.linkage.angular() { std::f64::consts::TAU } else { f64::INFINITY };
-        let near = |center: f64| {
-            let d = solved.position.coordinate - center;
-            let d = if period.is_finite() { d - period * (d / period).round() } else { d };
-            d.abs() < 2.0 * BRIDGE * self.coordinate_unit()
-        };
-        self.linkage.change_points().iter().any(|(center, _)| near(*center))
+        let distance = 2.0 * Interpolation::GREATEST_HALF_WIDTH * self.linkage.coordinate_unit();
+        self.linkage.is_near_change_point(solved.position.coordinate, distance)
     }
 
     /// What multiplies rounding where a position is interpolated across a change point: there the determinant is only as
@@ -132,7 +119,7 @@ impl Subject<'_> {
     pub(crate) fn bridged(&self, solved: &Solved, order: usize) -> f64 {
         let mut factor = 1.0;
         if self.is_bridged(solved) {
-            (0..=order).for_each(|_| factor /= BRIDGE);
+            (0..=order).for_each(|_| factor /= Interpolation::GREATEST_HALF_WIDTH);
         }
         factor
     }

@@ -51,7 +51,7 @@ pub(crate) fn checks<B>(
     let mut wide = Wide::of(subject);
     for one in solved {
         step()?;
-        let bridged = subject.linkage.across(one.position.coordinate).is_some();
+        let bridged = subject.linkage.is_interpolated(one.position.coordinate);
         let around = match wide.as_mut().filter(|_| !bridged) {
             Some(wide) => wide.around(&all, one),
             None => narrow(subject, &all, one, &mut scratch),
@@ -126,7 +126,7 @@ impl<'a> Here<'a> {
         if size == 0.0 {
             return;
         }
-        let unit = size.abs() / subject.coordinate_unit();
+        let unit = size.abs() / subject.linkage.coordinate_unit();
         // J' sums products of PF1 and PF2 that cancel; the rounding of each is that of the terms.
         let terms = kinetics::slope_terms(&subject.linkage.mechanism, &one.position.bodies);
         let floor = FLOOR * f64::EPSILON;

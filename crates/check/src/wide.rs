@@ -96,7 +96,7 @@ impl<'a> Wide<'a> {
             let second = (x2 + y2) / scale + w2 + w1 * w1;
             if second > 0.0 { ((x1 + y1) / scale + w1) / second } else { f64::INFINITY }
         };
-        let unit = self.subject.coordinate_unit();
+        let unit = self.subject.linkage.coordinate_unit();
         let least = bodies.iter().skip(1).map(ratio).fold(health * unit, f64::min);
         least.max(LEAST_BEND * health * health * unit)
     }

@@ -53,6 +53,12 @@ impl Ways {
         &self.rows[self.changes.partition_point(|change| change.0 <= place)]
     }
 
+    /// From one coordinate to another, less the whole periods between them: rad or m.
+    pub(crate) fn offset(&self, from: f64, to: f64) -> f64 {
+        let apart = to - from;
+        self.period.map_or(apart, |period| apart - period * (apart / period).round())
+    }
+
     /// Coordinates at which two ways of a group meet within the walked interval, with the group.
     pub fn changes(&self) -> &[(f64, usize)] {
         &self.changes

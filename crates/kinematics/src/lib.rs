@@ -28,7 +28,7 @@ pub use assembly::{Range, Ways};
 pub use chain::{Chain, ChainError, Input};
 pub use error::{CompileError, PositionError};
 pub use linkage::{Linkage, Position};
-pub use patch::Across;
+pub use patch::Interpolation;
 pub use rank::{Rank, rank_of};
 pub use read::{LinkMotion, PointMotion, SlideMotion, continuous_angle};
 pub use seeds::iterated;

@@ -5,7 +5,8 @@ use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
 use crate::assembly::Ways;
-use crate::patch::{Across, Patch};
+use crate::patch::{Interpolation, Patch};
+use crate::patches::ancestors;
 use crate::seeds::Seeds;
 use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
 
@@ -107,8 +108,8 @@ impl Linkage {
         matches!(self.mechanism.input.pair, InputPair::Pin(_))
     }
 
-    /// Unit of the coordinate for tolerances: 1 rad, or the scale in m.
-    pub(crate) fn unit(&self) -> f64 {
+    /// Unit of the coordinate for steps and tolerances: 1 rad, or the typical length of the mechanism in m.
+    pub fn coordinate_unit(&self) -> f64 {
         if self.angular() { 1.0 } else { self.structure.scale }
     }
 
@@ -153,7 +154,7 @@ impl Linkage {
     /// position to a coordinate: the coordinate of the end, and what the group says beyond it.
     pub fn barrier(&self, coordinate: f64) -> Option<(f64, ChainError)> {
         let range = self.range.filter(|range| !range.full)?;
-        let hair = HAIR * self.unit();
+        let hair = HAIR * self.coordinate_unit();
         match self.ends {
             [Some(below), _] if coordinate < range.low - hair => Some((range.low, below)),
             [_, Some(above)] if coordinate > range.high + hair => Some((range.high, above)),
@@ -163,7 +164,7 @@ impl Linkage {
 
     /// Whether the motion from the first position comes to a coordinate, forward or turning back, whole turns apart.
     pub fn reaches(&self, coordinate: f64) -> bool {
-        let hair = HAIR * self.unit();
+        let hair = HAIR * self.coordinate_unit();
         let place = self.place(coordinate);
         self.range.is_some_and(|range| range.full || place >= range.low - hair && place <= range.high + hair)
     }
@@ -192,16 +193,39 @@ impl Linkage {
         covering.any(|patch| position.health[patch.group].abs() < NEAR)
     }
 
-    /// The change point across which the motion of a group is interpolated at a coordinate, of several the one that reaches
-    /// farthest; `None` where the groups' own equations are used.
-    pub fn across(&self, coordinate: f64) -> Option<Across> {
-        let found = self.patches.iter().filter_map(|patch| patch.across(coordinate));
-        found.max_by(|a, b| a.reach.total_cmp(&b.reach))
+    /// How the motion at a coordinate is interpolated across a change point, of several the widest interpolation; `None`
+    /// where all groups are solved by their own equations.
+    pub fn interpolation(&self, coordinate: f64) -> Option<Interpolation> {
+        let found = self.patches.iter().filter_map(|patch| patch.at(coordinate));
+        found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
     }
 
-    /// Coordinates at which two ways of a group meet within the walked period, with the group.
+    /// Whether the motion of a group is interpolated across a change point at a coordinate.
+    pub fn is_interpolated(&self, coordinate: f64) -> bool {
+        self.patches.iter().any(|patch| patch.covers(coordinate))
+    }
+
+    /// The change points, at which two ways of a group meet: coordinate (rad or m) and index of the group.
+    ///
+    /// They lie within one period of the motion, which may be several turns.
     pub fn change_points(&self) -> &[(f64, usize)] {
         self.ways.changes()
+    }
+
+    /// The change point nearest to a coordinate, rad or m, in the turn of the coordinate; `None` where there is none.
+    pub fn nearest_change_point(&self, coordinate: f64) -> Option<f64> {
+        let offsets = self.change_points().iter().map(|(at, _)| self.ways.offset(coordinate, *at));
+        offsets.min_by(|a, b| a.abs().total_cmp(&b.abs())).map(|offset| coordinate + offset)
+    }
+
+    /// Whether a change point lies within a distance (rad or m) of a coordinate.
+    pub fn is_near_change_point(&self, coordinate: f64, distance: f64) -> bool {
+        self.change_points().iter().any(|(at, _)| self.ways.offset(coordinate, *at).abs() < distance)
+    }
+
+    /// The groups whose links determine the motion of a group, in solving order, itself last.
+    pub fn ancestors(&self, group: usize) -> Vec<usize> {
+        ancestors(&self.structure, group)
     }
 
     #[cold]

@@ -56,13 +56,25 @@ pub(crate) struct Patch {
     beside: f64,
 }
 
-/// Where the motion is interpolated across a change point.
+/// The stretch around a change point in which the motion of a group is interpolated instead of solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Across {
+pub struct Interpolation {
+    /// Index of the group.
+    pub group: usize,
     /// The change point, rad or m, in the turn of the coordinate that was asked for.
     pub center: f64,
-    /// How far it reaches to each side, rad or m.
-    pub reach: f64,
+    /// Half of its width: how far it extends to each side, rad or m.
+    pub half_width: f64,
+    /// Number of nodes on each side of the change point.
+    pub nodes: usize,
+    /// By how much the rounding of the nodes may be magnified in the middle: the sum of the absolute weights there.
+    pub gain: f64,
+}
+
+impl Interpolation {
+    /// Greatest half width, in units of the coordinate ([`Linkage::coordinate_unit`](crate::Linkage::coordinate_unit)):
+    /// farther away, PF2 by the closed forms keeps about 10 digits.
+    pub const GREATEST_HALF_WIDTH: f64 = REACH;
 }
 
 /// The motion at one node.
@@ -187,10 +199,17 @@ impl Patch {
         self.distance(coordinate).abs() < self.reach
     }
 
-    /// The change point in the turn of the coordinate, and the reach, where the coordinate lies within reach.
-    pub(crate) fn across(&self, coordinate: f64) -> Option<Across> {
+    /// The interpolation that covers a coordinate, in the turn of the coordinate.
+    pub(crate) fn at(&self, coordinate: f64) -> Option<Interpolation> {
         let away = self.distance(coordinate);
-        (away.abs() < self.reach).then_some(Across { center: coordinate - away, reach: self.reach })
+        let gain = || self.weights(0.0).iter().map(|weight| weight.abs()).sum();
+        (away.abs() < self.reach).then(|| Interpolation {
+            group: self.group,
+            center: coordinate - away,
+            half_width: self.reach,
+            nodes: self.nodes.len() / 2,
+            gain: gain(),
+        })
     }
 
     /// Writes the links of the group; its health.

@@ -24,30 +24,28 @@ pub(crate) fn patches(
     let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { structure.scale };
     let turns = ways.period.map(|period| period / std::f64::consts::TAU);
     let sample = |&(center, group): &(f64, usize)| {
-        let (links, needed) = (&structure.groups[group].frame.links, before(structure, group));
+        let (links, needed) = (&structure.groups[group].frame.links, ancestors(structure, group));
         let meeting = Meeting { center, group, links, turns };
         Patch::sample(meeting, unit, |q| around.solve(q, group, &needed))
     };
     ways.changes.iter().filter_map(sample).collect()
 }
 
-/// A group and the groups that it hangs on. Nothing else has a say in how it is sampled, so that its numbers are the same
-/// whatever else is solved.
-fn before(structure: &Structure, group: usize) -> Vec<bool> {
-    let mut needed = vec![false; structure.groups.len()];
+/// The groups whose links determine the motion of a group, in solving order, itself last.
+pub(crate) fn ancestors(structure: &Structure, group: usize) -> Vec<usize> {
+    let mut owner = vec![None; structure.links];
+    let mut needed = vec![false; group + 1];
+    for (index, found) in structure.groups[..=group].iter().enumerate() {
+        found.frame.links.iter().for_each(|&link| owner[link] = Some(index));
+    }
     needed[group] = true;
     for index in (0..=group).rev() {
         if needed[index] {
             let ends = structure.groups[index].frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-            for end in ends {
-                let holds = |found: &assur_structure::Group| found.frame.links.contains(&end);
-                if let Some(found) = structure.groups[..index].iter().position(holds) {
-                    needed[found] = true;
-                }
-            }
+            ends.filter_map(|end| owner[end]).for_each(|found| needed[found] = true);
         }
     }
-    needed
+    (0..=group).filter(|&index| needed[index]).collect()
 }
 
 /// Solves the surroundings of change points in 32 digits.
@@ -59,8 +57,9 @@ struct Around<'a> {
 }
 
 impl Around<'_> {
-    /// A group, with those that it hangs on.
-    fn solve(&self, q: Dd, group: usize, needed: &[bool]) -> Option<Solved> {
+    /// A group, with those that determine its motion. No others are solved, so that the numbers of a group are the same
+    /// whatever else is needed.
+    fn solve(&self, q: Dd, group: usize, needed: &[usize]) -> Option<Solved> {
         let mut guess = self.chain.bodies();
         if let Some(seeds) = self.seeds {
             seeds.put(q.to_f64(), &mut guess);
@@ -69,8 +68,8 @@ impl Around<'_> {
         self.extended.set_input(q, &mut bodies);
         let ways = self.ways.at(q.to_f64());
         let mut health = Dd::ZERO;
-        let chosen = self.extended.groups.iter().enumerate().filter(|(index, _)| needed[*index]);
-        for (index, kernel) in chosen {
+        for &index in needed {
+            let kernel = &self.extended.groups[index];
             health = kernel.solve(&mut bodies, usize::from(ways[index]), Order::Second).ok()?;
         }
         let links = self.extended.groups[group].frame().links.iter();

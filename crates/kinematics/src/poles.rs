@@ -44,7 +44,7 @@ impl Linkage {
                 let turn = if range.full { range.high - range.low } else { f64::INFINITY };
                 let same = |(other, _): &(f64, usize)| {
                     let apart = (other - place).abs();
-                    apart.min((turn - apart).abs()) <= NEAR * self.unit()
+                    apart.min((turn - apart).abs()) <= NEAR * self.coordinate_unit()
                 };
                 if !found.iter().any(same) && self.runs_away(group, place, &mut position) {
                     found.push((place, group));
@@ -63,7 +63,7 @@ impl Linkage {
 
     /// Whether a link of the group is far away a little beside.
     fn runs_away(&self, group: usize, q: f64, position: &mut Position) -> bool {
-        if self.solve(q + NEAR * self.unit(), Order::Place, position).is_err() {
+        if self.solve(q + NEAR * self.coordinate_unit(), Order::Place, position).is_err() {
             return false;
         }
         let links = &self.structure.groups[group].frame.links;

@@ -35,7 +35,7 @@ pub(crate) struct Differentiator<'a> {
 impl<'a> Differentiator<'a> {
     /// `step`: rad, or parts of the scale for a sliding input.
     pub(crate) fn new(linkage: &'a Linkage, stencil: Stencil, step: f64) -> Self {
-        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        let unit = linkage.coordinate_unit();
         let points = 1 + 2 * stencil.first.len();
         Self { linkage, stencil, step: step * unit, at: vec![linkage.position(); points] }
     }

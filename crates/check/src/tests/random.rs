@@ -47,7 +47,7 @@ fn no_check_fails_on_random_mechanisms_next_to_the_ends_of_their_assembly() {
     for seed in 0..80 {
         let Some(linkage) = changed(seed) else { continue };
         let Some(range) = linkage.range.filter(|range| !range.full) else { continue };
-        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        let unit = linkage.coordinate_unit();
         for (end, side) in [(range.low, 1.0), (range.high, -1.0)] {
             for power in [2, 4, 6, 8, 10, 12] {
                 let mut mechanism = linkage.mechanism.clone();

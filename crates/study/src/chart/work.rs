@@ -131,13 +131,7 @@ pub(crate) fn partial(failures: usize, all: usize, first: Option<String>) -> Opt
 
 /// Whether a coordinate lies next to a change point.
 fn near_change(linkage: &Linkage, q: f64) -> bool {
-    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
-    let turn = std::f64::consts::TAU;
-    linkage.change_points().iter().any(|(at, _)| {
-        let apart = q - at;
-        let apart = if linkage.angular() { apart - turn * (apart / turn).round() } else { apart };
-        apart.abs() < NEAR_CHANGE * unit
-    })
+    linkage.is_near_change_point(q, NEAR_CHANGE * linkage.coordinate_unit())
 }
 
 /// One position by the closed forms in extended precision.

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use assur_group::{Body, Order};
-use assur_kinematics::{Across, Chain, Linkage};
+use assur_kinematics::{Chain, Interpolation, Linkage};
 use assur_number::{Dd, Real};
 
 /// Nodes on each side, from the reach to six times as far, at the zeros of Chebyshev's polynomial in the square of the
@@ -18,14 +18,14 @@ const SPREAD: f64 = 6.0;
 pub(crate) fn interpolated(
     linkage: &Linkage,
     chain: &Chain<Dd>,
-    across: Across,
+    across: Interpolation,
     q: f64,
 ) -> Option<Vec<Body<Dd>>> {
     let places: Vec<f64> = (0..NODES)
         .flat_map(|i| {
             let cosine = (PI * (f64::from(i) + 0.5) / f64::from(NODES)).cos();
             let square = 0.5 * ((SPREAD * SPREAD + 1.0) + (SPREAD * SPREAD - 1.0) * cosine);
-            [1.0, -1.0].map(|side| across.center + side * square.sqrt() * across.reach)
+            [1.0, -1.0].map(|side| across.center + side * square.sqrt() * across.half_width)
         })
         .collect();
     let mut sum: Option<Vec<[Dd; 10]>> = None;

@@ -62,7 +62,7 @@ pub(crate) fn healthiest(linkage: &Linkage) -> Option<f64> {
     let mut least = |q: f64| {
         linkage.solve(q, Order::Place, &mut position).ok()?;
         let health = position.health.iter().fold(1.0_f64, |least, health| least.min(health.abs()));
-        linkage.across(q).is_none().then_some((q, health))
+        (!linkage.is_interpolated(q)).then_some((q, health))
     };
     let all = coordinates(linkage).into_iter().filter_map(&mut least);
     all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(q, _)| q)
@@ -125,7 +125,7 @@ fn refined(
         position: nearest.unwrap_or(0),
         angle_of,
         angle,
-        change_point: linkage.across(best).is_some(),
+        change_point: linkage.is_interpolated(best),
     })
 }
 

@@ -84,7 +84,7 @@ fn every_answer_is_finite_and_closed_or_says_what_fails() {
         let Ok(linkage) = Linkage::compile(mechanism) else { continue };
         let mut position = linkage.position();
         let mut rng = Rng::new(seed + 1000);
-        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        let unit = linkage.coordinate_unit();
         let ends = linkage.range.filter(|range| !range.full).map(|range| [range.low, range.high]);
         let near = ends.into_iter().flatten().flat_map(|end| {
             (0..17).flat_map(move |k| [-1.0, 1.0].map(|side| end + side * unit * 10.0_f64.powi(-k)))

@@ -87,7 +87,7 @@ impl Pair<'_> {
         found: Result<f64, String>,
     ) {
         let (linkage, position) = self.before;
-        let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+        let unit = linkage.coordinate_unit();
         let lost = growth(position.health.iter().map(|health| health.abs())).powi(power) * disparity(linkage);
         // Both sides are rounded.
         let rounding = 2.0 * FACTOR * f64::EPSILON * (1.0 + (self.q / unit).abs()) * lost * own * own;

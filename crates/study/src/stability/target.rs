@@ -49,10 +49,10 @@ impl Target {
 pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> Vec<Target> {
     /// A search for the least health finds its place to so much, rad or parts of the scale.
     const SAME: f64 = 1e-6;
-    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+    let unit = linkage.coordinate_unit();
     let mut targets: Vec<Target> = Vec::new();
     for (index, least) in groups.iter().enumerate() {
-        let change = linkage.across(least.coordinate);
+        let change = linkage.interpolation(least.coordinate);
         let coordinate = change.map_or(least.coordinate, |across| across.center);
         let words = if change.is_some() { "change point" } else { "least health of the cycle" };
         let near = |target: &&mut Target| (target.coordinate - coordinate).abs() <= SAME * unit;
@@ -87,7 +87,7 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
     const NEAR: f64 = 1e-6;
     const ENDING: f64 = 1e-2;
     let Some(range) = linkage.range.filter(|range| !range.full) else { return Vec::new() };
-    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+    let unit = linkage.coordinate_unit();
     let mut position = linkage.position();
     let mut end = |(coordinate, side): (f64, f64)| {
         linkage.solve(coordinate + side * NEAR * unit, Order::Place, &mut position).ok()?;
@@ -105,23 +105,4 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
         })
     };
     [(range.low, 1.0), (range.high, -1.0)].into_iter().filter_map(&mut end).collect()
-}
-
-/// Each group with all that it hangs on.
-pub(crate) fn ancestors(linkage: &Linkage) -> Vec<Vec<usize>> {
-    let groups = &linkage.structure.groups;
-    let mut all: Vec<Vec<usize>> = Vec::with_capacity(groups.len());
-    for (i, group) in groups.iter().enumerate() {
-        let mut mine = vec![i];
-        let bodies = group.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-        for body in bodies.filter(|body| !group.frame.links.contains(body)) {
-            if let Some(owner) = groups[..i].iter().position(|other| other.frame.links.contains(&body)) {
-                mine.extend(&all[owner]);
-            }
-        }
-        mine.sort_unstable();
-        mine.dedup();
-        all.push(mine);
-    }
-    all
 }

@@ -2,7 +2,7 @@
 
 use assur_force::{AnalyzerPlugin, Reactions, applicable};
 use assur_group::{Body, Order, Wrench};
-use assur_kinematics::{Across, Chain, Linkage, Position};
+use assur_kinematics::{Chain, Interpolation, Linkage, Position};
 use assur_number::{Dd, Real};
 
 use super::across::interpolated;
@@ -10,7 +10,7 @@ use super::compare::{ORDERS, lifted_load, reactions, size, transfer};
 use super::isolated::Isolated;
 use super::pole;
 use super::row::{DISTANCES, Row, Subject, unaware};
-use super::target::{Target, ancestors};
+use super::target::Target;
 use super::walk_group::FACTOR;
 
 /// The mechanism in both numbers, with the same loads.
@@ -81,7 +81,7 @@ impl<'a> Walk<'a> {
         let analyzers = analyzers_of(linkage);
         let scale = linkage.structure.scale;
         let loads = test_loads(linkage);
-        let before = ancestors(linkage);
+        let before: Vec<_> = (0..linkage.groups().len()).map(|group| linkage.ancestors(group)).collect();
         let disparity = |group| Isolated::of(group).map_or(1.0, |alone| alone.disparity());
         let disparity = linkage.structure.groups.iter().map(disparity).collect();
         Some(Self { linkage, extended, analyzers, loads, scale, before, disparity })
@@ -108,7 +108,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn reference(&self, q: f64, across: Option<Across>) -> Option<Reference> {
+    fn reference(&self, q: f64, across: Option<Interpolation>) -> Option<Reference> {
         let chain = &self.extended;
         let bodies = if let Some(across) = across {
             interpolated(self.linkage, chain, across, q)?
@@ -131,11 +131,11 @@ impl<'a> Walk<'a> {
 
     /// Compares at a coordinate with the reference at the same, or at one that whole cycles lie between.
     pub(crate) fn stop(&self, target: &Target, (q, exact): (f64, f64), distance: f64, rows: &mut Vec<Row>) {
-        let across = self.linkage.across(exact);
+        let across = self.linkage.interpolation(exact);
         let Some(reference) = self.reference(exact, across) else { return };
         let mut position = self.linkage.position();
         let beside = across.and_then(|across| {
-            self.linkage.solve(across.center + across.reach, Order::Place, &mut position).ok()?;
+            self.linkage.solve(across.center + across.half_width, Order::Place, &mut position).ok()?;
             Some(position.health.clone())
         });
         let solved = self.linkage.solve(q, Order::Second, &mut position);

@@ -60,7 +60,7 @@ impl<'a, T: Number> General<'a, T> {
 /// The bodies a little before a position, in the number of the chain.
 fn start<T: Number>(work: &Work<'_>, chain: &Chain<T>, q: f64) -> Vec<Body<T>> {
     let linkage = work.linkage;
-    let unit = if linkage.angular() { 1.0 } else { linkage.structure.scale };
+    let unit = linkage.coordinate_unit();
     let mut position = linkage.position();
     // At the end of the range there is nothing before; beyond lies the same.
     let solved = [-BACK, BACK, 0.0]

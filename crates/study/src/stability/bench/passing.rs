@@ -58,8 +58,8 @@ fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &m
     let mut position = linkage.position();
     let solved = linkage.solve(q, Order::Second, &mut position);
     let place = format!("{}, change point at {:.0} deg", known.name, center.to_degrees());
-    let health = match linkage.across(q) {
-        Some(across) => known_health(linkage, across.center + across.reach),
+    let health = match linkage.interpolation(q) {
+        Some(across) => known_health(linkage, across.center + across.half_width),
         None => position.health[0].abs(),
     };
     let sizes = sizes(known, center);
