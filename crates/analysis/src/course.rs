@@ -8,15 +8,13 @@ use assur_dynamics::{
 };
 use assur_force::{Loads, State};
 use assur_integrator::{
-    Dependence, IntegrationError, Motion as _, State as IntegratorState, choose, find, integrators,
+    AUTO, Candidate, Dependence, IntegrationError, Motion as _, State as IntegratorState, choose,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 
-use crate::{AnalysisError, DEFAULT_INTEGRATOR, Options, Progress};
+use crate::{AnalysisError, Options, Progress};
 
-/// The integrator that `auto` falls back to where the equation turns out to be stiff.
-const STIFF: &str = "radau5";
 /// The stage of a plan that finds a motion.
 const EQUATION: &str = "equation of motion";
 
@@ -61,7 +59,8 @@ impl Course {
     ) -> Result<Self, DynamicsError> {
         match linkage.mechanism.motion {
             Some(Motion::Transient { .. }) => {
-                Ok(Self::Transient(Box::new(transient(linkage, loads, options, tell)?)))
+                let named = options.integrator.as_deref();
+                Ok(Self::Transient(Box::new(transient_told(linkage, loads, named, None, tell)?)))
             }
             Some(Motion::Steady { .. }) => Ok(Self::Steady(Box::new(steady_told(linkage, loads, tell)?))),
             Some(Motion::Prescribed { .. }) | None => Ok(Self::Prescribed),
@@ -119,31 +118,6 @@ impl Counter {
     }
 }
 
-/// By the integrator asked for; `auto` goes on with the implicit method where the explicit one finds the equation stiff.
-fn transient(
-    linkage: &Linkage,
-    loads: &Loads,
-    options: &Options,
-    mut tell: Option<&mut Tell<'_>>,
-) -> Result<Transient, DynamicsError> {
-    let named = options.integrator.as_deref();
-    let own = match &linkage.mechanism.motion {
-        Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
-        _ => DEFAULT_INTEGRATOR,
-    };
-    match transient_told(linkage, loads, named, None, tell.as_deref_mut()) {
-        Err(DynamicsError::Integration(IntegrationError::TooManySteps {
-            stiffness: Some(product), ..
-        })) if named.unwrap_or(own) == DEFAULT_INTEGRATOR => {
-            let found = transient_told(linkage, loads, Some(STIFF), None, tell)?;
-            let reason =
-                format!("the equation is stiff: an explicit method had to keep h*lambda at {product:.2}");
-            Ok(Transient { reason, ..found })
-        }
-        other => other,
-    }
-}
-
 /// Adds to a plan which case of D the equation of a motion is, which method is taken for it and why. Scenes without an
 /// equation, and those in which no position can be assembled, keep their plan.
 ///
@@ -167,7 +141,7 @@ pub fn explain_motion(
         Some(Motion::Transient { integrator: own, tolerance, .. }) => {
             let dependence = equation(&linkage, &loads)?.dependence();
             let named = options.integrator.as_deref().unwrap_or(own);
-            stage.method = integrator_words(dependence, named, *tolerance)?;
+            stage.method = integrator_words(dependence, named, *tolerance).map_err(DynamicsError::from)?;
         }
         Some(Motion::Steady { .. }) => {
             let mut dependence = Machine::new(&linkage, &loads).dependence();
@@ -182,27 +156,18 @@ pub fn explain_motion(
 }
 
 /// The integrator for such an equation, and why it.
-fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<String, DynamicsError> {
-    if named != DEFAULT_INTEGRATOR {
-        let plugin = find(named)?;
-        let supported = (plugin.instance)().supports(&dependence);
-        supported.map_err(|reason| IntegrationError::Unsupported { integrator: plugin.name, reason })?;
-        let (case, words) = (dependence.case(), dependence.words());
-        return Ok(format!(
-            "integrator `{named}`, asked for by name: {}; case {case} of D ({words})",
-            plugin.summary
-        ));
+fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<String, IntegrationError> {
+    let chosen = choose(named, &dependence, tolerance)?;
+    let Candidate { integrator, reason } = &chosen.first;
+    let (case, words) = (dependence.case(), dependence.words());
+    if named != AUTO {
+        let summary = integrator.summary;
+        return Ok(format!("integrator `{named}`, {reason}: {summary}; case {case} of D ({words})"));
     }
-    let chosen = choose(&dependence, tolerance, &integrators()?)
-        .ok_or_else(|| DynamicsError::NoIntegrator { equation: dependence.words() })?;
-    // A closed form or a quadrature has no steps (and no order) that stiffness could shorten.
-    let steps = chosen.integrator.order > 0;
-    let stiff = if steps {
-        format!("; where an explicit method finds the equation stiff, `{STIFF}`")
-    } else {
-        String::new()
-    };
-    Ok(format!("integrator `{}`, {}{stiff}", chosen.name(), chosen.reason))
+    let stiff = chosen.if_stiff().map_or_else(String::new, |method| {
+        format!("; where an explicit method finds the equation stiff, `{}`", method.name)
+    });
+    Ok(format!("integrator `{}`, {reason}{stiff}", integrator.name))
 }
 
 /// Whether the scene or the choice of method is at fault, rather than the machine that it describes.
@@ -214,11 +179,14 @@ pub(crate) fn is_usage(error: &DynamicsError) -> bool {
             | D::NoCycle
             | D::OverTime
             | D::SteadyOnly { .. }
-            | D::Registry(_)
-            | D::NoIntegrator { .. }
             | D::Rated(_)
             | D::Lookup(_)
             | D::Catalogue(_)
-            | D::Integration(IntegrationError::Request { .. } | IntegrationError::Unsupported { .. })
+            | D::Integration(
+                IntegrationError::Request { .. }
+                    | IntegrationError::Unsupported { .. }
+                    | IntegrationError::NoMethod { .. }
+                    | IntegrationError::Registry(_)
+            )
     )
 }

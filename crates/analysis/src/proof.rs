@@ -2,9 +2,7 @@
 
 use crate::results::CheckRow;
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
-use assur_integrator::{
-    Integrator, Motion, Request, Sample, State, Trajectory, Until, choose, find, integrators,
-};
+use assur_integrator::{AUTO, Motion, Request, Sample, Solution, State, Trajectory, Until, solve};
 
 use crate::Study;
 use crate::checks::row;
@@ -23,8 +21,7 @@ impl Study {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let finer = Request { samples: INTERVALS, ..asked };
-        let integrator = (find(found.integrator).ok()?.instance)();
-        let trajectory = integrator.solve(&mut motion, &finer).ok()?;
+        let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
         let balance = Balance::of(&mut motion, &trajectory)?;
         let steps = (trajectory.statistics.steps + 1) as f64;
         let (residual, limit) = balance.worst(2.0 * asked.tolerance * steps);
@@ -43,23 +40,14 @@ impl Study {
         let end = input.from + input.sign() * input.period()?;
         let asked =
             Request { tolerance: TOLERANCE, samples: 1, ..Request::new(start, Until::Coordinate(end)) };
-        let (trajectory, name) = run(&mut motion, &asked)?;
+        let Solution { trajectory, integrator, .. } = solve(AUTO, &mut motion, &asked).ok()?;
         let back = (trajectory.end.speed / start.speed - 1.0).abs();
         let time = (trajectory.end.time / regime.cycle_time - 1.0).abs();
         let limit = 2.0 * TOLERANCE * (trajectory.statistics.steps + 1) as f64 + regime.effort.residual;
         let reason = "a cycle run once more in time from the speed of the regime: relative difference of the speed at its end \
                       and of its duration; limit: the tolerance of every step and the residual of the regime";
-        Some(row("cycle in time", back.max(time), limit, None, name, reason))
+        Some(row("cycle in time", back.max(time), limit, None, integrator.name, reason))
     }
-}
-
-/// By the method that suits the equation, the implicit one if that fails.
-fn run(motion: &mut dyn Motion, asked: &Request) -> Option<(Trajectory, &'static str)> {
-    let chosen = choose(&motion.dependence(), asked.tolerance, &integrators().ok()?)?;
-    let solve = |method: &dyn Integrator, motion: &mut dyn Motion| {
-        method.solve(motion, asked).ok().map(|trajectory| (trajectory, method.name()))
-    };
-    solve(chosen.instance(), motion).or_else(|| solve((find("radau5").ok()?.instance)(), motion))
 }
 
 /// Kinetic energy and power of all moments at equally spaced instants.

@@ -11,7 +11,7 @@ use assur_structure::Structure;
 use crate::{AnalysisError, Course, Progress};
 
 /// The integrator that is taken where none is named.
-pub const DEFAULT_INTEGRATOR: &str = "auto";
+pub const DEFAULT_INTEGRATOR: &str = assur_integrator::AUTO;
 
 /// What a user may choose.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

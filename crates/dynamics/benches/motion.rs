@@ -3,7 +3,7 @@
 use assur_all as _;
 use assur_dynamics::{equation, request, steady};
 use assur_force::Loads;
-use assur_integrator::{Integrator, Motion, Request, State, find};
+use assur_integrator::{Motion, Request, State, find};
 use assur_kinematics::Linkage;
 use divan::{Bencher, black_box};
 
@@ -38,7 +38,7 @@ fn right_hand_side_of_andrews(bencher: Bencher) {
 #[divan::bench(args = [("energy", 1e-5), ("energy", 1e-6), ("energy", 1e-9), ("dop853", 1e-5), ("dop853", 1e-8), ("dopri5", 1e-6)])]
 fn andrews(bencher: Bencher, (name, tolerance): (&str, f64)) {
     let (linkage, loads) = compiled("andrews");
-    let integrator: &dyn Integrator = (find(name).expect("registered").instance)();
+    let integrator = find(name).expect("registered");
     let mut motion = equation(&linkage, &loads).expect("equation");
     let asked = request(&linkage.mechanism, &mut motion).expect("request");
     let asked = Request { tolerance, ..asked };

@@ -1,6 +1,6 @@
 //! Why there is no motion to report.
 
-use assur_integrator::{IntegrationError, MotionError, RegistryError};
+use assur_integrator::{IntegrationError, MotionError};
 use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
 
 /// What went wrong, where, and what to do.
@@ -133,15 +133,6 @@ pub enum DynamicsError {
     /// The integrator failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// No such integrator.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
-    /// No integrator suits.
-    #[error("no linked integrator can treat this equation ({equation})")]
-    NoIntegrator {
-        /// The equation in words.
-        equation: String,
-    },
     /// The motor's data make no characteristic.
     #[error("motor: {0}")]
     Rated(#[from] RatedDataError),

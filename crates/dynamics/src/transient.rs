@@ -2,8 +2,7 @@
 
 use assur_force::Loads;
 use assur_integrator::{
-    Dependence, Entered, Equation, IntegrationError, Motion, Request, State, Trajectory, Until, choose,
-    enter, find, integrators,
+    Dependence, Entered, Equation, Motion, Request, Solution, State, Trajectory, Until, enter,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
@@ -91,7 +90,6 @@ pub fn transient_told(
     let mut request = request(&linkage.mechanism, &mut motion)?;
     request.tolerance = tolerance.unwrap_or(*scenes);
     let dependence = motion.dependence();
-    let named = integrator.unwrap_or(named);
     let mut told;
     let equation: &mut dyn Motion = match tell {
         Some(tell) => {
@@ -100,45 +98,12 @@ pub fn transient_told(
         }
         None => &mut motion,
     };
-    let Solved { trajectory, integrator, reason } = if named == "auto" {
-        by_choice(equation, &request)?
-    } else {
-        let plugin = find(named)?;
-        let trajectory = (plugin.instance)().solve(equation, &request)?;
-        Solved { trajectory, integrator: plugin.name, reason: "asked for by name".to_owned() }
-    };
+    let Solution { trajectory, integrator, reason } =
+        assur_integrator::solve(integrator.unwrap_or(named), equation, &request)?;
+    let integrator = integrator.name;
     let conservative = is_conservative(&linkage.mechanism);
     let energy = balance(&mut motion, &trajectory, conservative)?;
     Ok(Transient { trajectory, integrator, reason, dependence, energy, shaft, motor })
-}
-
-/// A trajectory, by which method, and why it.
-pub(crate) struct Solved {
-    pub(crate) trajectory: Trajectory,
-    pub(crate) integrator: &'static str,
-    pub(crate) reason: String,
-}
-
-/// By the method that is chosen; where it finds on the way that it can't treat the equation, by the next best.
-pub(crate) fn by_choice(motion: &mut dyn Motion, request: &Request) -> Result<Solved, DynamicsError> {
-    let dependence = motion.dependence();
-    let mut registry = integrators()?;
-    let mut refusals = Vec::new();
-    loop {
-        let choice = choose(&dependence, request.tolerance, &registry)
-            .ok_or_else(|| DynamicsError::NoIntegrator { equation: dependence.words() })?;
-        let integrator = choice.name();
-        match choice.instance().solve(motion, request) {
-            Err(IntegrationError::Unsupported { reason, .. }) => {
-                registry.retain(|plugin| plugin.name != integrator);
-                refusals.push(format!("; `{integrator}` was tried before: {reason}"));
-            }
-            found => {
-                let reason = choice.reason + &refusals.concat();
-                return Ok(Solved { trajectory: found?, integrator, reason });
-            }
-        }
-    }
 }
 
 /// The equation of motion of a scene with its drive, for a motion in time. `ratio` and `flywheel` must be given.

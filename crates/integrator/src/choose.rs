@@ -1,89 +1,132 @@
-//! `auto`: the cheapest method that is exact or meets the tolerance, by D's classification.
+//! Which method solves an equation, and which ones follow where it can't: ranked by what the methods declare.
 
-use crate::{Dependence, Integrator, IntegratorPlugin};
+use crate::{Dependence, IntegrationError, IntegratorPlugin, Motion, Request, Trajectory, find, integrators};
 
-/// The method that `auto` takes, and why.
+/// The name that leaves the choice of the method to the program.
+pub const AUTO: &str = "auto";
+
+/// A method for an equation, and why it.
 #[derive(Debug, Clone)]
-pub struct Choice {
+pub struct Candidate {
     /// The method.
     pub integrator: &'static IntegratorPlugin,
-    /// Why, as a sentence for a person.
+    /// Why, for a person.
     pub reason: String,
-    /// D's case, 1 to 5.
-    pub case: u8,
+}
+
+/// The methods for an equation in the order in which they are tried.
+#[derive(Debug, Clone)]
+pub struct Choice {
+    /// The method to take.
+    pub first: Candidate,
+    /// Those that follow where a method finds on the way that it can't treat the equation.
+    pub others: Vec<Candidate>,
+    /// The method to go on with where an explicit one finds the equation stiff.
+    pub stiff: Option<&'static IntegratorPlugin>,
+}
+
+/// A trajectory with the method that found it.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// The method.
+    pub integrator: &'static IntegratorPlugin,
+    /// Why it, for a person.
+    pub reason: String,
+}
+
+/// Solves an equation by the method of that name, or by the methods that [`AUTO`] stands for.
+///
+/// # Errors
+///
+/// As [`choose`] and [`Choice::solve`].
+pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
+    choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)
+}
+
+/// The method of that name; for [`AUTO`] all that can treat the equation, the cheapest first.
+///
+/// Stiffness can't be seen from what an equation depends on: an explicit method reports it when it meets it.
+///
+/// # Errors
+///
+/// [`IntegrationError::Registry`] where no method has that name, [`IntegrationError::Unsupported`] where it can't treat the
+/// equation, [`IntegrationError::NoMethod`] where none can.
+pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Choice, IntegrationError> {
+    if name == AUTO {
+        return ranked(&integrators()?, dependence, tolerance);
+    }
+    let integrator = find(name)?;
+    integrator.supports(dependence)?;
+    let first = Candidate { integrator, reason: "asked for by name".to_owned() };
+    Ok(Choice { first, others: Vec::new(), stiff: None })
+}
+
+fn ranked(
+    registry: &[&'static IntegratorPlugin],
+    dependence: &Dependence,
+    tolerance: f64,
+) -> Result<Choice, IntegrationError> {
+    let suits = |plugin: &&'static IntegratorPlugin| {
+        let suitability = (plugin.suitability)(dependence, tolerance).ok()?;
+        Some((*plugin, suitability))
+    };
+    let mut methods: Vec<_> = registry.iter().filter_map(suits).collect();
+    // Within a class of cost the higher order; the registry is sorted by name, and the sort keeps that.
+    methods.sort_by_key(|(plugin, suitability)| (suitability.cost, std::cmp::Reverse(plugin.order)));
+    let (case, words) = (dependence.case(), dependence.words());
+    let mut candidates = methods.iter().map(|(integrator, suitability)| {
+        let reason = format!("case {case} of D ({words}): {}", suitability.reason);
+        Candidate { integrator, reason }
+    });
+    let first = candidates.next().ok_or(IntegrationError::NoMethod { equation: dependence.words() })?;
+    let stiff = methods.iter().map(|(plugin, _)| *plugin).find(|plugin| plugin.stiff);
+    Ok(Choice { first, others: candidates.collect(), stiff })
 }
 
 impl Choice {
-    /// Name of the method.
-    pub fn name(&self) -> &'static str {
-        self.integrator.name
+    /// Solves the equation by the first method that can treat it.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError`] of the last method that was tried.
+    pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
+        let mut refusals = String::new();
+        let mut rest = self.others.iter();
+        let mut candidate = &self.first;
+        loop {
+            let Candidate { integrator, reason } = candidate;
+            match (integrator.solve(motion, request), self.stiff) {
+                (Ok(trajectory), _) => {
+                    return Ok(Solution { trajectory, integrator, reason: format!("{reason}{refusals}") });
+                }
+                (Err(error @ IntegrationError::Unsupported { .. }), _) => {
+                    candidate = rest.next().ok_or_else(|| error.clone())?;
+                    if let IntegrationError::Unsupported { reason, .. } = error {
+                        refusals += &format!("; `{}` was tried before: {reason}", integrator.name);
+                    }
+                }
+                (Err(IntegrationError::TooManySteps { stiffness: Some(product), .. }), Some(stiff)) => {
+                    let reason = format!(
+                        "the equation is stiff: an explicit method had to keep h*lambda at {product:.2}"
+                    );
+                    return Ok(Solution {
+                        trajectory: stiff.solve(motion, request)?,
+                        integrator: stiff,
+                        reason,
+                    });
+                }
+                (Err(error), _) => return Err(error),
+            }
+        }
     }
 
-    /// The method itself.
-    pub fn instance(&self) -> &'static dyn Integrator {
-        (self.integrator.instance)()
+    /// Where an explicit method is tried first: the method that follows if the equation turns out to be stiff.
+    pub fn if_stiff(&self) -> Option<&'static IntegratorPlugin> {
+        let first = self.first.integrator;
+        self.stiff.filter(|_| first.order > 0 && !first.stiff)
     }
-}
-
-/// Tolerance from which on the cheap steps of order 5 need fewer evaluations than steps of order 8.
-const COARSE: f64 = 1e-4;
-
-/// Chooses a method for such an equation from `registry`, or none if nothing in it can treat the equation.
-///
-/// Case 1 has a closed form; cases 2 with M(q) and 3 one quadrature in the coordinate (E eq. 1), without any error from
-/// time; case 2 with M(t) one over time, with M(w) one over the speed; the rest goes to the explicit method whose order fits the tolerance. Stiffness can't be seen from the
-/// classification: an explicit method reports it when it meets it, and `radau5` is for that.
-pub fn choose(
-    dependence: &Dependence,
-    tolerance: f64,
-    registry: &[&'static IntegratorPlugin],
-) -> Option<Choice> {
-    let by_name = |name: &str| registry.iter().find(|plugin| plugin.name == name).copied();
-    let suits = |plugin: &IntegratorPlugin| (plugin.instance)().supports(dependence).is_ok();
-    let (case, words) = (dependence.case(), dependence.words());
-    let preferences = preferences(*dependence, tolerance);
-    let preferred = preferences
-        .iter()
-        .find_map(|(name, why)| by_name(name).filter(|plugin| suits(plugin)).map(|plugin| (plugin, *why)));
-    let (integrator, why) = preferred.or_else(|| {
-        let best =
-            registry.iter().copied().filter(|plugin| suits(plugin)).max_by_key(|plugin| plugin.order)?;
-        Some((best, "the method of the highest order that is linked and can treat it"))
-    })?;
-    let reason = format!("case {case} of D ({words}): {why}");
-    Some(Choice { integrator, reason, case })
-}
-
-/// Names in the order of preference, each with its reason.
-fn preferences(dependence: Dependence, tolerance: f64) -> Vec<(&'static str, &'static str)> {
-    let mut names = Vec::with_capacity(4);
-    if dependence.case() == 1 {
-        names.push(("closed-form", "uniformly accelerated motion has a closed form, exact"));
-    }
-    if dependence.case() == 2 && dependence.moment_on_time {
-        names.push(("quadrature", "the impulse of the moment gives the speed by one quadrature over time"));
-    }
-    if dependence.case() == 2 && dependence.moment_on_speed {
-        names.push((
-            "quadrature",
-            "t = J * integral of dw / M(w) gives the motion by one quadrature over the speed",
-        ));
-    }
-    if dependence.is_work_of_coordinate() {
-        names.push((
-            "energy",
-            "the work along the coordinate gives the speed by one quadrature, without steps in time",
-        ));
-    }
-    let five = ("dopri5", "a loose tolerance: cheap explicit steps of order 5 meet it");
-    let eight =
-        ("dop853", "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations");
-    if tolerance > COARSE {
-        names.extend([five, eight]);
-    } else {
-        names.extend([eight, five]);
-    }
-    names
 }
 
 #[cfg(test)]

@@ -21,18 +21,16 @@ const OVERSHOOT: f64 = 1.02;
 /// At a fixed step stability is looked at once in so many steps.
 const STABILITY_PERIOD: usize = 64;
 
-/// Solves the equation by the steps of `stepper`.
+/// Solves the equation by the steps of a method: the `run` of an [`IntegratorPlugin`](crate::IntegratorPlugin).
 ///
 /// # Errors
 ///
 /// [`IntegrationError`] with the place reached.
-pub fn drive<S: Stepper>(
-    stepper: &mut S,
+pub fn drive<S: Stepper + Default>(
     motion: &mut dyn Motion,
     request: &Request,
 ) -> Result<Trajectory, IntegrationError> {
-    request.check()?;
-    let mut drive = Drive::new(stepper, motion, request);
+    let mut drive = Drive::new(S::default(), motion, request);
     drive.begin()?;
     while !drive.finished {
         drive.advance()?;
@@ -42,7 +40,7 @@ pub fn drive<S: Stepper>(
 
 struct Drive<'a, S> {
     equation: Equation<'a>,
-    stepper: &'a mut S,
+    stepper: S,
     request: &'a Request,
     pace: Pace,
     node: Node,
@@ -73,7 +71,7 @@ struct Plan {
 }
 
 impl<'a, S: Stepper> Drive<'a, S> {
-    fn new(stepper: &'a mut S, motion: &'a mut dyn Motion, request: &'a Request) -> Self {
+    fn new(stepper: S, motion: &'a mut dyn Motion, request: &'a Request) -> Self {
         let node = Node { state: request.initial, acceleration: 0.0 };
         Self {
             equation: Equation::new(motion),

@@ -1,5 +1,7 @@
 //! Why an integration failed, and where it was then.
 
+use assur_plugin::RegistryError;
+
 use crate::{MotionError, Request, State, Until};
 
 /// Why there is no trajectory.
@@ -20,6 +22,15 @@ pub enum IntegrationError {
         /// Why not.
         reason: String,
     },
+    /// No linked method can treat the equation.
+    #[error("no linked integrator can treat this equation ({equation})")]
+    NoMethod {
+        /// What the equation depends on, in words.
+        equation: String,
+    },
+    /// There is no such method, or the registry is faulty.
+    #[error(transparent)]
+    Registry(#[from] RegistryError),
     /// The accuracy would need steps below what the numbers resolve.
     #[error(
         "step too small: {step:e} s at {at}; loosen the tolerance, or look for a jump that is not in a table"

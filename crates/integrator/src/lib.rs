@@ -41,7 +41,7 @@ mod stepper;
 mod stretch;
 
 pub use assur_plugin::RegistryError;
-pub use choose::{Choice, choose};
+pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
 pub use control::{Control, Scale};
 pub use crossing::root;
 pub use dense::{COEFFICIENTS, Dense, cubic};
@@ -51,7 +51,7 @@ pub use equation::Equation;
 pub use error::IntegrationError;
 pub use inventory;
 pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
-pub use plugin::{IntegratorPlugin, find, integrators};
-pub use request::{Event, EventKind, Integrator, Request, Sample, Statistics, Trajectory, Until};
+pub use plugin::{Cost, IntegratorPlugin, Knob, Suitability, find, integrators};
+pub use request::{Event, EventKind, Request, Sample, Statistics, Trajectory, Until};
 pub use stepper::{Attempt, Node, Pace, Stepper};
 pub use stretch::{Stretch, samples};

@@ -1,10 +1,10 @@
-//! The registry of integrators.
+//! The registry of integrators: what each method declares about itself.
 
 use assur_plugin::{Registered, RegistryError};
 
-use crate::Integrator;
+use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 
-/// Registers an integrator: `inventory::submit! { IntegratorPlugin { ... } }`.
+/// A method for the equation of motion, registered by `inventory::submit! { IntegratorPlugin { ... } }`.
 #[derive(Debug, Clone, Copy)]
 pub struct IntegratorPlugin {
     /// Stable name, as users write it.
@@ -17,8 +17,49 @@ pub struct IntegratorPlugin {
     pub source: &'static str,
     /// Order of accuracy; 0 for a method without error of discretization in time.
     pub order: u8,
-    /// The method.
-    pub instance: fn() -> &'static dyn Integrator,
+    /// What of a [`Request`] sets the accuracy.
+    pub knob: Knob,
+    /// The method stays efficient on stiff equations: `auto` goes on with it where an explicit method finds one.
+    pub stiff: bool,
+    /// How well the method suits such an equation at a tolerance; the error is why it can't treat it, as a sentence.
+    pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, String>,
+    /// The method itself. Called through [`IntegratorPlugin::solve`], which makes sure that it suits.
+    pub run: fn(&mut dyn Motion, &Request) -> Result<Trajectory, IntegrationError>,
+}
+
+/// What of a request sets the accuracy of a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Knob {
+    /// Nothing: the method is exact.
+    None,
+    /// [`Request::tolerance`].
+    Tolerance,
+    /// [`Request::fixed_step`].
+    Step,
+}
+
+/// The place of a method among those that can treat an equation, and its reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Suitability {
+    /// What the method costs here.
+    pub cost: Cost,
+    /// Why, for a person; continues "case 3 of D (J(q), M(q)): ".
+    pub reason: &'static str,
+}
+
+/// Classes of cost, the cheapest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cost {
+    /// The motion has a closed form.
+    ClosedForm,
+    /// One quadrature gives the motion.
+    Quadrature,
+    /// Steps in time, of an order that fits the tolerance.
+    Steps,
+    /// Steps in time, of an order made for other tolerances.
+    OtherSteps,
+    /// Taken only where no other method is linked.
+    LastResort,
 }
 
 inventory::collect!(IntegratorPlugin);
@@ -32,6 +73,32 @@ impl Registered for IntegratorPlugin {
 
     fn crate_name(&self) -> &'static str {
         self.crate_name
+    }
+}
+
+impl IntegratorPlugin {
+    /// Whether the method can treat such an equation at all.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::Unsupported`] with the reason.
+    pub fn supports(&self, dependence: &Dependence) -> Result<(), IntegrationError> {
+        // What a method can do does not depend on the tolerance, only how well it does it.
+        match (self.suitability)(dependence, f64::EPSILON) {
+            Ok(_) => Ok(()),
+            Err(reason) => Err(IntegrationError::Unsupported { integrator: self.name, reason }),
+        }
+    }
+
+    /// Solves the equation from the initial state to the end.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError`] with the place that was reached.
+    pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+        self.supports(&motion.dependence())?;
+        request.check()?;
+        (self.run)(motion, request)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is asked of an integrator, and what it answers.
 
-use crate::{Dependence, IntegrationError, State};
+use crate::{IntegrationError, State};
 
 /// When the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -162,28 +162,4 @@ pub struct Trajectory {
     pub statistics: Statistics,
     /// The state in which the motion ended.
     pub end: State,
-}
-
-/// A method for the equation of motion.
-pub trait Integrator: std::fmt::Debug + Send + Sync {
-    /// The name it is registered under.
-    fn name(&self) -> &'static str;
-
-    /// Whether the method can treat such an equation.
-    ///
-    /// # Errors
-    ///
-    /// Why not, as a sentence.
-    fn supports(&self, dependence: &Dependence) -> Result<(), String>;
-
-    /// Solves the equation from the initial state to the end.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError`] with the place that was reached.
-    fn solve(
-        &self,
-        motion: &mut dyn crate::Motion,
-        request: &Request,
-    ) -> Result<Trajectory, IntegrationError>;
 }

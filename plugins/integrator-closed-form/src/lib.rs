@@ -2,53 +2,39 @@
 //! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t) and M(w).
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
-    MotionError, Node, Pace, Request, Scale, Stepper, Trajectory, drive,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, Stepper,
+    Suitability, drive, inventory,
 };
 
 mod impulse;
 mod quadrature;
 mod speed;
 
-pub use quadrature::Quadrature;
+pub use quadrature::QUADRATURE;
 
 /// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ClosedForm;
-
-impl Integrator for ClosedForm {
-    fn name(&self) -> &'static str {
-        "closed-form"
-    }
-
-    fn supports(&self, dependence: &Dependence) -> Result<(), String> {
-        if dependence.case() == 1 {
-            return Ok(());
-        }
-        Err(format!(
-            "the closed form needs J and M constant (case 1 of D), and here it is case {}: {}",
-            dependence.case(),
+pub const CLOSED_FORM: IntegratorPlugin = IntegratorPlugin {
+    name: "closed-form",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "J and M constant: uniformly accelerated motion, exact",
+    source: "D 3.12, 3.13",
+    order: 0,
+    knob: Knob::None,
+    stiff: false,
+    suitability: |dependence, _| match dependence.case() {
+        1 => Ok(Suitability {
+            cost: Cost::ClosedForm,
+            reason: "uniformly accelerated motion has a closed form, exact",
+        }),
+        case => Err(format!(
+            "the closed form needs J and M constant (case 1 of D), and here it is case {case}: {}",
             dependence.words()
-        ))
-    }
+        )),
+    },
+    run: drive::<Parabola>,
+};
 
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        let supported = self.supports(&motion.dependence());
-        supported.map_err(|reason| IntegrationError::Unsupported { integrator: self.name(), reason })?;
-        drive(&mut Parabola::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "closed-form",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "J and M constant: uniformly accelerated motion, exact",
-        source: "D 3.12, 3.13",
-        order: 0,
-        instance: || &ClosedForm,
-    }
-}
+inventory::submit! { CLOSED_FORM }
 
 /// The last stretch; the acceleration is the same at both ends.
 #[derive(Debug, Default)]

@@ -4,9 +4,7 @@
 //! first equation is q' = w, the slopes of the coordinate are the speeds of the stages, so that a stage holds two numbers, its
 //! speed and its acceleration.
 
-use assur_integrator::{
-    Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory, drive,
-};
+use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, drive, inventory};
 
 mod dop853;
 mod dop853_table;
@@ -17,60 +15,43 @@ mod stages;
 #[cfg(test)]
 mod tests;
 
+/// Tolerance above which steps of order 5 need fewer evaluations than steps of order 8.
+const LOOSE: f64 = 1e-4;
+
+fn steps(fits: bool, reason: &'static str) -> Suitability {
+    Suitability { cost: if fits { Cost::Steps } else { Cost::OtherSteps }, reason }
+}
+
 /// The method of order 5(4).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Dopri5;
+pub const DOPRI5: IntegratorPlugin = IntegratorPlugin {
+    name: "dopri5",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "Dormand-Prince 5(4), explicit, adaptive, dense output of order 4",
+    source: "Hairer, Norsett, Wanner I, II.5",
+    order: 5,
+    knob: Knob::Tolerance,
+    stiff: false,
+    suitability: |_, tolerance| {
+        Ok(steps(tolerance > LOOSE, "a loose tolerance: cheap explicit steps of order 5 meet it"))
+    },
+    run: drive::<dopri5::Stages>,
+};
 
 /// The method of order 8(5,3).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Dop853;
+pub const DOP853: IntegratorPlugin = IntegratorPlugin {
+    name: "dop853",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "Dormand-Prince 8(5,3), explicit, adaptive, dense output of order 7",
+    source: "Hairer, Norsett, Wanner I, II.5 and II.6",
+    order: 8,
+    knob: Knob::Tolerance,
+    stiff: false,
+    suitability: |_, tolerance| {
+        let reason = "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations";
+        Ok(steps(tolerance <= LOOSE, reason))
+    },
+    run: drive::<dop853::Stages>,
+};
 
-impl Integrator for Dopri5 {
-    fn name(&self) -> &'static str {
-        "dopri5"
-    }
-
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        drive(&mut dopri5::Stages::default(), motion, request)
-    }
-}
-
-impl Integrator for Dop853 {
-    fn name(&self) -> &'static str {
-        "dop853"
-    }
-
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        drive(&mut dop853::Stages::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "dopri5",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "Dormand-Prince 5(4), explicit, adaptive, dense output of order 4",
-        source: "Hairer, Norsett, Wanner I, II.5",
-        order: 5,
-        instance: || &Dopri5,
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "dop853",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "Dormand-Prince 8(5,3), explicit, adaptive, dense output of order 7",
-        source: "Hairer, Norsett, Wanner I, II.5 and II.6",
-        order: 8,
-        instance: || &Dop853,
-    }
-}
+inventory::submit! { DOPRI5 }
+inventory::submit! { DOP853 }

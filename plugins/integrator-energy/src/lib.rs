@@ -5,9 +5,7 @@
 //! motion starts from rest or turns, 1/w has an integrable singularity, which a cosine substitution removes: there is no
 //! division by a speed of zero. There are no steps in time, so nothing drifts: the energy balance holds by construction.
 
-use assur_integrator::{
-    Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory,
-};
+use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, inventory};
 
 mod clock;
 mod march;
@@ -15,43 +13,30 @@ mod panel;
 mod record;
 
 /// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Energy;
-
-impl Integrator for Energy {
-    fn name(&self) -> &'static str {
-        "energy"
-    }
-
-    fn supports(&self, dependence: &Dependence) -> Result<(), String> {
+pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
+    name: "energy",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "energy form: speed from the work, quadrature in the coordinate; M(q) only",
+    source: "E eq. 1",
+    order: 0,
+    knob: Knob::Tolerance,
+    stiff: false,
+    suitability: |dependence, _| {
         if dependence.is_work_of_coordinate() {
-            return Ok(());
+            let reason =
+                "the work along the coordinate gives the speed by one quadrature, without steps in time";
+            return Ok(Suitability { cost: Cost::Quadrature, reason });
         }
         Err(format!(
             "the energy form needs a moment that depends on the coordinate alone, and here it is case {} of D: {}",
             dependence.case(),
             dependence.words()
         ))
-    }
+    },
+    run: |motion, request| march::March::new(motion, request).run(),
+};
 
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        let supported = self.supports(&motion.dependence());
-        supported.map_err(|reason| IntegrationError::Unsupported { integrator: self.name(), reason })?;
-        request.check()?;
-        march::March::new(motion, request).run()
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "energy",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "energy form: speed from the work, quadrature in the coordinate; M(q) only",
-        source: "E eq. 1",
-        order: 0,
-        instance: || &Energy,
-    }
-}
+inventory::submit! { ENERGY }
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,8 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use assur_integrator::problems::{self, Andrews, Example, VARIABLE};
-use assur_integrator::{EventKind, Reduced, State, Until};
-use assur_integrator_dormand_prince::Dop853;
+use assur_integrator::{AUTO, EventKind, Motion, Reduced, Request, State, Until};
+use assur_integrator_dormand_prince::DOP853;
 use proptest::prelude::*;
 
 use super::*;
@@ -17,7 +17,7 @@ fn from_rest(until: Until, tolerance: f64) -> Request {
 
 #[test]
 fn e1_is_exact_from_rest() {
-    let found = Energy.solve(&mut problems::e1(), &from_rest(Until::Coordinate(10.0 * PI), 1e-9)).unwrap();
+    let found = ENERGY.solve(&mut problems::e1(), &from_rest(Until::Coordinate(10.0 * PI), 1e-9)).unwrap();
     assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-12);
     // w² = 400 q - (300/(10 pi)) q²·... : q'' = 200 - k q, k = 30/pi: q = (200/k)(1 - cos(√k t)).
     let k = 30.0_f64 / PI;
@@ -33,10 +33,10 @@ fn e1_is_exact_from_rest() {
 fn d1_rests_and_jumps_are_exact() {
     let braked =
         Request { initial: State { speed: 100.0, ..State::default() }, ..from_rest(Until::Rest, 1e-9) };
-    let found = Energy.solve(&mut problems::d1(), &braked).unwrap();
+    let found = ENERGY.solve(&mut problems::d1(), &braked).unwrap();
     assert_close(found.end.time, 50.0, 1e-10);
     assert_close(found.end.coordinate, 2500.0, 1e-9);
-    let found = Energy.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
+    let found = ENERGY.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert_eq!(found.events.len(), 2);
 }
@@ -47,7 +47,7 @@ fn pendulum_swings_with_its_period() {
         let period = problems::pendulum_period(amplitude);
         let initial = State { coordinate: amplitude, ..State::default() };
         let request = Request { samples: 8, ..Request::new(initial, Until::Time(3.25 * period)) };
-        let found = Energy.solve(&mut problems::pendulum(), &request).unwrap();
+        let found = ENERGY.solve(&mut problems::pendulum(), &request).unwrap();
         assert_eq!(found.events.len(), 6);
         for (index, event) in found.events.iter().enumerate() {
             assert_eq!(event.kind, EventKind::Reversal);
@@ -61,7 +61,7 @@ fn pendulum_swings_with_its_period() {
 #[test]
 fn dry_friction_holds_at_last() {
     let initial = State { coordinate: 1.0, ..State::default() };
-    let found = Energy
+    let found = ENERGY
         .solve(&mut problems::friction_oscillator(), &Request::new(initial, Until::Time(10.0)))
         .unwrap();
     let kinds: Vec<EventKind> = found.events.iter().map(|event| event.kind).collect();
@@ -76,7 +76,7 @@ fn dry_friction_holds_at_last() {
 #[test]
 fn andrews_mechanism_needs_few_evaluations() {
     let request = Request { tolerance: 1e-9, samples: 4, ..Request::new(Andrews::START, Until::Time(0.03)) };
-    let found = Energy.solve(&mut Andrews, &request).unwrap();
+    let found = ENERGY.solve(&mut Andrews, &request).unwrap();
     assert_close(found.end.coordinate, Andrews::END.coordinate, 1e-9 * 15.8);
     assert_close(found.end.speed, Andrews::END.speed, 1e-9 * 1140.0);
     assert!(found.statistics.evaluations < 500, "{:?}", found.statistics);
@@ -86,17 +86,17 @@ fn andrews_mechanism_needs_few_evaluations() {
 fn creeping_onto_an_equilibrium_has_no_end() {
     // Just the energy that carries a pendulum to the top: w = 2 at the bottom, w = 2/cosh t.
     let initial = State { speed: 2.0, ..State::default() };
-    let found = Energy.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(5.0))).unwrap();
+    let found = ENERGY.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(5.0))).unwrap();
     assert_close(found.end.speed, 2.0 / 5.0_f64.cosh(), 1e-8);
     let error =
-        Energy.solve(&mut problems::pendulum(), &Request::new(initial, Until::Coordinate(PI))).unwrap_err();
+        ENERGY.solve(&mut problems::pendulum(), &Request::new(initial, Until::Coordinate(PI))).unwrap_err();
     assert!(error.to_string().starts_with("coordinate 3.14159"), "{error}");
 }
 
 #[test]
 fn a_motor_is_refused() {
     let error =
-        Energy.solve(&mut problems::motor(1.0), &from_rest(Until::Time(1.0), 1e-6)).unwrap_err().to_string();
+        ENERGY.solve(&mut problems::motor(1.0), &from_rest(Until::Time(1.0), 1e-6)).unwrap_err().to_string();
     assert!(
         error.contains("depends on the coordinate alone, and here it is case 5 of D: J(q), M(q, w)"),
         "{error}"
@@ -124,8 +124,8 @@ proptest! {
         });
         let initial = State { time: 0.0, coordinate: q, speed: w };
         let request = Request { tolerance: 1e-11, samples: 5, ..Request::new(initial, Until::Time(end)) };
-        let by_energy = Energy.solve(&mut motion, &request).unwrap();
-        let by_steps = Dop853.solve(&mut motion, &request).unwrap();
+        let by_energy = ENERGY.solve(&mut motion, &request).unwrap();
+        let by_steps = DOP853.solve(&mut motion, &request).unwrap();
         for (a, b) in by_energy.samples.iter().zip(&by_steps.samples) {
             // Near a top of the potential the motion itself magnifies errors.
             prop_assert!((a.coordinate - b.coordinate).abs() < 1e-6, "{a:?} {b:?}");
@@ -135,13 +135,11 @@ proptest! {
 }
 
 #[test]
-fn it_is_registered_and_chosen_for_work_along_the_coordinate() {
-    let plugin = assur_integrator::find("energy").unwrap();
-    assert_eq!((plugin.instance)().name(), plugin.name);
-    let all = assur_integrator::integrators().unwrap();
-    assert_eq!(assur_integrator::choose(&VARIABLE, 1e-9, &all).unwrap().name(), "energy");
-    let motor = problems::motor(1.0);
-    assert_eq!(assur_integrator::choose(&motor.dependence(), 1e-9, &all).unwrap().name(), "dop853");
+fn it_is_chosen_for_work_along_the_coordinate() {
+    let chosen =
+        |dependence| assur_integrator::choose(AUTO, &dependence, 1e-9).unwrap().first.integrator.name;
+    assert_eq!(chosen(VARIABLE), "energy");
+    assert_eq!(chosen(problems::motor(1.0).dependence()), "dop853");
 }
 
 proptest! {
@@ -164,8 +162,8 @@ proptest! {
         .directed();
         let initial = State { time: 0.0, coordinate: 0.5, speed: w };
         let request = Request { tolerance: 1e-11, samples: 7, ..Request::new(initial, until) };
-        let by_energy = Energy.solve(&mut motion, &request);
-        let by_steps = Dop853.solve(&mut motion, &request);
+        let by_energy = ENERGY.solve(&mut motion, &request);
+        let by_steps = DOP853.solve(&mut motion, &request);
         prop_assert!(by_energy.is_ok() && by_steps.is_ok(), "{by_energy:?} {by_steps:?}");
         for (a, b) in by_energy.unwrap().samples.iter().zip(&by_steps.unwrap().samples) {
             prop_assert!((a.coordinate - b.coordinate).abs() < 1e-6, "{a:?} {b:?}");
@@ -189,7 +187,7 @@ fn a_start_is_exact_however_slow() {
             };
             let mut motion = Example::new(constant, formula);
             let request = Request { initial, ..from_rest(Until::Coordinate(target), 1e-12) };
-            let end = Energy.solve(&mut motion, &request).unwrap().end;
+            let end = ENERGY.solve(&mut motion, &request).unwrap().end;
             let speed = (w0 * w0 + 4.0).sqrt();
             assert_close(end.speed, speed * target, 1e-12);
             let time = if target > 0.0 { 2.0 / (w0 + speed) } else { 0.5 * (w0 + speed) };

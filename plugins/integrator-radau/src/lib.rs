@@ -8,42 +8,31 @@
 //! less exact than the end (on a pendulum at 1e-9, 7e-8 of the energy against 5e-10 of the coordinate). Where the
 //! equation is not stiff, the explicit methods are better and cheaper.
 
-use assur_integrator::{
-    Dependence, IntegrationError, Integrator, IntegratorPlugin, Motion, Request, Trajectory, drive,
-};
+use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, drive, inventory};
 
 mod collocation;
 mod linear;
 mod table;
 
 /// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Radau5;
+pub const RADAU5: IntegratorPlugin = IntegratorPlugin {
+    name: "radau5",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "Radau IIA of order 5, implicit, adaptive, dense output of order 3; for stiff motors",
+    source: "Hairer, Wanner II, IV.5 and IV.8",
+    order: 5,
+    knob: Knob::Tolerance,
+    stiff: true,
+    suitability: |_, _| {
+        Ok(Suitability {
+            cost: Cost::LastResort,
+            reason: "implicit steps of order 5, which stiffness does not shorten",
+        })
+    },
+    run: drive::<collocation::Collocation>,
+};
 
-impl Integrator for Radau5 {
-    fn name(&self) -> &'static str {
-        "radau5"
-    }
-
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        drive(&mut collocation::Collocation::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "radau5",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "Radau IIA of order 5, implicit, adaptive, dense output of order 3; for stiff motors",
-        source: "Hairer, Wanner II, IV.5 and IV.8",
-        order: 5,
-        instance: || &Radau5,
-    }
-}
+inventory::submit! { RADAU5 }
 
 #[cfg(test)]
 mod tests;

@@ -1,38 +1,26 @@
 //! `rk4`: the classical Runge-Kutta method of order 4 at a fixed step, the improvement that D 3.23 names.
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
-    MotionError, Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, State, Stepper,
+    Suitability, drive, inventory,
 };
 
 /// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RungeKutta;
+pub const RK4: IntegratorPlugin = IntegratorPlugin {
+    name: "rk4",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "classical Runge-Kutta at a fixed step",
+    source: "D 3.23; Kutta 1901",
+    order: 4,
+    knob: Knob::Step,
+    stiff: false,
+    suitability: |_, _| {
+        Ok(Suitability { cost: Cost::LastResort, reason: "steps of order 4 at a fixed length" })
+    },
+    run: drive::<Classical>,
+};
 
-impl Integrator for RungeKutta {
-    fn name(&self) -> &'static str {
-        "rk4"
-    }
-
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        drive(&mut Classical::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "rk4",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "classical Runge-Kutta at a fixed step",
-        source: "D 3.23; Kutta 1901",
-        order: 4,
-        instance: || &RungeKutta,
-    }
-}
+inventory::submit! { RK4 }
 
 /// The end of the last step.
 #[derive(Debug, Default)]

@@ -2,38 +2,29 @@
 //! with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
-    Attempt, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Motion,
-    MotionError, Node, Pace, Request, Scale, State, Stepper, Trajectory, drive,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, State, Stepper,
+    Suitability, drive, inventory,
 };
 
 /// The method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Uniform;
+pub const UNIFORM: IntegratorPlugin = IntegratorPlugin {
+    name: "uniform",
+    crate_name: env!("CARGO_PKG_NAME"),
+    summary: "uniformly accelerated intervals at a fixed step",
+    source: "D 3.23",
+    order: 1,
+    knob: Knob::Step,
+    stiff: false,
+    suitability: |_, _| {
+        Ok(Suitability {
+            cost: Cost::LastResort,
+            reason: "uniformly accelerated intervals of a fixed length",
+        })
+    },
+    run: drive::<Interval>,
+};
 
-impl Integrator for Uniform {
-    fn name(&self) -> &'static str {
-        "uniform"
-    }
-
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-        drive(&mut Interval::default(), motion, request)
-    }
-}
-
-inventory::submit! {
-    IntegratorPlugin {
-        name: "uniform",
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "uniformly accelerated intervals at a fixed step",
-        source: "D 3.23",
-        order: 1,
-        instance: || &Uniform,
-    }
-}
+inventory::submit! { UNIFORM }
 
 /// The end of the last interval.
 #[derive(Debug, Default)]

@@ -13,7 +13,7 @@ use crate::{Driven, DynamicsError, Machine, Regime, steady};
 fn speed_after(text: &str, regime: &Regime, turns: u32) -> f64 {
     let (linkage, loads) = compiled(text);
     let mut motion = Driven::new(Machine::new(&linkage, &loads), regime.shaft());
-    let integrator = (find("dop853").unwrap().instance)();
+    let integrator = find("dop853").unwrap();
     let sense = linkage.mechanism.input.sign();
     let from = linkage.mechanism.input.from;
     let initial = State { time: 0.0, coordinate: from, speed: regime.mean_speed };

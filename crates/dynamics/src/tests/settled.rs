@@ -76,7 +76,7 @@ fn settled(text: &str, ratio: f64, inertia: f64) -> Settled {
     let linear = text.contains("linear");
     let machine = Machine::new(&linkage, &loads);
     let mut hand = Hand { machine, linear, ratio, inertia, sense, driving: true };
-    let integrator = (find("dop853").unwrap().instance)();
+    let integrator = find("dop853").unwrap();
     let from = linkage.mechanism.input.from;
     let mut speed = sense * RATED / ratio;
     for turn in 0..500 {

@@ -4,10 +4,9 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use assur_integrator::problems::Example;
-use assur_integrator::{Dependence, Reduced, Request, State, Until};
+use assur_integrator::{AUTO, Dependence, Reduced, Request, State, Until};
 
 use super::{compiled, fixture};
-use crate::transient::by_choice;
 use crate::{Transient, transient, transient_by};
 
 fn solved(name: &str) -> Transient {
@@ -73,8 +72,8 @@ fn auto_falls_back_where_no_polynomial_follows_the_moment() {
     });
     let initial = State { speed: 1.0, ..State::default() };
     let request = Request { tolerance: 1e-6, ..Request::new(initial, Until::Time(1.0)) };
-    let found = by_choice(&mut motion, &request).unwrap();
-    assert_eq!(found.integrator, "dop853");
+    let found = assur_integrator::solve(AUTO, &mut motion, &request).unwrap();
+    assert_eq!(found.integrator.name, "dop853");
     assert!(
         found.reason.contains("; `quadrature` was tried before: no polynomial in the speed"),
         "{}",

@@ -1,45 +1,46 @@
 use super::*;
-use crate::{IntegrationError, Motion, Request, Trajectory};
+use crate::{Cost, Knob, Suitability};
 
-#[derive(Debug)]
-struct Any;
-#[derive(Debug)]
-struct WorkOnly;
-
-impl Integrator for Any {
-    fn name(&self) -> &'static str {
-        "any"
-    }
-    fn supports(&self, _: &Dependence) -> Result<(), String> {
-        Ok(())
-    }
-    fn solve(&self, _: &mut dyn Motion, _: &Request) -> Result<Trajectory, IntegrationError> {
-        Ok(Trajectory::default())
-    }
-}
-
-impl Integrator for WorkOnly {
-    fn name(&self) -> &'static str {
-        "work"
-    }
-    fn supports(&self, dependence: &Dependence) -> Result<(), String> {
-        if dependence.is_work_of_coordinate() { Ok(()) } else { Err("no".to_owned()) }
-    }
-    fn solve(&self, _: &mut dyn Motion, _: &Request) -> Result<Trajectory, IntegrationError> {
-        Ok(Trajectory::default())
-    }
-}
-
-const fn entry(name: &'static str, order: u8, instance: fn() -> &'static dyn Integrator) -> IntegratorPlugin {
-    IntegratorPlugin { name, crate_name: "test", summary: "", source: "", order, instance }
-}
-
-static CLOSED: IntegratorPlugin = entry("closed-form", 0, || &WorkOnly);
-static ENERGY: IntegratorPlugin = entry("energy", 0, || &WorkOnly);
-static TIME: IntegratorPlugin = entry("quadrature", 0, || &Any);
-static FIVE: IntegratorPlugin = entry("dopri5", 5, || &Any);
-static EIGHT: IntegratorPlugin = entry("dop853", 8, || &Any);
-static FOREIGN: IntegratorPlugin = entry("foreign", 6, || &Any);
+const ANY: IntegratorPlugin = IntegratorPlugin {
+    name: "any",
+    crate_name: "test",
+    summary: "",
+    source: "",
+    order: 4,
+    knob: Knob::Tolerance,
+    stiff: false,
+    suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: "it can" }),
+    run: |_, _| Ok(Trajectory::default()),
+};
+static CLOSED: IntegratorPlugin = IntegratorPlugin {
+    name: "closed",
+    order: 0,
+    suitability: |dependence, _| match dependence.case() {
+        1 => Ok(Suitability { cost: Cost::ClosedForm, reason: "exact" }),
+        case => Err(format!("not for case {case}")),
+    },
+    ..ANY
+};
+static LOW: IntegratorPlugin = IntegratorPlugin {
+    name: "low",
+    order: 2,
+    suitability: |_, tolerance| {
+        let cost = if tolerance > 1e-4 { Cost::Steps } else { Cost::OtherSteps };
+        Ok(Suitability { cost, reason: "few stages" })
+    },
+    ..ANY
+};
+static HIGH: IntegratorPlugin = IntegratorPlugin {
+    name: "high",
+    order: 8,
+    suitability: |_, tolerance| {
+        let cost = if tolerance > 1e-4 { Cost::OtherSteps } else { Cost::Steps };
+        Ok(Suitability { cost, reason: "many stages" })
+    },
+    ..ANY
+};
+static STIFF: IntegratorPlugin = IntegratorPlugin { name: "implicit", order: 5, stiff: true, ..ANY };
+static SPARE: IntegratorPlugin = ANY;
 
 fn equation(inertia_constant: bool, [q, w, t]: [bool; 3]) -> Dependence {
     Dependence { inertia_constant, moment_on_coordinate: q, moment_on_speed: w, moment_on_time: t }
@@ -63,27 +64,26 @@ fn cases_are_those_of_d() {
 }
 
 #[test]
-fn the_cheapest_sufficient_method_is_taken() {
-    let all = [&CLOSED, &ENERGY, &TIME, &FIVE, &EIGHT];
-    for (dependence, tolerance, name) in [
-        (equation(true, [false, false, false]), 1e-9, "closed-form"),
-        (equation(true, [true, false, false]), 1e-9, "energy"),
-        (equation(false, [true, false, false]), 1e-3, "energy"),
-        (equation(true, [false, true, false]), 1e-9, "quadrature"),
-        (equation(true, [false, false, true]), 1e-3, "quadrature"),
-        (equation(true, [false, true, true]), 1e-9, "dop853"),
-        (equation(false, [false, false, true]), 1e-9, "dop853"),
-        (equation(false, [true, true, true]), 1e-3, "dopri5"),
-    ] {
-        let choice = choose(&dependence, tolerance, &all).unwrap();
-        assert_eq!(choice.name(), name);
-        assert!(choice.reason.starts_with(&format!("case {} of D ({}): ", choice.case, dependence.words())));
-    }
+fn methods_are_ranked_by_cost_then_by_order() {
+    let registry = [&SPARE, &CLOSED, &HIGH, &STIFF, &LOW];
+    let names = |dependence, tolerance| {
+        let choice = ranked(&registry, &dependence, tolerance).unwrap();
+        assert_eq!(choice.stiff.unwrap().name, "implicit");
+        let first = std::iter::once(&choice.first);
+        first.chain(&choice.others).map(|candidate| candidate.integrator.name).collect::<Vec<_>>()
+    };
+    let constant = equation(true, [false; 3]);
+    assert_eq!(names(constant, 1e-9), ["closed", "high", "low", "implicit", "any"]);
+    assert_eq!(names(constant, 1e-3), ["closed", "low", "high", "implicit", "any"]);
+    let variable = equation(false, [true; 3]);
+    assert_eq!(names(variable, 1e-9), ["high", "low", "implicit", "any"]);
 }
 
 #[test]
-fn a_foreign_method_serves_where_nothing_else_is_linked() {
-    let dependence = equation(false, [true, true, false]);
-    assert_eq!(choose(&dependence, 1e-6, &[&ENERGY, &FOREIGN]).unwrap().name(), "foreign");
-    assert!(choose(&dependence, 1e-6, &[&ENERGY]).is_none());
+fn the_reason_names_the_case_and_nothing_suitable_is_an_error() {
+    let choice = ranked(&[&CLOSED], &equation(true, [false; 3]), 1e-6).unwrap();
+    assert_eq!(choice.first.reason, "case 1 of D (J constant, M constant): exact");
+    assert!(choice.stiff.is_none() && choice.others.is_empty());
+    let error = ranked(&[&CLOSED], &equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
+    assert_eq!(error, "no linked integrator can treat this equation (J(q), M(q, w))");
 }

@@ -1,19 +1,20 @@
 //! Which rows of the motion are what `auto` takes, and what that costs against the best.
 
-use assur_integrator::{Dependence, IntegratorPlugin, choose};
+use assur_integrator::{AUTO, Dependence, choose};
 
 use super::markdown::fastest;
 use super::{ChartData, Row, Stage, Value};
 
 /// Marks the rows that `auto` would take for their tolerance; a method without one is taken for every tolerance.
-pub(super) fn mark(rows: &mut [Row], dependence: Dependence, registry: &[&'static IntegratorPlugin]) {
+pub(super) fn mark(rows: &mut [Row], dependence: Dependence) {
     for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
         let tolerance = match row.setting.get("tolerance") {
             Some(Value::Number(tolerance)) => tolerance,
             None if row.setting.0.is_empty() => f64::EPSILON,
             _ => continue,
         };
-        row.auto = choose(&dependence, tolerance, registry).is_some_and(|choice| choice.name() == row.method);
+        row.auto = choose(AUTO, &dependence, tolerance)
+            .is_ok_and(|choice| choice.first.integrator.name == row.method);
     }
 }
 

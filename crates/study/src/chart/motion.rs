@@ -5,7 +5,7 @@ pub(in crate::chart) mod reference;
 use std::hint::black_box;
 
 use assur_dynamics::{Driven, Machine};
-use assur_integrator::{IntegratorPlugin, Motion, Request, Trajectory, integrators};
+use assur_integrator::{IntegratorPlugin, Knob, Motion, Request, Trajectory, integrators};
 
 use super::entry::{Contestant, Entry, Field, Verdict};
 use super::{ChartError, Options, Row, Setting, Stage, Unit};
@@ -19,21 +19,12 @@ pub(crate) struct Task<'a> {
     pub(crate) request: Request,
 }
 
-/// What a method listens to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Knob {
-    Tolerance,
-    Step,
-    Nothing,
-}
-
 /// All integrators over their settings.
 pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, ChartError> {
     let references = References::find(task)?;
     let mut entries = Vec::new();
     for plugin in integrators()? {
-        let instance = (plugin.instance)();
-        if let Err(why) = instance.supports(&task.motion.dependence()) {
+        if let Err(why) = (plugin.suitability)(&task.motion.dependence(), task.request.tolerance) {
             entries.push(Entry::refused(row(plugin.name, Setting::default()), &why));
             continue;
         }
@@ -66,7 +57,7 @@ fn settings(
     options: Options,
 ) -> Vec<(Setting, Request)> {
     let base = Request { max_steps: options.max_steps, ..task.request };
-    match knob(plugin, task, duration) {
+    match plugin.knob {
         Knob::Tolerance => options
             .decades(-3, -13)
             .map(|tolerance| (Setting::number("tolerance", tolerance), Request { tolerance, ..base }))
@@ -77,24 +68,7 @@ fn settings(
             .map(|half| duration / 30.0 / 10.0_f64.powf(0.5 * f64::from(half)))
             .map(|step| (Setting::number("step", step), Request { fixed_step: Some(step), ..base }))
             .collect(),
-        Knob::Nothing => vec![(Setting::default(), base)],
-    }
-}
-
-/// Tries what changes the result: registered methods need not say.
-fn knob(plugin: &IntegratorPlugin, task: &Task<'_>, duration: f64) -> Knob {
-    let solve = |tolerance: f64, step: f64| {
-        let request = Request { tolerance, fixed_step: Some(step), max_steps: 2_000, ..task.request };
-        (plugin.instance)().solve(&mut task.motion.clone(), &request).ok().map(|found| found.samples)
-    };
-    let (step, other) = (duration / 200.0, duration / 331.0);
-    let base = solve(1e-3, step);
-    if solve(1e-7, step) != base {
-        Knob::Tolerance
-    } else if base.is_none() || solve(1e-3, other) != base {
-        Knob::Step
-    } else {
-        Knob::Nothing
+        Knob::None => vec![(Setting::default(), base)],
     }
 }
 
@@ -109,11 +83,11 @@ struct Run<'a> {
 
 impl Contestant for Run<'_> {
     fn run(&mut self) {
-        let _ = black_box((self.plugin.instance)().solve(&mut self.motion, &self.request));
+        let _ = black_box(self.plugin.solve(&mut self.motion, &self.request));
     }
 
     fn judge(&mut self) -> Verdict {
-        match (self.plugin.instance)().solve(&mut self.motion, &self.request) {
+        match self.plugin.solve(&mut self.motion, &self.request) {
             Ok(found) => Verdict {
                 evaluations: Some(found.statistics.evaluations as u64),
                 error: Some(reference::deviation(&found, &self.truth, self.sizes)),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_force::Loads;
-use assur_integrator::{Motion, integrators};
+use assur_integrator::Motion;
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
@@ -171,7 +171,7 @@ impl Charting<'_> {
         }
         let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
-        auto::mark(&mut self.data.rows, task.motion.dependence(), &integrators()?);
+        auto::mark(&mut self.data.rows, task.motion.dependence());
         Ok(())
     }
 }

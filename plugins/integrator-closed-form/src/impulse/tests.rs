@@ -1,10 +1,8 @@
 use assur_integrator::problems::{CONSTANT, Example};
-use assur_integrator::{
-    Dependence, EventKind, Integrator as _, Motion, Piece, Reduced, Request, Until, problems,
-};
+use assur_integrator::{Dependence, EventKind, Motion, Piece, Reduced, Request, Until, problems};
 
 use super::*;
-use crate::Quadrature;
+use crate::QUADRATURE;
 
 const BY_TIME: Dependence = Dependence { moment_on_time: true, ..CONSTANT };
 
@@ -40,7 +38,7 @@ impl Motion for Table {
 #[test]
 fn a_table_is_exact_in_a_step_for_each_piece() {
     let request = Request { samples: 60, ..Request::new(start(7.0), Until::Time(6.0)) };
-    let found = Quadrature.solve(&mut Table { late: false }, &request).unwrap();
+    let found = QUADRATURE.solve(&mut Table { late: false }, &request).unwrap();
     for sample in &found.samples {
         let t = sample.time;
         // w = 7 - 3 t + t^2, q its integral; from t = 4 on with 11 + 5 s - s^2, s = t - 4.
@@ -66,7 +64,7 @@ fn a_moment_that_swings_keeps_the_tolerance() {
     for tolerance in [1e-5, 1e-8, 1e-11] {
         let mut motion = Example::new(BY_TIME, move |_, at| inertia(0.5 * m * (k * at.time).sin()));
         let request = Request { tolerance, samples: 200, ..Request::new(start(1.0), Until::Time(10.0)) };
-        let found = Quadrature.solve(&mut motion, &request).unwrap();
+        let found = QUADRATURE.solve(&mut motion, &request).unwrap();
         for sample in &found.samples {
             let t = sample.time;
             let w = 1.0 + m / k * (1.0 - (k * t).cos());
@@ -83,13 +81,13 @@ fn a_moment_that_swings_keeps_the_tolerance() {
 fn places_and_rest_are_met() {
     // w = 9 - t^2: rest at 3, after 18 rad; it turns back there, as the moment goes on.
     let motion = || Example::new(BY_TIME, |_, at| inertia(-at.time));
-    let found = Quadrature.solve(&mut motion(), &Request::new(start(9.0), Until::Rest)).unwrap();
+    let found = QUADRATURE.solve(&mut motion(), &Request::new(start(9.0), Until::Rest)).unwrap();
     assert!((found.end.time - 3.0).abs() < 1e-9, "{:?}", found.end);
     assert!((found.end.coordinate - 18.3).abs() < 1e-12, "{:?}", found.end);
     let until = Until::Coordinate(0.3 + 9.0 - 1.0 / 3.0);
-    let found = Quadrature.solve(&mut motion(), &Request::new(start(9.0), until)).unwrap();
+    let found = QUADRATURE.solve(&mut motion(), &Request::new(start(9.0), until)).unwrap();
     assert!((found.end.time - 1.0).abs() < 1e-12, "{:?}", found.end);
-    let found = Quadrature.solve(&mut motion(), &Request::new(start(9.0), Until::Time(4.0))).unwrap();
+    let found = QUADRATURE.solve(&mut motion(), &Request::new(start(9.0), Until::Time(4.0))).unwrap();
     assert!(found.events.iter().any(|event| event.kind == EventKind::Reversal));
     assert!((found.end.speed + 7.0).abs() < 1e-12, "{:?}", found.end);
 }
@@ -97,9 +95,9 @@ fn places_and_rest_are_met() {
 #[test]
 fn it_is_the_motion_of_constant_moments_too_and_of_no_others() {
     let request = Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Rest);
-    let found = Quadrature.solve(&mut problems::d1(), &request).unwrap();
+    let found = QUADRATURE.solve(&mut problems::d1(), &request).unwrap();
     assert!((found.end.time - 50.0).abs() < 1e-9 && (found.end.coordinate - 2500.0).abs() < 1e-8);
-    let error = Quadrature.solve(&mut problems::e1(), &request).unwrap_err().to_string();
+    let error = QUADRATURE.solve(&mut problems::e1(), &request).unwrap_err().to_string();
     assert!(
         error.contains("needs J constant and M constant, M(t) or M(w)")
             && error.ends_with("case 2: J constant, M(q)"),

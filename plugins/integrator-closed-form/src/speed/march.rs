@@ -5,7 +5,7 @@ use assur_integrator::{
     State, Statistics, Trajectory, Until, enter, samples,
 };
 
-use crate::quadrature::NAME;
+use crate::QUADRATURE;
 
 use super::panel::Panel;
 use super::stretch::Part;
@@ -107,7 +107,7 @@ impl<'a> March<'a> {
         }
         let State { time, speed, .. } = self.node.state;
         IntegrationError::Unsupported {
-            integrator: NAME,
+            integrator: QUADRATURE.name,
             reason: format!(
                 "no polynomial in the speed follows the moment near w = {speed:e} (t = {time:e} s) to this tolerance; a method \
                  in steps of time does"

@@ -7,8 +7,8 @@ use assur_integrator::{Equation, Node, Scale};
 use proptest::prelude::*;
 
 use super::{METHODS, assert_close, from_rest, problems};
-use crate::{Dop853, Dopri5};
-use assur_integrator::{Integrator, Motion, Request, State, Until};
+use crate::{DOP853, DOPRI5};
+use assur_integrator::{Motion, Request, State, Until};
 
 #[test]
 fn e1_reaches_its_speed_after_five_turns() {
@@ -54,7 +54,7 @@ fn step_errors<S: Stepper>(mut stepper: S, h: f64) -> [f64; 2] {
     let start = State { time: 0.0, coordinate: 1.0, speed: 0.5 };
     let exact = |time: f64| {
         let request = Request { tolerance: 1e-14, samples: 1, ..Request::new(start, Until::Time(time)) };
-        Dop853.solve(&mut problems::pendulum(), &request).unwrap().end
+        DOP853.solve(&mut problems::pendulum(), &request).unwrap().end
     };
     let mut motion = problems::pendulum();
     motion.enter(&start).unwrap();
@@ -101,7 +101,7 @@ fn kinetic_energy_is_kept_with_variable_inertia() {
 fn andrews_mechanism_reaches_the_published_end() {
     use problems::Andrews;
     let request = Request { tolerance: 1e-8, samples: 4, ..Request::new(Andrews::START, Until::Time(0.03)) };
-    let found = Dop853.solve(&mut Andrews, &request).unwrap();
+    let found = DOP853.solve(&mut Andrews, &request).unwrap();
     assert_close(found.end.coordinate, Andrews::END.coordinate, 1e-7 * 15.8);
     assert_close(found.end.speed, Andrews::END.speed, 1e-7 * 1140.0);
     assert!(found.statistics.evaluations < 1000, "{:?}", found.statistics);
@@ -118,7 +118,7 @@ fn samples_satisfy_the_equation_at_equal_times() {
         for (index, sample) in found.samples.iter().enumerate() {
             assert_close(sample.time, 0.07 * index as f64, 1e-14);
             assert_close(sample.acceleration, -sample.coordinate.sin(), 1e-15);
-            // Energy of the sample: w²/2 - cos q.
+            // ENERGY of the sample: w²/2 - cos q.
             let energy = 0.5 * sample.speed * sample.speed - sample.coordinate.cos();
             assert_close(energy, -1.0_f64.cos(), 1e-7);
         }
@@ -132,8 +132,8 @@ proptest! {
     fn both_methods_agree(q in -3.0..3.0_f64, w in -3.0..3.0_f64, end in 0.1..20.0_f64) {
         let initial = State { time: 0.0, coordinate: q, speed: w };
         let request = Request { tolerance: 1e-10, samples: 3, ..Request::new(initial, Until::Time(end)) };
-        let five = Dopri5.solve(&mut problems::coasting(), &request).unwrap();
-        let eight = Dop853.solve(&mut problems::coasting(), &request).unwrap();
+        let five = DOPRI5.solve(&mut problems::coasting(), &request).unwrap();
+        let eight = DOP853.solve(&mut problems::coasting(), &request).unwrap();
         for (a, b) in five.samples.iter().zip(&eight.samples) {
             prop_assert!((a.coordinate - b.coordinate).abs() < 1e-7, "{a:?} {b:?}");
             prop_assert!((a.speed - b.speed).abs() < 1e-7, "{a:?} {b:?}");

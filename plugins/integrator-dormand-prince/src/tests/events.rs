@@ -191,7 +191,7 @@ fn one_sample_costs_no_dense_output() {
     let initial = State { speed: 3.0, ..State::default() };
     let cost = |samples| {
         let request = Request { samples, tolerance: 1e-9, ..Request::new(initial, until) };
-        Dop853.solve(&mut problems::coasting(), &request).unwrap().statistics
+        DOP853.solve(&mut problems::coasting(), &request).unwrap().statistics
     };
     let (one, two) = (cost(1), cost(2));
     assert_eq!(one.steps, two.steps);

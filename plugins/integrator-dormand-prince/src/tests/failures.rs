@@ -80,7 +80,7 @@ fn impossible_requests_are_refused() {
         (Request { samples: 0, ..from_rest(Until::Time(1.0), 1e-6) }, "at least 1"),
         (from_rest(Until::Coordinate(0.0), 1e-6), "already there"),
     ] {
-        let error = Dop853.solve(&mut problems::e1(), &request).unwrap_err().to_string();
+        let error = DOP853.solve(&mut problems::e1(), &request).unwrap_err().to_string();
         assert!(error.contains(words), "{error}");
     }
 }

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use assur_integrator::{
-    Integrator, IntegratorPlugin, Motion, Piece, Request, Sample, State, Trajectory, Until, integrators,
+    IntegratorPlugin, Motion, Piece, Request, Sample, State, Trajectory, Until, integrators,
 };
 
 use super::Task;
@@ -74,17 +74,16 @@ impl References {
 fn candidates(task: &Task<'_>) -> Result<Vec<&'static IntegratorPlugin>, ChartError> {
     let dependence = task.motion.dependence();
     let mut all = integrators()?;
-    all.retain(|plugin| (plugin.instance)().supports(&dependence).is_ok());
+    all.retain(|plugin| plugin.supports(&dependence).is_ok());
     // Order 0 stands for "no error of steps in time".
     all.sort_by_key(|plugin| if plugin.order == 0 { 0 } else { u8::MAX - plugin.order });
     Ok(all)
 }
 
 fn tight(plugin: &'static IntegratorPlugin, task: &Task<'_>) -> Option<(&'static str, f64, Trajectory)> {
-    let instance: &dyn Integrator = (plugin.instance)();
     TIGHT.into_iter().find_map(|tolerance| {
         let request = Request { tolerance, max_steps: MOST_STEPS, ..task.request };
-        let found = instance.solve(&mut task.motion.clone(), &request).ok()?;
+        let found = plugin.solve(&mut task.motion.clone(), &request).ok()?;
         Some((plugin.name, tolerance, found))
     })
 }

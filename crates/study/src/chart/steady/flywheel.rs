@@ -55,7 +55,7 @@ fn unevenness(cycle: &Cycle<'_>, samples: usize) -> Option<f64> {
     let task = cycle.task(samples);
     let request = Request { tolerance: 1e-13, ..task.request };
     let plugin = find("dop853").ok()?;
-    let found = (plugin.instance)().solve(&mut task.motion.clone(), &request).ok()?;
+    let found = plugin.solve(&mut task.motion.clone(), &request).ok()?;
     let speeds: Vec<f64> = found.samples.iter().map(|sample| sample.speed.abs()).collect();
     let high = extreme(&speeds, 1.0)?;
     let low = -extreme(&speeds, -1.0)?;

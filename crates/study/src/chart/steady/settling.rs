@@ -65,7 +65,7 @@ fn turn(task: &Task<'_>, speed: f64, tolerance: f64) -> Result<(f64, usize), Str
     let plugin = find(METHOD).map_err(|error| error.to_string())?;
     let initial = State { speed, ..task.request.initial };
     let request = Request { initial, tolerance, samples: 1, ..task.request };
-    let found = (plugin.instance)().solve(&mut task.motion.clone(), &request);
+    let found = plugin.solve(&mut task.motion.clone(), &request);
     let found = found.map_err(|error| error.to_string())?;
     Ok((found.end.speed, found.statistics.evaluations))
 }

@@ -1,6 +1,6 @@
 //! Motions with a closed form.
 
-use assur_integrator_dormand_prince::Dop853;
+use assur_integrator_dormand_prince::DOP853;
 
 use super::*;
 
@@ -45,7 +45,7 @@ fn a_fan_slows_down_for_ever() {
             // Panels count the decades of the speed: fewer evaluations than half of those of steps in time.
             if end > 1e5 && tolerance < 1e-7 {
                 let request = request(w0, Until::Time(1.0 + end), tolerance);
-                let steps = Dop853.solve(&mut motion, &request).unwrap().statistics;
+                let steps = DOP853.solve(&mut motion, &request).unwrap().statistics;
                 let own = found.statistics;
                 assert!(own.evaluations < steps.evaluations / 2, "{own:?} {steps:?}");
             }

@@ -1,9 +1,7 @@
 use assur_integrator::problems::{CONSTANT, Example, Place};
-use assur_integrator::{
-    Dependence, IntegrationError, Integrator as _, Motion, Reduced, Request, State, Trajectory, Until,
-};
+use assur_integrator::{Dependence, IntegrationError, Motion, Reduced, Request, State, Trajectory, Until};
 
-use crate::Quadrature;
+use crate::QUADRATURE;
 
 mod closed;
 mod pieces;
@@ -26,11 +24,11 @@ fn request(speed: f64, until: Until, tolerance: f64) -> Request {
 }
 
 fn solve(motion: &mut dyn Motion, request: &Request) -> Trajectory {
-    Quadrature.solve(motion, request).unwrap()
+    QUADRATURE.solve(motion, request).unwrap()
 }
 
 fn refused(motion: &mut dyn Motion, request: &Request) -> String {
-    match Quadrature.solve(motion, request) {
+    match QUADRATURE.solve(motion, request) {
         Err(error @ IntegrationError::NotReached { .. }) => error.to_string(),
         other => panic!("{other:?}"),
     }

@@ -106,7 +106,7 @@ fn a_jump_is_stepped_onto_and_holds_where_both_sides_drive_back() {
 #[test]
 fn a_hidden_jump_is_passed_or_refused() {
     let mut motion = speed_law(|w| if w < 2.3 { 1.0 } else { 4.0 });
-    match Quadrature.solve(&mut motion, &request(0.0, Until::Time(6.0), 1e-8)) {
+    match QUADRATURE.solve(&mut motion, &request(0.0, Until::Time(6.0), 1e-8)) {
         Ok(found) => assert_follows(&found, [1e-5, 1e-4], |t| {
             let s = t - 2.3;
             if s < 0.0 { [t, 0.5 * t * t] } else { [2.3 + 4.0 * s, 2.645 + s * (2.3 + 2.0 * s)] }

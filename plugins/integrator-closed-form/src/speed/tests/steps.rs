@@ -1,6 +1,6 @@
 //! The same motion as by steps in time.
 
-use assur_integrator_dormand_prince::Dop853;
+use assur_integrator_dormand_prince::DOP853;
 use proptest::prelude::*;
 
 use super::pieces::Rows;
@@ -20,7 +20,7 @@ fn run_up(load: f64, fan: f64) -> impl Motion {
 fn a_run_up_through_the_breakdown_point_is_that_of_tight_steps() {
     for (load, fan, w0) in [(0.0, 0.0, 0.0), (300.0, 0.0, 0.0), (100.0, 0.02, 0.0), (100.0, 0.02, 200.0)] {
         for until in [Until::Time(1.3), Until::Time(4.0), Until::Coordinate(60.0)] {
-            let exact = Dop853.solve(&mut run_up(load, fan), &request(w0, until, 1e-13)).unwrap();
+            let exact = DOP853.solve(&mut run_up(load, fan), &request(w0, until, 1e-13)).unwrap();
             for tolerance in [1e-4, 1e-8, 1e-11] {
                 let found = solve(&mut run_up(load, fan), &request(w0, until, tolerance));
                 let allowed = 3e-12 + tolerance * found.statistics.steps as f64;
@@ -56,7 +56,7 @@ proptest! {
         let law = || speed_law(move |w| h[0] - 0.3 * w + h[1] * (h[2] * w + h[3]).sin() + 0.1 * h[4] * (0.5 * w + h[5]).cos());
         let request = request(w, Until::Time(1.0 + end), 1e-10);
         let found = solve(&mut law(), &request);
-        let steps = Dop853.solve(&mut law(), &Request { tolerance: 1e-12, ..request }).unwrap();
+        let steps = DOP853.solve(&mut law(), &Request { tolerance: 1e-12, ..request }).unwrap();
         // Speeds that repel magnify errors.
         assert_same(&found, &steps, 1e-6)?;
     }
@@ -67,7 +67,7 @@ proptest! {
         let rows = || Rows { speeds: vec![-3.0, -1.0, 0.0, 0.8, 2.5], ends: values.clone(), segment: 0 };
         let request = request(w, Until::Time(1.0 + end), 1e-10);
         let found = solve(&mut rows(), &request);
-        let steps = Dop853.solve(&mut rows(), &Request { tolerance: 1e-12, ..request }).unwrap();
+        let steps = DOP853.solve(&mut rows(), &Request { tolerance: 1e-12, ..request }).unwrap();
         assert_same(&found, &steps, 1e-6)?;
     }
 }

@@ -36,7 +36,6 @@ pub(crate) fn rows(most_turns: f64) -> Vec<Row> {
 impl Case {
     fn row(&self, plugin: &IntegratorPlugin) -> Option<Row> {
         let mut motion = (self.motion)();
-        let instance = (plugin.instance)();
         let duration = self.duration;
         let request = Request {
             tolerance: TOLERANCE,
@@ -46,12 +45,12 @@ impl Case {
             time_limit: 1e3 * duration,
             ..Request::new(self.initial, self.until)
         };
-        if let Err(why) = instance.supports(&motion.dependence()) {
+        if let Err(why) = (plugin.suitability)(&motion.dependence(), TOLERANCE) {
             let row = self.subject(plugin.name, f64::NAN).row_or(Err(why), true);
             // Once a walk is enough.
             return self.is_first.then_some(Row { bound: 0.0, ..row });
         }
-        let found = instance.solve(&mut *motion, &request);
+        let found = plugin.solve(&mut *motion, &request);
         let steps = match &found {
             Ok(found) => found.statistics.steps + found.statistics.rejected,
             Err(_) => self.max_steps.min(1000),
