@@ -3,9 +3,10 @@
 
 use assur_all as _;
 use assur_check::checks;
+use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number,
-    inventory, place_by_newton,
+    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
+    Number, Pattern, Ways, inventory, place_by_newton,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -36,28 +37,23 @@ impl GroupKind for TriadKind {
     }
 }
 
-/// Four links; one has all three inner pairs, each of the others one inner and one outer pair.
-fn is_triad(frame: &GroupFrame) -> bool {
-    let inner = |link: usize| frame.inner.iter().filter(|pair| pair.joins(link)).count();
-    let outer = |link: usize| frame.outer.iter().filter(|pair| pair.joins(link)).count();
-    let binary = frame.links.iter().filter(|&&link| inner(link) == 1 && outer(link) == 1).count();
-    frame.links.len() == 4
-        && binary == 3
-        && frame.links.iter().any(|&link| inner(link) == 3 && outer(link) == 0)
-}
-
 inventory::submit! {
     GroupPlugin {
         name: "triad",
         kind: "triad",
-        class: 3,
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "a ternary link and three binary ones",
-        ways: "the one near the places of [assembly]",
+        pattern: Pattern {
+            links: 4,
+            inner: &[([0, 1], Pin), ([0, 2], Pin), ([0, 3], Pin)],
+            outer: &[(1, Pin), (2, Pin), (3, Pin)],
+        },
+        ways: Ways { most: 1, varies: false, words: "the one near the places of [assembly]" },
+        iterates: true,
         singular: "the three binary links through one point, or parallel",
+        force_angle: ForceAngle::DEFAULT,
         source: "a test",
-        matches: is_triad,
         builders: Builders::of::<TriadKind>(),
     }
 }

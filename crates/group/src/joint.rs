@@ -1,9 +1,9 @@
-//! The pairs of a dyad in the number of its kernel, and how their reactions are handed out.
+//! The pairs of a group in the number of its kernel, and how their reactions are stored and handed on.
 
 use assur_number::Real;
 
 use crate::plane::{cross, direction, minus, opposite, times, vector};
-use crate::{Body, BuildError, Pair, PairGeometry, Wrench};
+use crate::{Body, BuildError, PairGeometry, SeenPair, Wrench};
 
 /// A pin seen from a link of the group.
 #[derive(Debug, Clone, Copy)]
@@ -21,18 +21,19 @@ pub struct PinJoint<T> {
 }
 
 impl<T: Real> PinJoint<T> {
-    /// The pair as a pin seen from its body `a`.
+    /// A pair of the group as a pin.
     ///
     /// # Errors
     ///
     /// [`BuildError`] for a slide.
-    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
-        match seen.geometry {
+    pub fn new(seen: &SeenPair) -> Result<Self, BuildError> {
+        let SeenPair { pair, turned } = *seen;
+        match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => {
-                Ok(Self { id: seen.id, body: seen.b, own: vector(at_a), at: vector(at_b), turned })
+                Ok(Self { id: pair.id, body: pair.b, own: vector(at_a), at: vector(at_b), turned })
             }
             PairGeometry::Slide { .. } => {
-                Err(BuildError::new(format!("pair {} is a slide, not a pin", seen.id)))
+                Err(BuildError::new(format!("pair {} is a slide, not a pin", pair.id)))
             }
         }
     }
@@ -71,9 +72,13 @@ pub struct SlideJoint<T> {
     pub own: [T; 2],
     /// Point of the other body on the line, in its frame, m.
     pub through: [T; 2],
+    /// Angle of the line in the frame of the other body, rad.
+    pub along_angle: f64,
     /// Unit vector along the line, in the frame of the other body.
     pub along: [T; 2],
-    /// Turn of the link's x axis from the line, as a unit vector.
+    /// Angle of the link's x axis from the line, rad.
+    pub tilt_angle: f64,
+    /// Unit vector at that angle.
     pub tilt: [T; 2],
     /// Turn of the link's x axis from that of the other body, as a unit vector.
     pub turn: [T; 2],
@@ -82,23 +87,27 @@ pub struct SlideJoint<T> {
 }
 
 impl<T: Real> SlideJoint<T> {
-    /// The pair as a slide seen from its body `a`.
+    /// A pair of the group as a slide.
     ///
     /// # Errors
     ///
     /// [`BuildError`] for a pin.
-    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
-        let PairGeometry::Slide { point, through, angle, tilt } = seen.geometry else {
-            return Err(BuildError::new(format!("pair {} is a pin, not a slide", seen.id)));
+    pub fn new(seen: &SeenPair) -> Result<Self, BuildError> {
+        let SeenPair { pair, turned } = *seen;
+        let PairGeometry::Slide { point, through, angle: along_angle, tilt: tilt_angle } = pair.geometry
+        else {
+            return Err(BuildError::new(format!("pair {} is a pin, not a slide", pair.id)));
         };
-        let (along, tilt) = (direction(angle), direction(tilt));
+        let (along, tilt) = (direction(along_angle), direction(tilt_angle));
         Ok(Self {
-            id: seen.id,
-            link: seen.a,
-            body: seen.b,
+            id: pair.id,
+            link: pair.a,
+            body: pair.b,
             own: vector(point),
             through: vector(through),
+            along_angle,
             along,
+            tilt_angle,
             tilt,
             turn: times(along, tilt),
             turned,

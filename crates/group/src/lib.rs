@@ -10,7 +10,6 @@
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
 mod body;
-mod dyad;
 mod error;
 mod general;
 mod joint;
@@ -18,20 +17,23 @@ mod kernel;
 mod linear;
 mod newton;
 mod pair;
+mod pattern;
 pub mod plane;
 mod registry;
 mod wrench;
 
 pub use assur_plugin::RegistryError;
 pub use body::Body;
-pub use dyad::{Dyad, PinEnd, SlideEnd};
 pub use error::{GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
 pub use kernel::{AssurGroup, Number, Order};
 pub use newton::place_by_newton;
 pub use pair::{GroupFrame, Pair, PairGeometry};
-pub use registry::{BuildError, Builders, GroupKind, GroupPlugin, groups, kernel_of, plugin_for};
+pub use pattern::{PairSort, Pattern, Reading, SeenPair};
+pub use registry::{
+    BuildError, Builders, ForceAngle, GroupKind, GroupPlugin, Ways, groups, kernel_of, plugin_for,
+};
 pub use wrench::Wrench;
 
 pub use inventory;

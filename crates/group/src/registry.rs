@@ -3,7 +3,7 @@
 use assur_number::{Dd, F64x4};
 use assur_plugin::{Registered, RegistryError};
 
-use crate::{AssurGroup, GroupFrame, Number};
+use crate::{AssurGroup, Body, GroupFrame, Number, Pattern};
 
 /// Lengths that make no group of a kind.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -60,6 +60,59 @@ impl Builders {
     }
 }
 
+/// The assemblies of a kind: the ways in which given links can be put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ways {
+    /// The greatest number at one position, at least 1.
+    pub most: usize,
+    /// Whether some of them may be missing at a position where another one exists; if not, there are all or none.
+    pub varies: bool,
+    /// The ways in their order, in words.
+    pub words: &'static str,
+}
+
+/// An angle by which designers judge how forces pass through a group, such as the transmission angle.
+#[derive(Debug, Clone, Copy)]
+pub struct ForceAngle {
+    /// What it is: `transmission angle between the links`.
+    pub words: &'static str,
+    /// Its value (rad) from the placed group and the absolute value of its health.
+    pub of: fn(&GroupFrame, &[Body<f64>], f64) -> f64,
+}
+
+impl ForceAngle {
+    /// The angle whose sine is the health.
+    pub const fn of_sine(words: &'static str) -> Self {
+        Self {
+            words,
+            of: |_, _, health| {
+                let (sine, cosine) = sine_and_cosine(health);
+                sine.atan2(cosine)
+            },
+        }
+    }
+
+    /// The angle whose cosine is the health.
+    pub const fn of_cosine(words: &'static str) -> Self {
+        Self {
+            words,
+            of: |_, _, health| {
+                let (sine, cosine) = sine_and_cosine(health);
+                cosine.atan2(sine)
+            },
+        }
+    }
+
+    /// For a kind without an angle of its own.
+    pub const DEFAULT: Self = Self::of_sine("sine of the determinant");
+}
+
+/// Sine and cosine of the angle whose sine is the health; the arc tangent of both keeps its digits near 0 and 90 degrees.
+fn sine_and_cosine(health: f64) -> (f64, f64) {
+    let sine = health.min(1.0);
+    (sine, ((1.0 - sine) * (1.0 + sine)).sqrt())
+}
+
 /// Entry of a kind of group in the registry: `inventory::submit! { GroupPlugin { ... } }`.
 #[derive(Debug, Clone, Copy)]
 pub struct GroupPlugin {
@@ -67,22 +120,25 @@ pub struct GroupPlugin {
     pub name: &'static str,
     /// As results print it: `RRR`.
     pub kind: &'static str,
-    /// Class (2 for a dyad).
-    pub class: u8,
     /// Type within the class; 0 where the class has no numbered types.
     pub number: u8,
     /// The crate that registers it.
     pub crate_name: &'static str,
     /// One line.
     pub summary: &'static str,
-    /// The assemblies in their order, in words.
-    pub ways: &'static str,
+    /// Its links and pairs: a group of this pattern is of this kind.
+    pub pattern: Pattern,
+    /// Its assemblies.
+    pub ways: Ways,
+    /// Whether the place found depends on the one that the links have on entry, as with Newton's method; `false` for
+    /// closed forms.
+    pub iterates: bool,
     /// Where it is singular, in words.
     pub singular: &'static str,
+    /// The angle that says how forces pass through it.
+    pub force_angle: ForceAngle,
     /// Where the formulas are from.
     pub source: &'static str,
-    /// Whether a group of these links and pairs is of this kind.
-    pub matches: fn(&GroupFrame) -> bool,
     /// Builders of the kernel.
     pub builders: Builders,
 }
@@ -110,7 +166,7 @@ pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
-/// The registered kind of a group; of two that match, the lower class, then the first name.
+/// The registered kind of a group; of two that match, the one with fewer pairs of any sort, then the first name.
 ///
 /// # Errors
 ///
@@ -119,8 +175,8 @@ pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, Re
     let all = groups()?;
     Ok(all
         .into_iter()
-        .filter(|plugin| (plugin.matches)(frame))
-        .min_by_key(|plugin| (plugin.class, plugin.name)))
+        .filter(|plugin| plugin.pattern.find(frame).is_some())
+        .min_by_key(|plugin| (plugin.pattern.open_pairs(), plugin.name)))
 }
 
 /// The kernel of a group in one number type.

@@ -1,10 +1,11 @@
 use proptest::prelude::*;
 
+use crate::PairSort::{Any, Pin, Slide};
 use crate::linear::Lu;
 use crate::plane::{cross, direction, dot, minus, mirrored, perp, times};
 use crate::{
-    Body, Dyad, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, RegistryError, SlideJoint,
-    Wrench, derive_generally, groups, health_generally, place_by_newton, reactions_generally,
+    Body, GroupError, GroupFrame, Order, Pair, PairGeometry, Pattern, PinJoint, RegistryError, SeenPair,
+    SlideJoint, Wrench, derive_generally, groups, health_generally, place_by_newton, reactions_generally,
 };
 
 fn pin(id: usize, a: usize, b: usize, at_a: [f64; 2], at_b: [f64; 2]) -> Pair {
@@ -134,7 +135,7 @@ fn a_program_without_plugins_is_told_so() {
 }
 
 #[test]
-fn a_dyad_is_read_in_every_order() {
+fn a_group_is_read_in_the_order_of_its_pattern() {
     let frame = |one: usize, two: usize, swap: bool| {
         let mut outer = vec![pin(0, 7, 3, [1.0, 0.0], [2.0, 0.0]), slide(2, 4, 8)];
         if swap {
@@ -147,16 +148,23 @@ fn a_dyad_is_read_in_every_order() {
             scale: 1.0,
         }
     };
+    let pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
+    let other = Pattern { inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Pin)], ..pattern };
     for frame in [frame(3, 4, false), frame(4, 3, false), frame(3, 4, true), frame(4, 3, true)] {
-        let dyad = Dyad::built(&frame, [false, false, true]).unwrap();
-        assert_eq!((dyad.links, dyad.turned), ([3, 4], [true, true, false]));
-        let end = PinJoint::<f64>::new(&dyad.first, dyad.turned[0]).unwrap();
+        let found = pattern.read(&frame).unwrap();
+        assert_eq!(found.links, [3, 4]);
+        let turned = [found.outer[0], found.inner[0], found.outer[1]].map(|seen| seen.turned);
+        assert_eq!(turned, [true, true, false]);
+        let end = PinJoint::<f64>::new(&found.outer[0]).unwrap();
         assert!(end.body == 7 && close(end.own[0], 2.0) && close(end.at[0], 1.0));
-        assert_eq!(SlideJoint::<f64>::new(&dyad.second, false).unwrap().body, 8);
-        let wrong = Dyad::built(&frame, [false, true, false]).unwrap_err();
-        assert_eq!(wrong.to_string(), "the pairs are not R-P-R");
-        assert!(SlideJoint::<f64>::new(&dyad.first, false).is_err());
-        assert!(PinJoint::<f64>::new(&dyad.second, false).is_err());
+        assert_eq!(SlideJoint::<f64>::new(&found.outer[1]).unwrap().body, 8);
+        let wrong = other.read(&frame).unwrap_err();
+        assert_eq!(
+            wrong.to_string(),
+            "the group is not of the pattern: 2 links; inner P of 1 and 2; outer R of 1, R of 2"
+        );
+        assert!(SlideJoint::<f64>::new(&found.outer[0]).is_err());
+        assert!(PinJoint::<f64>::new(&found.outer[1]).is_err());
     }
 }
 
@@ -165,7 +173,35 @@ fn a_chain_of_two_links_on_one_outer_pair_is_no_dyad() {
     let outer = vec![pin(0, 1, 0, [0.0; 2], [0.0; 2]), pin(2, 1, 0, [1.0, 0.0], [1.0, 0.0])];
     let frame =
         GroupFrame { links: vec![1, 2], inner: vec![pin(1, 1, 2, [0.0; 2], [0.0; 2])], outer, scale: 1.0 };
-    assert_eq!(Dyad::of(&frame), None);
+    let pattern = Pattern { links: 2, inner: &[([0, 1], Any)], outer: &[(0, Any), (1, Any)] };
+    assert_eq!(pattern.find(&frame), None);
+}
+
+#[test]
+fn a_pair_of_any_sort_takes_what_the_others_leave() {
+    // Links 1 to 3 in a chain: both ends have one pair outside, the middle link two, of which only one may slide.
+    let frame = GroupFrame {
+        links: vec![2, 1, 3],
+        inner: vec![pin(0, 2, 1, [0.0; 2], [0.0; 2]), slide(1, 3, 2)],
+        outer: vec![
+            pin(2, 1, 0, [0.0; 2], [0.0; 2]),
+            pin(3, 2, 0, [0.0; 2], [0.0; 2]),
+            slide(4, 9, 2),
+            pin(5, 0, 3, [0.0; 2], [0.0; 2]),
+        ],
+        scale: 1.0,
+    };
+    let inner = &[([0, 1], Any), ([1, 2], Any)];
+    let outer = &[(0, Pin), (1, Any), (1, Pin), (2, Any)];
+    let found = Pattern { links: 3, inner, outer }.find(&frame).unwrap();
+    assert_eq!(found.links, [1, 2, 3]);
+    let ids = |seen: &[SeenPair]| seen.iter().map(|seen| seen.pair.id).collect::<Vec<_>>();
+    assert_eq!((ids(&found.inner), ids(&found.outer)), (vec![0, 1], vec![2, 4, 3, 5]));
+    // With the slide of the chain at its other end only, the links are read the other way round.
+    let found = Pattern { links: 3, inner: &[([0, 1], Slide), ([1, 2], Pin)], outer }.find(&frame).unwrap();
+    assert_eq!(found.links, [3, 2, 1]);
+    let all_pins = &[(0, Pin), (1, Pin), (1, Pin), (2, Pin)];
+    assert_eq!(Pattern { links: 3, inner, outer: all_pins }.find(&frame), None);
 }
 
 fn body() -> impl Strategy<Value = Body<f64>> {

@@ -1,8 +1,8 @@
 //! The registry refuses two kinds of one name. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number,
-    RegistryError, groups, inventory, plugin_for,
+    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
+    Number, Pattern, RegistryError, Ways, groups, inventory, plugin_for,
 };
 use assur_number::Real;
 
@@ -31,14 +31,15 @@ const fn entry(crate_name: &'static str) -> GroupPlugin {
     GroupPlugin {
         name: "twice",
         kind: "TWICE",
-        class: 2,
         number: 0,
         crate_name,
         summary: "a name that is taken",
-        ways: "one",
+        pattern: Pattern { links: 0, inner: &[], outer: &[] },
+        ways: Ways { most: 1, varies: false, words: "one" },
+        iterates: false,
         singular: "never",
+        force_angle: ForceAngle::DEFAULT,
         source: "a test",
-        matches: |_| true,
         builders: Builders::of::<Nothing>(),
     }
 }

@@ -1,7 +1,7 @@
 //! Where kinds of groups that iterate begin: the places that the walk over the cycle found.
 
 use assur_group::Body;
-use assur_structure::{Group, Structure};
+use assur_structure::Structure;
 
 /// Places of the links of such groups at equally spaced coordinates.
 #[derive(Debug, Clone)]
@@ -15,13 +15,12 @@ pub(crate) struct Seeds {
     samples: Vec<Vec<Body<f64>>>,
 }
 
-/// Links of the groups that may iterate: the five types of class II are closed forms, which don't look at a former place.
+/// Links of the groups that iterate from a former place.
 pub fn iterated(structure: &Structure) -> Vec<usize> {
-    let closed = |group: &&Group| group.plugin.class == 2 && (1..=5).contains(&group.plugin.number);
     structure
         .groups
         .iter()
-        .filter(|group| !closed(group))
+        .filter(|group| group.plugin.iterates)
         .flat_map(|group| group.frame.links.clone())
         .collect()
 }

@@ -1,6 +1,6 @@
 //! From the counted system to groups with pairs, kinds and a formula.
 
-use assur_group::{Dyad, GroupFrame, Pair, PairGeometry, plugin_for};
+use assur_group::{GroupFrame, Pair, PairGeometry, SeenPair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
 
 use crate::graph::{Block, Graph, Node};
@@ -217,7 +217,7 @@ fn pins_of(mechanism: &Mechanism, links: &[LinkId], rank: &[usize], first: usize
 fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Result<Group, StructureError> {
     let (class, order) = class_and_order(&frame);
     match plugin_for(&frame)? {
-        Some(plugin) => Ok(Group { frame, plugin, class: plugin.class, order }),
+        Some(plugin) => Ok(Group { frame, plugin, class, order }),
         None => Err(StructureError::NoPlugin {
             links: frame.links.iter().map(|&link| mechanism.links[link].name.clone()).collect(),
             class,
@@ -255,13 +255,11 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> String {
 }
 
 impl Group {
-    /// Outer pairs in the order of the kind's letters (for a dyad; otherwise of the scene).
+    /// Outer pairs in the order of the kind's pattern, with the bodies as the scene names them.
     pub fn outer(&self) -> Vec<Pair> {
-        let slides: Vec<_> = self.plugin.kind.chars().map(|letter| letter == 'P').collect();
-        let dyad =
-            <[bool; 3]>::try_from(slides).ok().and_then(|slides| Dyad::of_pattern(&self.frame, slides));
-        let Some(dyad) = dyad else { return self.frame.outer.clone() };
-        let original = |id: usize| self.frame.outer.iter().find(|pair| pair.id == id).copied();
-        [dyad.first.id, dyad.second.id].into_iter().filter_map(original).collect()
+        let Some(reading) = self.plugin.pattern.find(&self.frame) else { return self.frame.outer.clone() };
+        let original =
+            |seen: &SeenPair| self.frame.outer.iter().find(|pair| pair.id == seen.pair.id).copied();
+        reading.outer.iter().filter_map(original).collect()
     }
 }

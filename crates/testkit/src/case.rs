@@ -38,7 +38,7 @@ impl Case {
     /// [`Fault`] where the kind refuses the group.
     pub fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
         let fault = |what| Fault { check: "build", seed, what };
-        if !(plugin.matches)(&sample.frame) {
+        if plugin.pattern.find(&sample.frame).is_none() {
             return Err(fault("does not match a group of its own kind".into()));
         }
         let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;

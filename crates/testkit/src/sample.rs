@@ -1,6 +1,6 @@
 //! Random groups by construction: poses first, then the pairs that fit them.
 
-use assur_group::{Body, GroupFrame, Pair, PairGeometry};
+use assur_group::{Body, GroupFrame, Pair, PairGeometry, PairSort, Pattern};
 use assur_number::Real;
 
 use crate::Dice;
@@ -132,11 +132,12 @@ impl Sample {
     }
 }
 
-/// A random dyad of a kind such as `RRP`; at a singular position if wanted. `None` for dice that fall badly: two pins
+/// A random dyad of a pattern; at a singular position if wanted. `None` for dice that fall badly: two pins
 /// almost in one place, or a regular one too near a singular position.
-pub fn dyad(dice: &mut Dice, kind: &str, singular: bool) -> Option<Sample> {
-    let slides: Vec<bool> = kind.chars().map(|letter| letter == 'P').collect();
-    let [first, inner, second] = slides[..] else { return None };
+pub fn dyad(dice: &mut Dice, pattern: &Pattern, singular: bool) -> Option<Sample> {
+    let is_slide = |sort: &PairSort| *sort == PairSort::Slide;
+    let ([(_, first), (_, second)], [(_, inner)]) = (pattern.outer, pattern.inner) else { return None };
+    let [first, inner, second] = [first, inner, second].map(is_slide);
     let paths = Sample::poses(dice, 5);
     let outer = if dice.one_in(4) {
         [1, 0]

@@ -1,38 +1,6 @@
 //! What the workings of all dyads share.
 
-use assur_group::{BuildError, Pair, SlideEnd, SlideJoint};
-
 use crate::{Expr, Point, Pose, Rod, Sheet};
-
-/// A slide of a dyad, seen from its link: where the guide is, and how far from it a point of the link moves.
-#[derive(Debug, Clone)]
-pub struct SlideView {
-    /// Index of the pair.
-    pub pair: usize,
-    /// The link of the group.
-    pub link: usize,
-    /// Places and angles.
-    pub end: SlideEnd,
-    joint: SlideJoint<f64>,
-}
-
-impl SlideView {
-    /// The pair as a slide seen from its body `a`.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for a pin.
-    pub fn new(seen: &Pair, turned: bool) -> Result<Self, BuildError> {
-        let joint = SlideJoint::new(seen, turned)?;
-        let end = seen.slide_end().ok_or_else(|| BuildError::new(format!("pair {} is no slide", seen.id)))?;
-        Ok(Self { pair: seen.id, link: seen.a, end, joint })
-    }
-
-    /// Distance to the left of the line at which a point of the link moves, m.
-    pub fn offset(&self, point: [f64; 2]) -> f64 {
-        self.joint.offset(point)
-    }
-}
 
 impl Sheet {
     /// Tells the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.

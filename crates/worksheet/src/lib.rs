@@ -22,7 +22,6 @@ mod render;
 mod sheet;
 mod show;
 
-pub use dyad::SlideView;
 pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};
 pub use load::{Load, Reaction};

@@ -90,17 +90,10 @@ fn outer_at(outer: &[Pair], body: LinkId) -> Option<&Pair> {
     outer.iter().find(|pair| pair.joins(body))
 }
 
-/// The pair as one sees it from a link.
-fn seen(pair: &Pair, link: LinkId) -> (Pair, bool) {
-    if pair.a == link { (*pair, false) } else { (pair.turned_round(), true) }
-}
-
 fn pin(pair: &Pair, link: LinkId) -> Result<PinJoint<f64>, String> {
-    let (pair, turned) = seen(pair, link);
-    PinJoint::new(&pair, turned).map_err(|error| error.what)
+    PinJoint::new(&pair.seen_from(link)).map_err(|error| error.what)
 }
 
 fn slide(pair: &Pair, link: LinkId) -> Result<SlideJoint<f64>, String> {
-    let (pair, turned) = seen(pair, link);
-    SlideJoint::new(&pair, turned).map_err(|error| error.what)
+    SlideJoint::new(&pair.seen_from(link)).map_err(|error| error.what)
 }

@@ -2,11 +2,11 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{
-    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 /// One group PRP, its lengths in the number `T`.
 #[derive(Debug, Clone)]
@@ -44,15 +44,19 @@ impl<T: Real> Prp<T> {
     ///
     /// [`BuildError`] for pairs that are not P-R-P.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let slides = [
-            SlideJoint::<T>::new(&dyad.first, dyad.turned[0])?,
-            SlideJoint::new(&dyad.second, dyad.turned[2])?,
-        ];
-        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let group = PATTERN.read(frame)?;
+        let slides = [SlideJoint::<T>::new(&group.outer[0])?, SlideJoint::new(&group.outer[1])?];
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
         let pin = [inner.own, inner.at];
         let heights = [0, 1].map(|i| slides[i].height() + slides[i].offset(pin[i]));
-        Ok(Self { frame: frame.clone(), links: dyad.links, slides, inner, pin, heights })
+        Ok(Self {
+            frame: frame.clone(),
+            links: [group.links[0], group.links[1]],
+            slides,
+            inner,
+            pin,
+            heights,
+        })
     }
 
     /// Directions of the guides, and the sine of the angle between them.

@@ -11,11 +11,14 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+use assur_group::PairSort::{Pin, Slide};
+use assur_group::{
+    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+};
 
 pub use kernel::Prp;
 
-const SLIDES: [bool; 3] = [true, false, true];
+const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Slide), (1, Slide)] };
 
 /// The kind PRP.
 #[derive(Debug, Clone, Copy)]
@@ -33,14 +36,15 @@ inventory::submit! {
     GroupPlugin {
         name: "prp",
         kind: "PRP",
-        class: 2,
         number: 4,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links that slide on outer bodies and share a pin",
-        ways: "one",
+        pattern: PATTERN,
+        ways: Ways { most: 1, varies: false, words: "one" },
+        iterates: false,
         singular: "the guides parallel",
+        force_angle: ForceAngle::of_sine("angle between the guides"),
         source: "S stage 2; theory of two lines",
-        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
         builders: Builders::of::<PrpKind>(),
     }
 }

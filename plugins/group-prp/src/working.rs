@@ -1,10 +1,10 @@
 //! The working of type 4 by hand.
 
-use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
-use assur_worksheet::{Expr, Guide, Point, Sheet, SlideView, WorkingPlugin};
+use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 inventory::submit! {
     WorkingPlugin { group: "prp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
@@ -13,20 +13,17 @@ inventory::submit! {
 /// The pairs of a group.
 struct Pairs {
     links: [usize; 2],
-    slides: [SlideView; 2],
+    slides: [SlideJoint<f64>; 2],
     inner: PinJoint<f64>,
 }
 
 impl Pairs {
     fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
+        let group = PATTERN.read(frame)?;
         Ok(Self {
-            links: dyad.links,
-            slides: [
-                SlideView::new(&dyad.first, dyad.turned[0])?,
-                SlideView::new(&dyad.second, dyad.turned[2])?,
-            ],
-            inner: PinJoint::new(&dyad.inner, dyad.turned[1])?,
+            links: [group.links[0], group.links[1]],
+            slides: [SlideJoint::<f64>::new(&group.outer[0])?, SlideJoint::<f64>::new(&group.outer[1])?],
+            inner: PinJoint::new(&group.inner[0])?,
         })
     }
 
@@ -35,7 +32,7 @@ impl Pairs {
     }
 
     fn guides(&self, sheet: &mut Sheet) -> [Guide; 2] {
-        self.slides.each_ref().map(|slide| sheet.guide(slide.pair, slide.end.body, slide.end.angle))
+        self.slides.each_ref().map(|slide| sheet.guide(slide.id, slide.body, slide.along_angle))
     }
 }
 
@@ -46,9 +43,9 @@ fn meet(t: &[[Expr; 2]; 2], b: &[Expr; 2], d: &Expr) -> [Expr; 2] {
 
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
     let pairs = Pairs::of(frame)?;
-    let through = pairs.slides.each_ref().map(|slide| sheet.point(slide.end.body, slide.end.through));
+    let through = pairs.slides.each_ref().map(|slide| sheet.point(slide.body, slide.through));
     for slide in &pairs.slides {
-        sheet.outline_angle("body with a guide", slide.end.body);
+        sheet.outline_angle("body with a guide", slide.body);
     }
     let guides = pairs.guides(sheet);
     let t = guides.each_ref().map(|guide| guide.t.clone());
@@ -70,10 +67,10 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
     let pin = sheet.point(pairs.links[0], own[0]);
     for (i, guide) in guides.iter().enumerate() {
         let slide = &pairs.slides[i];
-        let tilt = format!("tilt_{}", sheet.pair_tag(slide.pair));
+        let tilt = format!("tilt_{}", sheet.pair_tag(slide.id));
         let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[i]));
-        let tilt = sheet.fixed_angle(&tilt, slide.end.tilt, &what);
-        sheet.place_turned(pairs.links[i], &pin, own[i], &(&guide.alpha + tilt), slide.end.body);
+        let tilt = sheet.fixed_angle(&tilt, slide.tilt_angle, &what);
+        sheet.place_turned(pairs.links[i], &pin, own[i], &(&guide.alpha + tilt), slide.body);
     }
     Ok(())
 }
@@ -94,7 +91,7 @@ fn derive(
     let mut v = [(); 2].map(|()| [Expr::zero(), Expr::zero()]);
     let mut b = [Expr::zero(), Expr::zero()];
     for i in 0..2 {
-        let under = sheet.under(pairs.slides[i].end.body, &through[i], c, 1);
+        let under = sheet.under(pairs.slides[i].body, &through[i], c, 1);
         v[i] = sheet.components("V", &of[i], &under, units[1]);
         let label = sheet.local(&format!("b'{}", i + 1));
         b[i] = sheet.work_unless_zero(&label, &across(&t[i], &v[i]), units[1]);
@@ -102,7 +99,7 @@ fn derive(
     let c1 = sheet.vector(&name, 1, &meet(t, &b, d));
     sheet.note("PF2: the same with W, and Coriolis' part kor where a guide turns");
     for i in 0..2 {
-        let body = pairs.slides[i].end.body;
+        let body = pairs.slides[i].body;
         let under = sheet.under(body, &through[i], c, 2);
         let w = sheet.components("W", &of[i], &under, units[2]);
         let rate = sheet.angle(body)[1].clone();
@@ -136,13 +133,13 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     );
     for (i, at_pin) in [inner.clone(), opposite(&inner)].iter().enumerate() {
         let (link, slide) = (pairs.links[i], &pairs.slides[i]);
-        let on_line = sheet.point(link, slide.end.own);
+        let on_line = sheet.point(link, slide.own);
         let name = sheet.local(&format!("N{}", i + 1));
         let normal = sheet.work(&name, &-across(&t[i], &plus(&given[i], at_pin)), "N");
         let force = compose(&t[i], &Expr::zero(), &normal);
         let moment = -(sheet.moment_about(link, &on_line) + c.moment_about(&on_line, at_pin));
-        let (force, moment) = sheet.slide_reaction(slide.pair, link, &on_line, &force, &moment);
-        sheet.hand_on(slide.end.body, &on_line, &force, &moment);
+        let (force, moment) = sheet.slide_reaction(slide.id, link, &on_line, &force, &moment);
+        sheet.hand_on(slide.body, &on_line, &force, &moment);
     }
     Ok(())
 }

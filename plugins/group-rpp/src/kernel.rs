@@ -2,11 +2,11 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 /// One group RPP, its lengths in the number `T`.
 #[derive(Debug, Clone)]
@@ -49,20 +49,19 @@ impl<T: Real> Rpp<T> {
     ///
     /// [`BuildError`] for pairs that are not R-P-P.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let end = PinJoint::<T>::new(&dyad.first, dyad.turned[0])?;
-        let inner = SlideJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
-        let outer = SlideJoint::<T>::new(&dyad.second, dyad.turned[2])?;
+        let group = PATTERN.read(frame)?;
+        let end = PinJoint::<T>::new(&group.outer[0])?;
+        let inner = SlideJoint::<T>::new(&group.inner[0])?;
+        let outer = SlideJoint::<T>::new(&group.outer[1])?;
         let inner_along = times(outer.turn, inner.along);
         // Link 2 alone holds the angle between the guides, and the sum of two angles keeps its digits: the directions of
         // the guides would leave those that are nearly parallel a difference of products of order 1.
-        let angle = dyad.inner.slide_end().map_or(0.0, |end| end.angle);
-        let tilt = dyad.second.slide_end().map_or(0.0, |end| end.tilt);
-        let (sine, cosine) = (T::from_f64(tilt) + T::from_f64(angle)).sin_cos();
+        let between = T::from_f64(outer.tilt_angle) + T::from_f64(inner.along_angle);
+        let (sine, cosine) = between.sin_cos();
         let d = -sine;
         Ok(Self {
             frame: frame.clone(),
-            links: dyad.links,
+            links: [group.links[0], group.links[1]],
             end,
             inner,
             outer,

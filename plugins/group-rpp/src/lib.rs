@@ -10,11 +10,14 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+use assur_group::PairSort::{Pin, Slide};
+use assur_group::{
+    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+};
 
 pub use kernel::Rpp;
 
-const SLIDES: [bool; 3] = [false, true, true];
+const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
 /// The kind RPP.
 #[derive(Debug, Clone, Copy)]
@@ -32,14 +35,15 @@ inventory::submit! {
     GroupPlugin {
         name: "rpp",
         kind: "RPP",
-        class: 2,
         number: 5,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links, an outer pin, a slide between them and an outer slide",
-        ways: "one",
+        pattern: PATTERN,
+        ways: Ways { most: 1, varies: false, words: "one" },
+        iterates: false,
         singular: "the guides parallel",
+        force_angle: ForceAngle::of_sine("angle between the guides"),
         source: "S stage 2; theory of two lines",
-        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
         builders: Builders::of::<RppKind>(),
     }
 }

@@ -1,10 +1,10 @@
 //! The working of type 5 by hand.
 
-use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
-use assur_worksheet::{Expr, Guide, Point, Sheet, SlideView, WorkingPlugin};
+use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 inventory::submit! {
     WorkingPlugin { group: "rpp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
@@ -15,36 +15,36 @@ struct Pairs {
     /// The link with the pin, and the link between the guides.
     links: [usize; 2],
     end: PinJoint<f64>,
-    inner: SlideView,
-    outer: SlideView,
+    inner: SlideJoint<f64>,
+    outer: SlideJoint<f64>,
     /// Distance of the point of link 2 on the outer guide from the outer pin, across the inner guide, m.
     across: f64,
 }
 
 impl Pairs {
     fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let end = PinJoint::<f64>::new(&dyad.first, dyad.turned[0])?;
-        let inner = SlideView::new(&dyad.inner, dyad.turned[1])?;
-        let outer = SlideView::new(&dyad.second, dyad.turned[2])?;
-        let to_line = [0, 1].map(|i| inner.end.through[i] - outer.end.own[i]);
-        let (s, c) = inner.end.angle.sin_cos();
+        let group = PATTERN.read(frame)?;
+        let end = PinJoint::<f64>::new(&group.outer[0])?;
+        let inner = SlideJoint::<f64>::new(&group.inner[0])?;
+        let outer = SlideJoint::<f64>::new(&group.outer[1])?;
+        let to_line = [0, 1].map(|i| inner.through[i] - outer.own[i]);
+        let (s, c) = inner.along_angle.sin_cos();
         let across = -(c * to_line[1] - s * to_line[0] + inner.offset(end.own));
-        Ok(Self { links: dyad.links, end, inner, outer, across })
+        Ok(Self { links: [group.links[0], group.links[1]], end, inner, outer, across })
     }
 }
 
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
     let pairs = Pairs::of(frame)?;
     let [one, two] = pairs.links;
-    let carrier = pairs.outer.end.body;
+    let carrier = pairs.outer.body;
     let a = sheet.point(pairs.end.body, pairs.end.at);
-    let through = sheet.point(carrier, pairs.outer.end.through);
+    let through = sheet.point(carrier, pairs.outer.through);
     sheet.outline("outer pin", &a);
     sheet.outline_angle("body with the outer guide", carrier);
     let (theta, guides) = angles(sheet, &pairs);
     let t = guides.each_ref().map(|guide| guide.t.clone());
-    let name = sheet.place_name(two, pairs.outer.end.own);
+    let name = sheet.place_name(two, pairs.outer.own);
     let what = format!("{name} lies so far to the left of {}, across the inner guide", a.name);
     let k = sheet.fixed_length("k", pairs.across, &what);
     sheet.note(format!(
@@ -57,15 +57,15 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
     let to_p = [0, 1].map(|i| (&k * &t[1][i] - &b * &t[0][i]) / &d);
     let p = sheet.vector(&name, 0, &plus(&a.pf[0], &to_p));
     let pf = derive(sheet, &pairs, [&a, &through], &t, &p, &d);
-    let p = sheet.set_point(two, pairs.outer.end.own, pf);
+    let p = sheet.set_point(two, pairs.outer.own, pf);
     let tilt = fixed(
         sheet,
         "tilt",
-        pairs.inner.pair,
-        pairs.inner.end.tilt,
+        pairs.inner.id,
+        pairs.inner.tilt_angle,
         "of the first link from the inner guide",
     );
-    sheet.place_turned(two, &p, pairs.outer.end.own, &theta, carrier);
+    sheet.place_turned(two, &p, pairs.outer.own, &theta, carrier);
     sheet.place_turned(one, &a, pairs.end.own, &(&guides[0].alpha + tilt), carrier);
     Ok(())
 }
@@ -79,11 +79,11 @@ fn fixed(sheet: &mut Sheet, letter: &str, pair: usize, value: f64, what: &str) -
 fn angles(sheet: &mut Sheet, pairs: &Pairs) -> (Expr, [Guide; 2]) {
     sheet.note("the links can't turn against the body with the outer guide: all angles are known");
     let (inner, outer) = (&pairs.inner, &pairs.outer);
-    let second = sheet.guide(outer.pair, outer.end.body, outer.end.angle);
-    let tilt = fixed(sheet, "tilt", outer.pair, outer.end.tilt, "of the second link from the outer guide");
+    let second = sheet.guide(outer.id, outer.body, outer.along_angle);
+    let tilt = fixed(sheet, "tilt", outer.id, outer.tilt_angle, "of the second link from the outer guide");
     let theta = &second.alpha + tilt;
-    let gamma = fixed(sheet, "gamma", inner.pair, inner.end.angle, "of the inner guide in the second link");
-    let tag = sheet.pair_tag(inner.pair);
+    let gamma = fixed(sheet, "gamma", inner.id, inner.along_angle, "of the inner guide in the second link");
+    let tag = sheet.pair_tag(inner.id);
     let alpha = sheet.work(&format!("alpha_{tag}"), &(&theta + gamma), "rad");
     let t = sheet.components("t", &tag, &[alpha.cos(), alpha.sin()], "");
     (theta, [Guide { alpha, t }, second])
@@ -98,9 +98,9 @@ fn derive(
     p: &[Expr; 2],
     d: &Expr,
 ) -> [[Expr; 2]; 3] {
-    let carrier = pairs.outer.end.body;
+    let carrier = pairs.outer.body;
     let (units, rate) = (sheet.units.length, sheet.angle(carrier)[1].clone());
-    let name = sheet.place_name(pairs.links[1], pairs.outer.end.own);
+    let name = sheet.place_name(pairs.links[1], pairs.outer.own);
     let g = sheet.body_name(carrier).to_owned();
     let (v_name, u_name) = (sheet.local("v"), sheet.local("u"));
     sheet.note(format!(
@@ -131,12 +131,12 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let pairs = Pairs::of(frame)?;
     let [one, two] = pairs.links;
     let a = sheet.point(pairs.end.body, pairs.end.at);
-    let p = sheet.point(two, pairs.outer.end.own);
-    let on_inner = sheet.point(one, pairs.inner.end.own);
+    let p = sheet.point(two, pairs.outer.own);
+    let on_inner = sheet.point(one, pairs.inner.own);
     let outer = &pairs.outer;
-    let t2 = sheet.guide(outer.pair, outer.end.body, outer.end.angle).t;
+    let t2 = sheet.guide(outer.id, outer.body, outer.along_angle).t;
     let t1 = {
-        let tag = sheet.pair_tag(pairs.inner.pair);
+        let tag = sheet.pair_tag(pairs.inner.id);
         ["x", "y"].map(|axis| sheet.find(&format!("t{axis}_{tag}")).unwrap_or_else(Expr::zero))
     };
     let d = sheet.recall("D");
@@ -147,7 +147,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let inner = compose(&t1, &Expr::zero(), &normal);
     sheet.note(format!("moments about {} give the moment in the inner guide", a.name));
     let moment = -(sheet.moment_about(one, &a) + on_inner.moment_about(&a, &inner));
-    let (inner, moment) = sheet.slide_reaction(pairs.inner.pair, one, &on_inner, &inner, &moment);
+    let (inner, moment) = sheet.slide_reaction(pairs.inner.id, one, &on_inner, &inner, &moment);
     let at_a = sheet.pin_reaction(pairs.end.id, one, &a, &opposite(&plus(&forces[0], &inner)));
     sheet.hand_on(pairs.end.body, &a, &at_a, &Expr::zero());
     sheet.note("the rest is carried by the outer guide");
@@ -155,7 +155,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let pressure = sheet.work(&name, &-across(&t2, &minus(&forces[1], &inner)), "N");
     let force = compose(&t2, &Expr::zero(), &pressure);
     let load = sheet.moment_about(two, &p) - on_inner.moment_about(&p, &inner) - moment;
-    let (force, moment) = sheet.slide_reaction(outer.pair, two, &p, &force, &-load);
-    sheet.hand_on(outer.end.body, &p, &force, &moment);
+    let (force, moment) = sheet.slide_reaction(outer.id, two, &p, &force, &-load);
+    sheet.hand_on(outer.body, &p, &force, &moment);
     Ok(())
 }

@@ -1,12 +1,13 @@
 //! The closed forms of type 3.
 
-use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
+use assur_group::plane::{cross, direction, dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, SlideJoint,
+    Wrench,
 };
 use assur_number::Real;
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 /// Rounding that a length is allowed before the group counts as open, in units of the last place.
 const SLACK: f64 = 8.0;
@@ -50,17 +51,16 @@ impl<T: Real> Rpr<T> {
     ///
     /// [`BuildError`] for pairs that are not R-P-R.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let ends =
-            [PinJoint::<T>::new(&dyad.first, dyad.turned[0])?, PinJoint::new(&dyad.second, dyad.turned[2])?];
-        let inner = SlideJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let group = PATTERN.read(frame)?;
+        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
+        let inner = SlideJoint::<T>::new(&group.inner[0])?;
         let reach = times(inner.tilt, minus(inner.own, ends[0].own));
         let line = cross(inner.along, minus(inner.through, ends[1].own));
         let e = line - reach[1];
         let rounding = SLACK * T::EPSILON * frame.scale.max(e.abs().to_f64());
         Ok(Self {
             frame: frame.clone(),
-            links: dyad.links,
+            links: [group.links[0], group.links[1]],
             ends,
             inner,
             reach,
@@ -230,4 +230,24 @@ impl<T: Real> AssurGroup<T> for Rpr<T> {
         self.ends[1].hand_on(bodies, minus(force, two.force()), loads, reactions);
         GroupError::if_nan(normal)
     }
+}
+
+/// Angle (rad) between the line of the outer pins and the guide.
+pub(crate) fn pressure_angle(frame: &GroupFrame, bodies: &[Body<f64>], _health: f64) -> f64 {
+    let pins: Vec<_> = frame
+        .outer
+        .iter()
+        .filter_map(|pair| match pair.geometry {
+            PairGeometry::Pin { at_a, .. } => Some(bodies[pair.a].point(at_a)),
+            PairGeometry::Slide { .. } => None,
+        })
+        .collect();
+    let ([a, b], [Pair { b: carrier, geometry: PairGeometry::Slide { angle, .. }, .. }]) =
+        (&pins[..], &frame.inner[..])
+    else {
+        return 0.0;
+    };
+    let along = bodies[*carrier].turned(direction(*angle));
+    let line = minus(*b, *a);
+    cross(along, line).abs().atan2(dot(along, line).abs())
 }

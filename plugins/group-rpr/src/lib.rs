@@ -15,11 +15,14 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+use assur_group::PairSort::{Pin, Slide};
+use assur_group::{
+    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+};
 
 pub use kernel::Rpr;
 
-const SLIDES: [bool; 3] = [false, true, false];
+const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Pin)] };
 
 /// The kind RPR.
 #[derive(Debug, Clone, Copy)]
@@ -37,14 +40,15 @@ inventory::submit! {
     GroupPlugin {
         name: "rpr",
         kind: "RPR",
-        class: 2,
         number: 3,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links with outer pins and a slide between them",
-        ways: "0: the outer pin of the first link ahead of that of the second, in the direction of the guide; 1: behind it",
+        pattern: PATTERN,
+        ways: Ways { most: 2, varies: false, words: "0: the outer pin of the first link ahead of that of the second, in the direction of the guide; 1: behind it" },
+        iterates: false,
         singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
+        force_angle: ForceAngle { words: "pressure angle of the line of the pins to the guide", of: kernel::pressure_angle },
         source: "S stage 2; theory of the right triangle",
-        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
         builders: Builders::of::<RprKind>(),
     }
 }

@@ -103,5 +103,5 @@ fn pins_at_the_distance_of_the_offset_are_singular() {
 #[test]
 fn is_found_in_the_registry() {
     let plugin = plugin_for(&frame(0.0)).unwrap().unwrap();
-    assert_eq!((plugin.name, plugin.class, plugin.number), ("rpr", 2, 3));
+    assert_eq!((plugin.name, plugin.number), ("rpr", 3));
 }

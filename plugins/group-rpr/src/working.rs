@@ -1,11 +1,11 @@
 //! The working of type 3 by hand.
 
 use assur_group::plane::{cross, dot, minus as minus_numbers, times};
-use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
-use assur_worksheet::{Expr, Point, Sheet, SlideView, WorkingPlugin};
+use assur_worksheet::{Expr, Point, Sheet, WorkingPlugin};
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 inventory::submit! {
     WorkingPlugin { group: "rpr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
@@ -16,23 +16,20 @@ struct Pairs {
     /// The sliding link, and the link with the guide.
     links: [usize; 2],
     ends: [PinJoint<f64>; 2],
-    inner: SlideView,
+    inner: SlideJoint<f64>,
     /// Offset of the outer pins across the guide, m.
     e: f64,
 }
 
 impl Pairs {
     fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let ends = [
-            PinJoint::<f64>::new(&dyad.first, dyad.turned[0])?,
-            PinJoint::new(&dyad.second, dyad.turned[2])?,
-        ];
-        let joint = SlideJoint::<f64>::new(&dyad.inner, dyad.turned[1])?;
+        let group = PATTERN.read(frame)?;
+        let ends = [PinJoint::<f64>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
+        let joint = SlideJoint::<f64>::new(&group.inner[0])?;
         let reach = times(joint.tilt, minus_numbers(joint.own, ends[0].own));
         let line = cross(joint.along, minus_numbers(joint.through, ends[1].own));
-        let inner = SlideView::new(&dyad.inner, dyad.turned[1])?;
-        Ok(Self { links: dyad.links, ends, inner, e: line - reach[1] })
+        let inner = SlideJoint::<f64>::new(&group.inner[0])?;
+        Ok(Self { links: [group.links[0], group.links[1]], ends, inner, e: line - reach[1] })
     }
 
     fn outer(&self, sheet: &mut Sheet) -> [Point; 2] {
@@ -46,16 +43,17 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     for point in &outer {
         sheet.outline("outer pin", point);
     }
-    let end = pairs.inner.end;
-    let t = bodies[pairs.links[1]].turned([end.angle.cos(), end.angle.sin()]);
+    let end = pairs.inner;
+    let t = bodies[pairs.links[1]].turned([end.along_angle.cos(), end.along_angle.sin()]);
     let [a, b] = [0, 1].map(|i| bodies[pairs.links[i]].point(pairs.ends[i].own));
     let ahead = dot(t, minus_numbers(a, b)) >= 0.0;
     let (e, s, t) = place(sheet, &pairs, &outer, ahead);
-    let tag = sheet.pair_tag(pairs.inner.pair);
+    let tag = sheet.pair_tag(pairs.inner.id);
     let theta = sheet.work(&format!("alpha_{tag}"), &t[1].atan2(&t[0]), "rad");
     let [slider, guide] = pairs.links;
-    let tilt = sheet.fixed_angle(&format!("tilt_{tag}"), end.tilt, "of the sliding link from the guide");
-    let gamma = sheet.fixed_angle(&format!("gamma_{tag}"), end.angle, "of the guide in its link");
+    let tilt =
+        sheet.fixed_angle(&format!("tilt_{tag}"), end.tilt_angle, "of the sliding link from the guide");
+    let gamma = sheet.fixed_angle(&format!("gamma_{tag}"), end.along_angle, "of the guide in its link");
     let phi = [sheet.link_angle(slider, &(&theta + tilt)), sheet.link_angle(guide, &(&theta - gamma))];
     derive(sheet, &pairs, &outer, [&e, &s], &t, phi);
     Ok(())
@@ -70,7 +68,7 @@ fn place(sheet: &mut Sheet, pairs: &Pairs, outer: &[Point; 2], ahead: bool) -> (
     let sign = if ahead { "+" } else { "-" };
     sheet.note(format!("PF0: d from {b} to {a} has the parts e across and s along the guide;"));
     sheet.note(format!("{a} lies {side} {b} in the direction t of the guide: sign {sign}"));
-    let (d_name, s_name, t_name) = (sheet.local("d"), sheet.local("s"), sheet.pair_tag(pairs.inner.pair));
+    let (d_name, s_name, t_name) = (sheet.local("d"), sheet.local("s"), sheet.pair_tag(pairs.inner.id));
     let d = outer[0].from(&outer[1], 0);
     let number = sheet.group_number();
     let d = sheet.components("d", &number, &d, "m");
@@ -116,9 +114,9 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let pairs = Pairs::of(frame)?;
     let outer = pairs.outer(sheet);
     let [slider, guide] = pairs.links;
-    let on_line = sheet.point(slider, pairs.inner.end.own);
-    let end = pairs.inner.end;
-    let t = sheet.guide(pairs.inner.pair, guide, end.angle).t;
+    let on_line = sheet.point(slider, pairs.inner.own);
+    let end = pairs.inner;
+    let t = sheet.guide(pairs.inner.id, guide, end.along_angle).t;
     let s = sheet.recall("s");
     let forces = pairs.links.map(|link| sheet.resultant(link));
     sheet.note("moments of both links about their outer pins know the normal force N only; its arm is s");
@@ -131,7 +129,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     } else {
         -(&m[0] + &normal * along(&t, &on_line.from(&outer[0], 0)))
     };
-    let (force, _) = sheet.slide_reaction(pairs.inner.pair, slider, &on_line, &force, &moment);
+    let (force, _) = sheet.slide_reaction(pairs.inner.id, slider, &on_line, &force, &moment);
     sheet.note("forces on each link:");
     let at_ends = [opposite(&plus(&forces[0], &force)), minus(&force, &forces[1])];
     for (i, force) in at_ends.iter().enumerate() {

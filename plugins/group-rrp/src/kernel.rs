@@ -2,11 +2,11 @@
 
 use assur_group::plane::{dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 /// Rounding that a length is allowed before the group counts as open, in units of the last place.
 const SLACK: f64 = 8.0;
@@ -57,10 +57,10 @@ impl<T: Real> Rrp<T> {
     ///
     /// [`BuildError`] for pairs that are not R-R-P, and for a rod whose two pins lie in one place.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let end = PinJoint::<T>::new(&dyad.first, dyad.turned[0])?;
-        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
-        let slide = SlideJoint::<T>::new(&dyad.second, dyad.turned[2])?;
+        let group = PATTERN.read(frame)?;
+        let end = PinJoint::<T>::new(&group.outer[0])?;
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
+        let slide = SlideJoint::<T>::new(&group.outer[1])?;
         let rod = minus(inner.own, end.own);
         let square = dot(rod, rod);
         let length = square.sqrt();
@@ -72,7 +72,7 @@ impl<T: Real> Rrp<T> {
         let size = frame.scale.max(length.to_f64());
         Ok(Self {
             frame: frame.clone(),
-            links: dyad.links,
+            links: [group.links[0], group.links[1]],
             end,
             inner,
             slide,

@@ -15,11 +15,14 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+use assur_group::PairSort::{Pin, Slide};
+use assur_group::{
+    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+};
 
 pub use kernel::Rrp;
 
-const SLIDES: [bool; 3] = [false, false, true];
+const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
 
 /// The kind RRP.
 #[derive(Debug, Clone, Copy)]
@@ -37,14 +40,15 @@ inventory::submit! {
     GroupPlugin {
         name: "rrp",
         kind: "RRP",
-        class: 2,
         number: 2,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links, two pins and an outer slide",
-        ways: "0: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 1: behind it",
+        pattern: PATTERN,
+        ways: Ways { most: 2, varies: false, words: "0: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 1: behind it" },
+        iterates: false,
         singular: "the rod perpendicular to the guide",
+        force_angle: ForceAngle::of_cosine("pressure angle of the rod to the guide"),
         source: "S stage 2; theory of circle and line",
-        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
         builders: Builders::of::<RrpKind>(),
     }
 }

@@ -1,11 +1,11 @@
 //! The working of type 2 by hand.
 
 use assur_group::plane::dot;
-use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
-use assur_worksheet::{Expr, Guide, Point, Sheet, SlideView, WorkingPlugin};
+use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 inventory::submit! {
     WorkingPlugin { group: "rrp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
@@ -17,29 +17,29 @@ struct Pairs {
     links: [usize; 2],
     end: PinJoint<f64>,
     inner: PinJoint<f64>,
-    slide: SlideView,
+    slide: SlideJoint<f64>,
 }
 
 impl Pairs {
     fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
+        let group = PATTERN.read(frame)?;
         Ok(Self {
-            links: dyad.links,
-            end: PinJoint::new(&dyad.first, dyad.turned[0])?,
-            inner: PinJoint::new(&dyad.inner, dyad.turned[1])?,
-            slide: SlideView::new(&dyad.second, dyad.turned[2])?,
+            links: [group.links[0], group.links[1]],
+            end: PinJoint::new(&group.outer[0])?,
+            inner: PinJoint::new(&group.inner[0])?,
+            slide: SlideJoint::<f64>::new(&group.outer[1])?,
         })
     }
 
     fn guide(&self, sheet: &mut Sheet) -> Guide {
-        sheet.guide(self.slide.pair, self.slide.end.body, self.slide.end.angle)
+        sheet.guide(self.slide.id, self.slide.body, self.slide.along_angle)
     }
 }
 
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
     let pairs = Pairs::of(frame)?;
     let [rod, slider] = pairs.links;
-    let end = &pairs.slide.end;
+    let end = &pairs.slide;
     let (a, through) = (sheet.point(pairs.end.body, pairs.end.at), sheet.point(end.body, end.through));
     sheet.outline("outer pin", &a);
     sheet.outline_angle("body with the guide", end.body);
@@ -50,7 +50,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), &what);
     let number = bodies[rod].point(pairs.inner.own);
     let foot = bodies[rod].point(pairs.end.own);
-    let t = bodies[end.body].turned([end.angle.cos(), end.angle.sin()]);
+    let t = bodies[end.body].turned([end.along_angle.cos(), end.along_angle.sin()]);
     let ahead = dot(t, [number[0] - foot[0], number[1] - foot[1]]) >= 0.0;
     let side = if ahead {
         "ahead of the foot, in the direction of the guide: sign +"
@@ -76,9 +76,9 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
 }
 
 fn slider_angle(sheet: &mut Sheet, pairs: &Pairs, guide: &Guide) -> Expr {
-    let name = format!("tilt_{}", sheet.pair_tag(pairs.slide.pair));
+    let name = format!("tilt_{}", sheet.pair_tag(pairs.slide.id));
     let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[1]));
-    let tilt = sheet.fixed_angle(&name, pairs.slide.end.tilt, &what);
+    let tilt = sheet.fixed_angle(&name, pairs.slide.tilt_angle, &what);
     &guide.alpha + tilt
 }
 
@@ -91,7 +91,7 @@ fn derive(
     [c, r]: [&[Expr; 2]; 2],
     [delta, sigma]: [&Expr; 2],
 ) -> (Expr, Expr) {
-    let (rod, body, t) = (pairs.links[0], pairs.slide.end.body, &guide.t);
+    let (rod, body, t) = (pairs.links[0], pairs.slide.body, &guide.t);
     let name = sheet.place_name(rod, pairs.inner.own);
     let carrier = sheet.body_name(body).to_owned();
     let units = sheet.units.length;
@@ -130,7 +130,7 @@ fn derive(
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
     let pairs = Pairs::of(frame)?;
     let [rod, slider] = pairs.links;
-    let end = pairs.slide.end;
+    let end = pairs.slide;
     let a = sheet.point(pairs.end.body, pairs.end.at);
     let c = sheet.point(rod, pairs.inner.own);
     let on_line = sheet.point(slider, end.own);
@@ -157,7 +157,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let force = compose(&guide.t, &Expr::zero(), &pressure);
     let load = sheet.moment_about(slider, &on_line);
     let moment = -(load + c.moment_about(&on_line, &opposite(&inner)));
-    let (force, moment) = sheet.slide_reaction(pairs.slide.pair, slider, &on_line, &force, &moment);
+    let (force, moment) = sheet.slide_reaction(pairs.slide.id, slider, &on_line, &force, &moment);
     sheet.hand_on(end.body, &on_line, &force, &moment);
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! The closed forms of type 1.
 
 use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
-use assur_group::{AssurGroup, Body, BuildError, Dyad, GroupError, GroupFrame, Order, PinJoint, Wrench};
+use assur_group::{AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, Wrench};
 use assur_number::Real;
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 /// Rounding that a squared distance is allowed before the group counts as open, in units of the last place.
 const SLACK: f64 = 8.0;
@@ -55,10 +55,9 @@ impl<T: Real> Rrr<T> {
     ///
     /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins lie in one place.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let ends =
-            [PinJoint::<T>::new(&dyad.first, dyad.turned[0])?, PinJoint::new(&dyad.second, dyad.turned[2])?];
-        let inner = PinJoint::<T>::new(&dyad.inner, dyad.turned[1])?;
+        let group = PATTERN.read(frame)?;
+        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
         let rods = [minus(inner.own, ends[0].own), minus(inner.at, ends[1].own)];
         let squares = rods.map(|rod| dot(rod, rod));
         let [l1, l2] = squares.map(Real::sqrt);
@@ -72,7 +71,7 @@ impl<T: Real> Rrr<T> {
         let rounding = SLACK * T::EPSILON * size;
         Ok(Self {
             frame: frame.clone(),
-            links: dyad.links,
+            links: [group.links[0], group.links[1]],
             ends,
             inner,
             rods,

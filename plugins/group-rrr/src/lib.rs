@@ -15,11 +15,14 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::{BuildError, Builders, Dyad, GroupFrame, GroupKind, GroupPlugin, Number, inventory};
+use assur_group::PairSort::Pin;
+use assur_group::{
+    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+};
 
 pub use kernel::Rrr;
 
-const SLIDES: [bool; 3] = [false, false, false];
+const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] };
 
 /// The kind RRR.
 #[derive(Debug, Clone, Copy)]
@@ -37,14 +40,15 @@ inventory::submit! {
     GroupPlugin {
         name: "rrr",
         kind: "RRR",
-        class: 2,
         number: 1,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links, three pins",
-        ways: "0: the inner pin left of the way from the outer pin of the first link to that of the second; 1: right",
+        pattern: PATTERN,
+        ways: Ways { most: 2, varies: false, words: "0: the inner pin left of the way from the outer pin of the first link to that of the second; 1: right" },
+        iterates: false,
         singular: "the links in one line, stretched or folded: sin(phi2 - phi1) = 0",
+        force_angle: ForceAngle::of_sine("transmission angle between the links"),
         source: "S stage 2; theory of two circles",
-        matches: |frame| Dyad::of_pattern(frame, SLIDES).is_some(),
         builders: Builders::of::<RrrKind>(),
     }
 }

@@ -1,11 +1,11 @@
 //! The working of type 1 by hand.
 
 use assur_group::plane::cross;
-use assur_group::{Body, BuildError, Dyad, GroupFrame, PinJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, PinJoint, inventory};
 use assur_worksheet::dyad::{across, along, minus, opposite, plus};
 use assur_worksheet::{Expr, Point, Rod, Sheet, WorkingPlugin};
 
-use crate::SLIDES;
+use crate::PATTERN;
 
 inventory::submit! {
     WorkingPlugin { group: "rrr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
@@ -20,12 +20,11 @@ struct Pins {
 
 impl Pins {
     fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let dyad = Dyad::built(frame, SLIDES)?;
-        let end = |pair, turned| PinJoint::new(pair, turned);
+        let group = PATTERN.read(frame)?;
         Ok(Self {
-            links: dyad.links,
-            ends: [end(&dyad.first, dyad.turned[0])?, end(&dyad.second, dyad.turned[2])?],
-            inner: end(&dyad.inner, dyad.turned[1])?,
+            links: [group.links[0], group.links[1]],
+            ends: [PinJoint::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?],
+            inner: PinJoint::new(&group.inner[0])?,
         })
     }
 

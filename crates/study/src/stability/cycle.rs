@@ -1,6 +1,6 @@
 //! The mechanism over its own cycle: least health of each group, and the angles that forces pass through.
 
-use assur_group::{Body, Order, Pair, PairGeometry, plane};
+use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::Range;
 use serde::Serialize;
@@ -117,56 +117,16 @@ fn refined(
     let input = &linkage.mechanism.input;
     let nearest = (0..input.positions)
         .min_by(|&a, &b| (input.coordinate(a) - best).abs().total_cmp(&(input.coordinate(b) - best).abs()));
-    let (angle_of, angle) = angle(linkage, group, position);
+    let found = &linkage.structure.groups[group];
+    let health = position.health[group].abs();
+    let force_angle = &found.plugin.force_angle;
     Ok(GroupHealth {
         place: linkage.structure.group_name(&linkage.mechanism, group),
-        health: position.health[group].abs(),
+        health,
         coordinate: best,
         position: nearest.unwrap_or(0),
-        angle_of,
-        angle,
+        angle_of: force_angle.words,
+        angle: (force_angle.of)(&found.frame, &position.bodies, health),
         change_point: linkage.is_interpolated(best),
     })
-}
-
-/// The angle that tells how forces pass through a group where it is least healthy; of types 1, 2, 4, 5 it is the worst
-/// there. By atan2, which keeps its digits near 0 and 90 degrees.
-fn angle(linkage: &Linkage, group: usize, position: &Position) -> (&'static str, f64) {
-    let found = &linkage.structure.groups[group];
-    let h = position.health[group].abs().min(1.0);
-    let rest = ((1.0 - h) * (1.0 + h)).sqrt();
-    match found.plugin.name {
-        "rrr" => ("transmission angle between the links", h.atan2(rest)),
-        "rrp" => ("pressure angle of the rod to the guide", rest.atan2(h)),
-        "rpr" => {
-            let pins: Vec<_> =
-                found.frame.outer.iter().filter_map(|pair| pin(pair, &position.bodies)).collect();
-            let along = found.frame.inner.first().and_then(|pair| guide(pair, &position.bodies));
-            let (Some(along), [a, b]) = (along, &pins[..]) else {
-                return ("sine of the determinant", h.asin());
-            };
-            let line = plane::minus(*b, *a);
-            let across = plane::cross(along, line).abs();
-            (
-                "pressure angle of the line of the pins to the guide",
-                across.atan2(plane::dot(along, line).abs()),
-            )
-        }
-        "prp" | "rpp" => ("angle between the guides", h.atan2(rest)),
-        _ => ("sine of the determinant", h.atan2(rest)),
-    }
-}
-
-fn pin(pair: &Pair, bodies: &[Body<f64>]) -> Option<[f64; 2]> {
-    match pair.geometry {
-        PairGeometry::Pin { at_a, .. } => Some(bodies[pair.a].point(at_a)),
-        PairGeometry::Slide { .. } => None,
-    }
-}
-
-fn guide(pair: &Pair, bodies: &[Body<f64>]) -> Option<[f64; 2]> {
-    match pair.geometry {
-        PairGeometry::Slide { angle, .. } => Some(bodies[pair.b].turned(plane::direction(angle))),
-        PairGeometry::Pin { .. } => None,
-    }
 }

@@ -5,7 +5,7 @@
 //! data, so that the reference is exact for what the method was given.
 
 use assur_group::plane::{direction, dot, minus, perp, plus, scaled, times, vector};
-use assur_group::{Body, Dyad, GroupFrame, Pair, PairGeometry, PinEnd, SlideEnd};
+use assur_group::{Body, GroupFrame, Pair, PairGeometry, PinJoint, Reading, SeenPair, SlideJoint};
 use assur_number::{Dd, Real};
 use assur_structure::Group;
 
@@ -44,7 +44,7 @@ impl Side {
 #[derive(Debug, Clone)]
 pub(crate) struct Isolated {
     pub(crate) frame: GroupFrame,
-    dyad: Dyad,
+    dyad: Reading,
     /// A length that all coordinates of the walk stay near, m.
     pub(crate) size: f64,
 }
@@ -52,14 +52,14 @@ pub(crate) struct Isolated {
 impl Isolated {
     /// `None` for a group that is no dyad of the five types.
     pub(crate) fn of(group: &Group) -> Option<Self> {
-        let slides: Vec<bool> = group.plugin.kind.chars().map(|letter| letter == 'P').collect();
-        let dyad = Dyad::of_pattern(&group.frame, slides.try_into().ok()?)?;
+        let dyad = group.plugin.pattern.find(&group.frame)?;
+        let ([first, second], [inner]) = (&dyad.outer[..], &dyad.inner[..]) else { return None };
         let moved = |pair: &Pair, id, a, b| Pair { id, a, b, ..*pair };
         let (first, inner, second) =
-            (moved(&dyad.first, 0, 2, 0), moved(&dyad.inner, 1, 2, 3), moved(&dyad.second, 2, 3, 1));
+            (moved(&first.pair, 0, 2, 0), moved(&inner.pair, 1, 2, 3), moved(&second.pair, 2, 3, 1));
         let scale = group.frame.scale;
         let frame = GroupFrame { links: vec![2, 3], inner: vec![inner], outer: vec![first, second], scale };
-        let dyad = Dyad::of(&frame)?;
+        let dyad = group.plugin.pattern.find(&frame)?;
         let reach = |at: [f64; 2]| at[0].hypot(at[1]);
         let size = [first, inner, second].iter().fold(scale, |size, pair| match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => size.max(reach(at_a)).max(reach(at_b)),
@@ -70,7 +70,8 @@ impl Isolated {
 
     /// The ways in which this group can fail.
     pub(crate) fn sides(&self) -> Vec<Side> {
-        match [&self.dyad.first, &self.dyad.inner, &self.dyad.second].map(Pair::is_slide) {
+        match [&self.dyad.outer[0], &self.dyad.inner[0], &self.dyad.outer[1]].map(|seen| seen.pair.is_slide())
+        {
             [false, false, false] => vec![Side::Stretched, Side::Folded],
             [false, false, true] => vec![Side::Across(true), Side::Across(false)],
             [false, true, false] => vec![Side::PinsMeet],
@@ -81,7 +82,7 @@ impl Isolated {
     /// Lengths of the two links between their pins, m.
     fn lengths(&self) -> Option<[Dd; 2]> {
         let (first, inner, second) =
-            (self.dyad.first.pin_end()?, self.dyad.inner.pin_end()?, self.dyad.second.pin_end()?);
+            (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.inner[0])?, pin_of(&self.dyad.outer[1])?);
         let length = |a: [f64; 2], b: [f64; 2]| {
             let rod = minus(vector::<Dd>(a), vector(b));
             dot(rod, rod).sqrt()
@@ -114,17 +115,17 @@ impl Isolated {
 
     /// Type 2: length of the rod.
     fn rod(&self) -> Option<Dd> {
-        let (first, inner) = (self.dyad.first.pin_end()?, self.dyad.inner.pin_end()?);
+        let (first, inner) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.inner[0])?);
         let rod = minus(vector::<Dd>(inner.own), vector(first.own));
-        self.dyad.second.is_slide().then(|| dot(rod, rod).sqrt())
+        self.dyad.outer[1].pair.is_slide().then(|| dot(rod, rod).sqrt())
     }
 
     /// Type 3: offset of the pins across the guide.
     fn offset(&self) -> Option<Dd> {
-        let (a, b) = (self.dyad.first.pin_end()?, self.dyad.second.pin_end()?);
-        let slide = self.dyad.inner.slide_end()?;
-        let reach = times(direction::<Dd>(slide.tilt), minus(vector(slide.own), vector(a.own)));
-        let along = direction::<Dd>(slide.angle);
+        let (a, b) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.outer[1])?);
+        let slide = slide_of(&self.dyad.inner[0])?;
+        let reach = times(direction::<Dd>(slide.tilt_angle), minus(vector(slide.own), vector(a.own)));
+        let along = direction::<Dd>(slide.along_angle);
         let line = minus(vector(slide.through), vector(b.own));
         Some(dot(perp(along), line) - reach[1])
     }
@@ -163,7 +164,7 @@ impl Isolated {
 
     /// Moves body 1 such that the outer pins are this far apart.
     fn apart(&self, bodies: &mut [Body<f64>; 4], distance: Dd) -> Option<()> {
-        let (first, second) = (self.dyad.first.pin_end()?, self.dyad.second.pin_end()?);
+        let (first, second) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.outer[1])?);
         let a = lifted(&bodies[0]).point(vector(first.at));
         let b = plus(a, scaled(distance, direction(0.7)));
         put(&mut bodies[1], &second, b);
@@ -172,11 +173,11 @@ impl Isolated {
 
     /// Moves body 1 such that the inner pin runs at this height over the outer pin.
     fn across(&self, bodies: &mut [Body<f64>; 4], wanted: Dd) -> Option<()> {
-        let (first, inner) = (self.dyad.first.pin_end()?, self.dyad.inner.pin_end()?);
-        let slide: SlideEnd = self.dyad.second.slide_end()?;
+        let (first, inner) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.inner[0])?);
+        let slide = slide_of(&self.dyad.outer[1])?;
         let a = lifted(&bodies[0]).point(vector(first.at));
-        let along = direction::<Dd>(slide.angle);
-        let offset = times(direction::<Dd>(slide.tilt), minus(vector(inner.at), vector(slide.own)))[1];
+        let along = direction::<Dd>(slide.along_angle);
+        let offset = times(direction::<Dd>(slide.tilt_angle), minus(vector(inner.at), vector(slide.own)))[1];
         let height = dot(perp(along), vector(slide.through)) + offset;
         let t = lifted(&bodies[1]).turned(along);
         let shift = scaled(Dd::from_f64(0.3 * self.size), t);
@@ -187,16 +188,17 @@ impl Isolated {
 
     /// Turns guides to this angle: body 1 for type 4, the inner guide itself for type 5.
     fn parallel(&self, frame: &mut GroupFrame, bodies: &mut [Body<f64>; 4], near: Dd) -> Option<()> {
-        let outer = self.dyad.second.slide_end()?;
-        if let Some(first) = self.dyad.first.slide_end() {
-            let turn = Dd::from_f64(0.4) + Dd::from_f64(first.angle) - Dd::from_f64(outer.angle) + near;
+        let outer = slide_of(&self.dyad.outer[1])?;
+        if let Some(first) = slide_of(&self.dyad.outer[0]) {
+            let turn =
+                Dd::from_f64(0.4) + Dd::from_f64(first.along_angle) - Dd::from_f64(outer.along_angle) + near;
             let (s, c) = turn.sin_cos();
             (bodies[1].c, bodies[1].s) = (c.to_f64(), s.to_f64());
             (bodies[1].x, bodies[1].y) = (-0.4 * self.size, 0.5 * self.size);
             return Some(());
         }
         if let PairGeometry::Slide { angle, .. } = &mut frame.inner[0].geometry {
-            *angle = (near - Dd::from_f64(outer.tilt)).to_f64();
+            *angle = (near - Dd::from_f64(outer.tilt_angle)).to_f64();
         }
         (bodies[1].x, bodies[1].y) = (-0.4 * self.size, 0.5 * self.size);
         Some(())
@@ -211,7 +213,15 @@ fn moving(body: &mut Body<f64>, angle: f64, size: f64, [x1, y1, w1, x2, y2, w2]:
 }
 
 /// Puts a body such that its pin lies there.
-fn put(body: &mut Body<f64>, pin: &PinEnd, place: [Dd; 2]) {
+fn put(body: &mut Body<f64>, pin: &PinJoint<f64>, place: [Dd; 2]) {
     let origin = minus(place, lifted(body).arm(vector(pin.at)));
     (body.x, body.y) = (origin[0].to_f64(), origin[1].to_f64());
+}
+
+fn pin_of(seen: &SeenPair) -> Option<PinJoint<f64>> {
+    PinJoint::new(seen).ok()
+}
+
+fn slide_of(seen: &SeenPair) -> Option<SlideJoint<f64>> {
+    SlideJoint::new(seen).ok()
 }

@@ -24,7 +24,7 @@ pub(crate) struct Tried {
 impl Tried {
     /// A suite that tried too little proves nothing.
     pub(crate) fn enough(&self, plugin: &GroupPlugin) -> Result<(), Fault> {
-        let few = self.regular < 20 || self.several_ways && plugin.class == 2 && self.open < 20;
+        let few = self.regular < 20 || self.several_ways && !plugin.iterates && self.open < 20;
         if few {
             return Err(Fault {
                 check: "samples",

@@ -21,8 +21,8 @@ pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
         for &i in &case.sample.frame.links {
             for (one, all) in bodies[i].numbers().into_iter().zip(together[i].numbers()) {
                 let off = if one.to_bits() == all.0[lane].to_bits() { 0.0 } else { one - all.0[lane] };
-                // Only a kind that pivots or iterates decides for all lanes at once.
-                let limit = if case.plugin.class == 2 { 0.0 } else { 1e-11 };
+                // Only a kind that iterates decides for all lanes at once.
+                let limit = if case.plugin.iterates { 1e-11 } else { 0.0 };
                 case.within("lanes", "a number", off, limit)?;
             }
         }

@@ -1,12 +1,13 @@
 //! Class III: a ternary link and three binary ones, six pins. Placed by Newton's method; the rest is the default.
 
+use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number, Order,
-    inventory, place_by_newton,
+    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
+    Number, Order, Pattern, Ways, inventory, place_by_newton,
 };
 use assur_number::Real;
 
-use crate::{Dice, Join, Sample};
+use assur_testkit::{Dice, Join, Sample};
 
 #[derive(Debug)]
 struct Triad(GroupFrame);
@@ -41,14 +42,19 @@ inventory::submit! {
     GroupPlugin {
         name: "triad",
         kind: "class III",
-        class: 3,
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "a ternary link and three binary ones, six pins",
-        ways: "the one near the start",
+        pattern: Pattern {
+            links: 4,
+            inner: &[([0, 1], Pin), ([0, 2], Pin), ([0, 3], Pin)],
+            outer: &[(1, Pin), (2, Pin), (3, Pin)],
+        },
+        ways: Ways { most: 1, varies: false, words: "the one near the start" },
+        iterates: true,
         singular: "the lines of the three binary links through one point",
+        force_angle: ForceAngle::DEFAULT,
         source: "a test",
-        matches: |frame| frame.links.len() == 4,
         builders: Builders::of::<TriadKind>(),
     }
 }

@@ -1,8 +1,9 @@
 //! The kind RRR with one mistake each.
 
+use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, GroupError, GroupFrame, GroupKind, GroupPlugin, Number, Order,
-    Wrench, inventory,
+    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
+    Number, Order, Pattern, Ways, Wrench, inventory,
 };
 use assur_group_rrr::Rrr;
 use assur_number::Real;
@@ -113,14 +114,15 @@ macro_rules! faulty {
             GroupPlugin {
                 name: $name,
                 kind: "RRR",
-                class: 2,
                 number: 1,
                 crate_name: env!("CARGO_PKG_NAME"),
                 summary: "RRR with a mistake",
-                ways: "as RRR",
+                pattern: Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] },
+                ways: Ways { most: 2, varies: false, words: "as RRR" },
+                iterates: false,
                 singular: "as RRR",
+                force_angle: ForceAngle::DEFAULT,
                 source: "a test",
-                matches: |frame| frame.links.len() == 2,
                 builders: Builders::of::<Kind<$mistake>>(),
             }
         }

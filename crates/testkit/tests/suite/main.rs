@@ -3,17 +3,17 @@
 mod faulty;
 mod triad;
 
-use crate::{Dice, dyad, judge};
+use assur_testkit::{Dice, dyad, judge};
 
 /// The check that refuses a dyad.
 fn refused(name: &str) -> &'static str {
-    let verdict = judge(name, |dice, plugin, singular| dyad(dice, plugin.kind, singular));
+    let verdict = judge(name, |dice, plugin, singular| dyad(dice, &plugin.pattern, singular));
     verdict.expect_err("a mistake must not pass").check
 }
 
 #[test]
 fn a_kind_without_mistakes_passes_in_the_same_harness() {
-    judge("faulty-none", |dice, plugin, singular| dyad(dice, plugin.kind, singular)).unwrap();
+    judge("faulty-none", |dice, plugin, singular| dyad(dice, &plugin.pattern, singular)).unwrap();
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn a_class_iii_group_needs_only_its_places() {
 
 #[test]
 fn an_unknown_kind_is_refused() {
-    let fault = judge("no-such", |dice, plugin, singular| dyad(dice, plugin.kind, singular)).unwrap_err();
+    let fault = judge("no-such", |dice, plugin, singular| dyad(dice, &plugin.pattern, singular)).unwrap_err();
     assert_eq!(fault.to_string(), "registry (seed 0): not there");
 }
 
