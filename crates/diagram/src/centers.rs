@@ -6,7 +6,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::GROUND;
 use serde::Serialize;
 
-use crate::plan::{Plan, VectorKind, length};
+use crate::plan::length;
 
 /// A relative turn below this part of the relative motion, over a typical length, is rounding.
 const STILL: f64 = 1e-12;
@@ -65,30 +65,4 @@ fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
         return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
     }
     CenterAt::Everywhere
-}
-
-/// The centers in the drawing of the mechanism, m: finite ones as points, directions as lines of a typical length.
-pub fn centers_plan(linkage: &Linkage, position: &Position) -> Plan {
-    let mut plan = Plan::new("Instant centers", "m");
-    for (id, point) in linkage.mechanism.points.iter().enumerate() {
-        plan.point(&point.name, linkage.point_motion(id, position).pf0);
-    }
-    for center in instant_centers(linkage, position) {
-        let name = format!("P({},{})", center.link, center.against);
-        match center.at {
-            CenterAt::Point(at) => plan.point(name, at),
-            CenterAt::Direction(along) => {
-                let link = linkage.mechanism.link(&center.link).unwrap_or_default();
-                let body = &position.bodies[link];
-                let note = format!(
-                    "`{}` does not turn against `{}`: center at infinity",
-                    center.link, center.against
-                );
-                let line = scaled(linkage.structure.scale, along);
-                plan.push(VectorKind::Line, name, [body.x, body.y], line, note);
-            }
-            CenterAt::Everywhere => {}
-        }
-    }
-    plan.finish(0.0)
 }

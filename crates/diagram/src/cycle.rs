@@ -1,13 +1,11 @@
 //! Reactions over the cycle: greatest, root mean square, hodograph.
 
-use assur_force::{ForceAnalyzer, Loads, Reactions, State};
-use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::Range;
 use serde::Serialize;
 
 use crate::plan::length;
-use crate::{JointForce, PlansError, joint_forces};
+use crate::{JointForce, PlansError};
 
 /// The reactions of one position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -52,32 +50,6 @@ pub struct Hodograph {
     pub points: Vec<[f64; 2]>,
     /// Whether the last point joins the first: the positions make a whole cycle.
     pub closed: bool,
-}
-
-/// The reactions in the positions of the scene; `states` has one state for each of them.
-///
-/// # Errors
-///
-/// [`PlansError`] with the first position that has none.
-pub fn samples(
-    linkage: &Linkage,
-    loads: &Loads,
-    analyzer: &dyn ForceAnalyzer,
-    states: &[State],
-) -> Result<Vec<Sample>, PlansError> {
-    let mut position = linkage.position();
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    let mut out = Reactions::new(linkage);
-    let mut list = Vec::with_capacity(states.len());
-    for (index, state) in states.iter().enumerate() {
-        linkage.solve(state.coordinate, Order::Second, &mut position)?;
-        loads.apply(state, &position.bodies, &mut wrenches);
-        loads.inertia(state, &position.bodies, &mut wrenches);
-        analyzer.solve(linkage, &position, &mut wrenches, &mut out)?;
-        let reactions = joint_forces(linkage, &out);
-        list.push(Sample { index, coordinate: state.coordinate, reactions, balancing: out.balancing });
-    }
-    Ok(list)
 }
 
 /// Whether the positions of the scene make a whole cycle.

@@ -4,13 +4,12 @@
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
 //! * [`instant_centers`]: absolute and relative, at infinity as a direction.
 //! * [`construction_plans`]: what a force analyzer draws (longitudinal reactions, Zhukovsky's lever).
-//! * [`split`]: reactions by cause; [`samples`], [`extremes`], [`hodograph`], [`sign_changes`]: reactions over the cycle.
+//! * [`split`]: reactions by cause; [`extremes`], [`hodograph`], [`sign_changes`]: reactions over the cycle.
 //! * [`enveloping`]: the straight line that an arc envelopes.
 //! * [`sheet`]: all plans of one position; [`text()`] and [`sheet_text`] write tables.
 //!
 //! SI units. Knows no terminal, no file and no concrete method.
 
-mod acceleration;
 mod centers;
 mod construction;
 mod cycle;
@@ -18,28 +17,27 @@ mod enveloping;
 mod error;
 mod images;
 mod joint;
+mod motion_plan;
 mod plan;
 mod polygon;
 mod sheet;
 mod sign;
 mod split;
 mod text;
-mod velocity;
 
-pub use acceleration::acceleration_plan;
-pub use centers::{Center, CenterAt, centers_plan, instant_centers};
+pub use centers::{Center, CenterAt, instant_centers};
 pub use construction::construction_plans;
-pub use cycle::{Extreme, Hodograph, Sample, extremes, hodograph, samples};
+pub use cycle::{Extreme, Hodograph, Sample, extremes, hodograph};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::PlansError;
 pub use joint::{JointForce, joint_forces};
+pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
 pub use sheet::{Sheet, constructions, sheet};
 pub use sign::{SignChange, Solver, sign_changes};
 pub use split::{Share, Split, split};
-pub use text::{extremes_text, sheet_text, split_text, text};
-pub use velocity::velocity_plan;
+pub use text::{sheet_text, text};
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::plan::length;
-use crate::{Center, CenterAt, Extreme, JointForce, Plan, Sheet, Split};
+use crate::{Center, CenterAt, JointForce, Plan, Sheet, Split};
 
 /// A number below this part of the greatest beside it is rounding.
 const ROUNDING: f64 = 1e-13;
@@ -70,7 +70,7 @@ fn centers_text(centers: &[Center]) -> String {
 }
 
 /// Reactions by cause as a table: one row for each joint and link, one block for each cause.
-pub fn split_text(split: &Split) -> String {
+fn split_text(split: &Split) -> String {
     let mut out = String::new();
     line(
         &mut out,
@@ -102,21 +102,6 @@ fn row(cause: &str, reaction: &JointForce, number: &impl Fn(f64) -> String) -> [
     let [fx, fy] = reaction.force;
     let size = number(length(reaction.force));
     [cause.to_owned(), reaction.joint.clone(), reaction.on.clone(), number(fx), number(fy), size]
-}
-
-/// Greatest and root mean square of each reaction as a table. `angular`: the coordinate is told in degrees.
-pub fn extremes_text(extremes: &[Extreme], angular: bool) -> String {
-    let mut out = String::new();
-    line(&mut out, "Reactions over the cycle (N)");
-    let rows = extremes.iter().map(|one| {
-        let coordinate = if angular { one.coordinate.to_degrees() } else { one.coordinate };
-        let at = format!("{} ({})", one.index, seven(coordinate));
-        [one.joint.clone(), one.on.clone(), seven(one.greatest), at, seven(one.rms)]
-    });
-    let coordinate = if angular { "at position (deg)" } else { "at position (m)" };
-    let head = ["joint", "on", "greatest", coordinate, "rms"].map(str::to_owned);
-    table(&mut out, head, rows.collect());
-    out
 }
 
 fn line(out: &mut String, words: &str) {

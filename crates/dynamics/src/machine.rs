@@ -18,13 +18,7 @@ pub struct Machine<'a> {
 impl<'a> Machine<'a> {
     /// Takes a compiled mechanism and its compiled loads.
     pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
-        let found = loads.dependence();
-        let dependence = Dependence {
-            inertia_constant: found.inertia_constant,
-            moment_on_coordinate: found.moment_on_coordinate,
-            moment_on_speed: found.moment_on_speed,
-            moment_on_time: found.moment_on_time,
-        };
+        let dependence = loads.dependence();
         Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
     }
 
@@ -68,18 +62,12 @@ impl Motion for Machine<'_> {
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        let bounds = self.loads.enter(&load_state(state), &mut self.phase);
-        Ok(Piece { coordinate: bounds.coordinate, speed: bounds.speed, time: bounds.time })
+        Ok(self.loads.enter(&load_state(state), &mut self.phase))
     }
 
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.solve(state.coordinate)?;
-        let found = self.loads.reduced_in_phase(&self.phase, &load_state(state), &self.position.bodies);
-        Ok(Reduced {
-            inertia: found.inertia,
-            inertia_derivative: found.inertia_derivative,
-            moment: found.moment,
-        })
+        Ok(self.loads.reduced_in_phase(&self.phase, &load_state(state), &self.position.bodies))
     }
 }

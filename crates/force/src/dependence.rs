@@ -1,28 +1,14 @@
 //! What the reduced inertia and the reduced moment depend on, by the structure of the scene (D 3.21).
 
+use assur_integrator::Dependence;
 use assur_mechanism::{GROUND, LinkId};
 
 use crate::law::Law;
 use crate::loads::{Along, Loads, PointForce};
 
-/// What J and Q depend on. `false` is certain; `true` means that nothing in the structure excludes it.
-///
-/// A dependence on the sign of the speed alone is not counted as one on the speed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "four independent questions")]
-pub struct Dependence {
-    /// J does not depend on the coordinate.
-    pub inertia_constant: bool,
-    /// Q depends on the coordinate.
-    pub moment_on_coordinate: bool,
-    /// Q depends on the size of the speed.
-    pub moment_on_speed: bool,
-    /// Q depends on time.
-    pub moment_on_time: bool,
-}
-
 impl Loads {
-    /// What the coefficients of the equation of motion depend on.
+    /// What the coefficients of the equation of motion depend on: `false` is certain, `true` means that nothing in the structure
+    /// excludes it.
     pub fn dependence(&self) -> Dependence {
         let law = |test: fn(&Law) -> bool| self.laws.iter().any(|law| !law.is_constant() && test(law));
         Dependence {

@@ -1,11 +1,11 @@
 //! How the size of a load follows from the state.
 
+use assur_integrator::Piece;
 use assur_mechanism::Table;
 
 use crate::State;
 use crate::breaks::{Breaks, tolerance};
-use crate::phase::Bounds;
-use crate::stroke::{Piece, Stroke};
+use crate::stroke::{Segment, Stroke};
 
 /// The law of one load.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,17 +26,17 @@ pub(crate) enum Law {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Active {
     /// Segment of the table, and which table.
-    pub(crate) piece: Piece,
+    pub(crate) piece: Segment,
     /// What whole cycles add to the argument.
     pub(crate) shift: f64,
 }
 
 impl Active {
     /// The only formula of a law that has one.
-    pub(crate) const ONLY: Self = Self { piece: Piece { back: false, segment: 0 }, shift: 0.0 };
+    pub(crate) const ONLY: Self = Self { piece: Segment { back: false, segment: 0 }, shift: 0.0 };
 
     fn segment(segment: usize, shift: f64) -> Self {
-        Self { piece: Piece { back: false, segment }, shift }
+        Self { piece: Segment { back: false, segment }, shift }
     }
 }
 
@@ -85,7 +85,7 @@ impl Law {
         state: &State,
         sense: f64,
         period: Option<f64>,
-        bounds: &mut Bounds,
+        bounds: &mut Piece,
     ) -> Active {
         let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
         match self {

@@ -24,23 +24,21 @@ mod reactions;
 mod reduce;
 mod registry;
 mod reversal;
-mod root;
 mod state;
 mod stroke;
 mod visit;
 mod wrenches;
 
 pub use analyzer::{ForceAnalyzer, ForceError};
+pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
 pub use construction::{Construction, Drawing, Step, StepKind};
-pub use dependence::Dependence;
 pub use error::LoadError;
 pub use group_by_group::group_by_group;
 pub use loads::{Cause, Loads};
 pub use named::{JointReaction, joint_reactions};
-pub use phase::{Bounds, Phase};
+pub use phase::Phase;
 pub use reactions::{Reactions, UnitBalance, power};
-pub use reduce::Reduced;
 pub use registry::{AnalyzerPlugin, analyzers, applicable, choose, find};
 pub use state::State;
 

@@ -1,5 +1,7 @@
 //! Smooth pieces of the loads, for integration.
 
+use assur_integrator::Piece;
+
 use crate::State;
 use crate::breaks::tolerance;
 use crate::law::{Active, cut};
@@ -14,22 +16,6 @@ pub struct Phase {
     pub(crate) sides: Vec<[f64; 2]>,
     pub(crate) contacts: Vec<bool>,
     pub(crate) sense: f64,
-}
-
-/// The box of states in which the formulas of a phase hold and are smooth; infinite where unbounded.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// Coordinate, rad (m).
-    pub coordinate: [f64; 2],
-    /// Speed, rad/s (m/s).
-    pub speed: [f64; 2],
-    /// Time, s.
-    pub time: [f64; 2],
-}
-
-impl Bounds {
-    /// One formula everywhere.
-    pub const UNBOUNDED: Self = Self { coordinate: EVERYWHERE, speed: EVERYWHERE, time: EVERYWHERE };
 }
 
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -50,8 +36,8 @@ impl Loads {
     /// The direction along the coordinate is the sign of the speed; of a speed that is exactly zero, the sense of the input.
     /// At a row of a table over the speed the segment is that of the speed itself (from the row up), whatever the
     /// acceleration: ask with a speed beside the row to get the other one. Allocates nothing.
-    pub fn enter(&self, state: &State, phase: &mut Phase) -> Bounds {
-        let mut bounds = Bounds::UNBOUNDED;
+    pub fn enter(&self, state: &State, phase: &mut Phase) -> Piece {
+        let mut bounds = Piece::UNBOUNDED;
         let sense = self.sense_of(state);
         phase.sense = sense;
         for (law, active) in self.laws.iter().zip(&mut phase.actives) {

@@ -1,22 +1,11 @@
 //! Reduction to the input link (theory of the project, section 3; S eqs. 1-3; E eqs. 4-6), and energies.
 
 use assur_group::Body;
+use assur_integrator::Reduced;
 
 use crate::loads::Loads;
 use crate::visit::{Choice, Live, Sink};
 use crate::{Phase, State};
-
-/// The coefficients of the equation of motion J e + J' w²/2 = Q: of all moving links and loads; no motor, no flywheel, no
-/// balancing load.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Reduced {
-    /// J, kg m² (kg for a sliding input).
-    pub inertia: f64,
-    /// dJ/dq, kg m²/rad (kg/m).
-    pub inertia_derivative: f64,
-    /// Q, N m (N), positive along the coordinate.
-    pub moment: f64,
-}
 
 /// Adds up the virtual power of loads.
 struct Power(f64);
@@ -35,7 +24,8 @@ impl Sink for Power {
 }
 
 impl Loads {
-    /// Reduced inertia, its derivative and the reduced moment, the formulas of the loads chosen by the state.
+    /// Coefficients of the equation of motion J e + J' w²/2 = Q, the formulas of the loads chosen by the state: of all moving
+    /// links and loads; without motor, flywheel and balancing load.
     ///
     /// `bodies` need PF2 where J depends on the coordinate or a force is always against the motion, else PF1. Where J is constant
     /// by structure ([`Mechanism::has_constant_reduced_inertia`](assur_mechanism::Mechanism::has_constant_reduced_inertia)),
@@ -44,8 +34,8 @@ impl Loads {
         self.reduce(&Live, state, bodies)
     }
 
-    /// The same by the formulas of one phase, continued smoothly beyond its bounds. `bodies` need PF2 only where J depends on the
-    /// coordinate.
+    /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond its
+    /// bounds. `bodies` need PF2 only where J depends on the coordinate.
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
         self.reduce(phase, state, bodies)
     }
@@ -68,16 +58,6 @@ impl Loads {
         let mut sum = Power(power);
         self.visit(choice, state, bodies, &mut sum);
         Reduced { inertia, inertia_derivative: 2.0 * half, moment: sum.0 }
-    }
-
-    /// Kinetic energy, J. `bodies` need PF1.
-    pub fn kinetic_energy(&self, speed: f64, bodies: &[Body<f64>]) -> f64 {
-        let each = self.masses.iter().map(|mass| {
-            let body = &bodies[mass.link];
-            let [vx, vy] = body.first(body.arm(mass.center));
-            mass.m * (vx * vx + vy * vy) + mass.inertia * (body.w1 * body.w1)
-        });
-        0.5 * speed * speed * each.sum::<f64>()
     }
 
     /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.

@@ -1,7 +1,8 @@
 //! Where a point comes to rest while the input moves: there a load against its motion turns round.
 
+use assur_number::search::try_newton_root;
+
 use crate::breaks::Breaks;
-use crate::root::root;
 use crate::stroke::{BodyAt, Span};
 
 /// Over how many places of the cycle a rest is bracketed.
@@ -36,7 +37,7 @@ pub(crate) fn rests(body: &mut BodyAt<'_>, at: [f64; 2], span: &Span) -> Breaks 
     let mut rests = Vec::new();
     for [low, high] in minima {
         // No derivative at hand: a slope of 0 makes the root finder bisect.
-        let Ok(q) = root(|q| slope(q).map(|s| (s[1], 0.0)), low, high) else { continue };
+        let Ok(q) = try_newton_root(low, high, |q| slope(q).map(|s| (s[1], 0.0))) else { continue };
         if slope(q).is_ok_and(|s| s[0] <= REST * greatest) {
             rests.push(q);
         }

@@ -2,9 +2,9 @@
 
 use assur_group::Body;
 use assur_mechanism::Table;
+use assur_number::search::try_newton_root;
 
 use crate::breaks::Breaks;
-use crate::root::root;
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
@@ -31,12 +31,12 @@ pub(crate) struct Stroke {
 #[derive(Debug, Clone, PartialEq)]
 struct Pieces {
     breaks: Breaks,
-    chosen: Vec<Piece>,
+    chosen: Vec<Segment>,
 }
 
 /// A segment of one of the two tables.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Piece {
+pub(crate) struct Segment {
     /// Whether the point returns, so that the table `back` holds.
     pub(crate) back: bool,
     /// Segment of the table.
@@ -97,7 +97,7 @@ impl Along<'_, '_> {
             let (low, high) = (span.at(index - 1, GRID), span.at(index, GRID));
             let after = self.place(high)?;
             if before[1] * after[1] < 0.0 {
-                found.push(root(|q| self.place(q).map(|s| (s[1], s[2])), low, high)?);
+                found.push(self.reversal(low, high)?);
             } else if before[1] == 0.0 {
                 found.push(low);
             } else if before[2] * after[2] < 0.0 && before[1] * before[2] < 0.0 {
@@ -108,22 +108,22 @@ impl Along<'_, '_> {
         Ok(found)
     }
 
+    /// The one reversal between two coordinates.
+    fn reversal(&mut self, low: f64, high: f64) -> Result<f64, NoStroke> {
+        try_newton_root(low, high, |q| self.place(q).map(|s| (s[1], s[2])))
+    }
+
     /// Two reversals in one cell of the grid: PF1 turns back inside, beyond zero.
     fn close_pair(&mut self, low: f64, high: f64, velocity: f64) -> Result<Vec<f64>, NoStroke> {
         let step = 1e-3 * (high - low);
-        let turn = root(
-            |q| {
-                let third = (self.place(q + step)?[2] - self.place(q - step)?[2]) / (2.0 * step);
-                self.place(q).map(|s| (s[2], third))
-            },
-            low,
-            high,
-        )?;
+        let turn = try_newton_root(low, high, |q| {
+            let third = (self.place(q + step)?[2] - self.place(q - step)?[2]) / (2.0 * step);
+            self.place(q).map(|s| (s[2], third))
+        })?;
         if self.place(turn)?[1] * velocity >= 0.0 {
             return Ok(Vec::new());
         }
-        let first = root(|q| self.place(q).map(|s| (s[1], s[2])), low, turn)?;
-        Ok(vec![first, root(|q| self.place(q).map(|s| (s[1], s[2])), turn, high)?])
+        Ok(vec![self.reversal(low, turn)?, self.reversal(turn, high)?])
     }
 }
 
@@ -181,7 +181,7 @@ impl Stroke {
                 let gap = |q: f64, along: &mut Along<'_, '_>| {
                     along.place(q).map(|s| (share(s[0]) - row, s[1] * self.inverse_travel))
                 };
-                points.push(root(|q| gap(q, along), ends[0], ends[1])?);
+                points.push(try_newton_root(ends[0], ends[1], |q| gap(q, along))?);
             }
         }
         if !span.periodic {
@@ -196,14 +196,14 @@ impl Stroke {
             let [s, velocity, curvature] = along.place(q)?;
             let velocity = if velocity == 0.0 { curvature } else { velocity };
             let back = (velocity < 0.0) != falling;
-            chosen.push(Piece { back, segment: self.tables[usize::from(back)].segment(share(s)) });
+            chosen.push(Segment { back, segment: self.tables[usize::from(back)].segment(share(s)) });
         }
         Ok(Pieces { breaks, chosen })
     }
 
     /// The formula that holds at a coordinate for this sense of the input, and the coordinates between which it holds.
     #[inline]
-    pub(crate) fn piece(&self, coordinate: f64, sense: f64) -> (Piece, [f64; 2]) {
+    pub(crate) fn piece(&self, coordinate: f64, sense: f64) -> (Segment, [f64; 2]) {
         let pieces = &self.senses[usize::from(sense < 0.0)];
         let interval = pieces.breaks.interval(coordinate);
         (pieces.chosen[interval.index], interval.ends)
@@ -211,7 +211,7 @@ impl Stroke {
 
     /// The load at a place of the ground by one formula.
     #[inline]
-    pub(crate) fn value(&self, piece: Piece, point: [f64; 2]) -> f64 {
+    pub(crate) fn value(&self, piece: Segment, point: [f64; 2]) -> f64 {
         let along = self.axis[0] * point[0] + self.axis[1] * point[1];
         let share = ((along - self.least) * self.inverse_travel).clamp(0.0, 1.0);
         self.tables[usize::from(piece.back)].at_segment(piece.segment, share)

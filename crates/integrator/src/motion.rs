@@ -74,7 +74,7 @@ impl std::fmt::Display for State {
 }
 
 /// The coefficients of the equation at one state.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reduced {
     /// J, kg m² (kg). Positive.
     pub inertia: f64,

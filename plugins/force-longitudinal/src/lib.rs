@@ -18,12 +18,12 @@
 //!
 //! What L leaves out is reduced to its case first. A slider's load along the guide acts on the coupler at B, the rest of
 //! it goes to the guide. A rocker's loads give the tangential reaction at B by moments about C. Loads on the crank change
-//! the balancing moment and the reaction at O only. [`press`] has the equations as printed, for the press of L.
+//! the balancing moment and the reaction at O only. The tests have the
+//! equations as printed, for the press of L.
 
 mod deliver;
 mod drawing;
 mod layout;
-pub mod press;
 mod published;
 mod setting;
 mod stable;

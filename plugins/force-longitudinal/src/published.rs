@@ -2,8 +2,8 @@
 //!
 //! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here always
 //! counter-clockwise. In L eqs. (3), (4), (10), (11) it is so; (8), (9) of the print count it towards x, so that here the
-//! abscissa of P has the opposite sign. K and B are taken from the position, not from (8), (9) for the press alone: those
-//! are in [`crate::press`].
+//! abscissa of P has the opposite sign. K and B are taken from the position, not from (8), (9), which
+//! hold for the press alone.
 
 use assur_force::ForceError;
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled};

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod construction;
+mod press;
 mod print;
 mod refusals;
 

@@ -1,8 +1,20 @@
 use assur_force::{Loads, State, analyzers};
 use assur_group::Wrench;
+use assur_kinematics::Linkage;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
-use crate::{extremes, hodograph, joint_forces, samples, split};
+use crate::{Sample, extremes, hodograph, joint_forces, split};
+
+/// The reactions in these states.
+fn samples(linkage: &Linkage, loads: &Loads, states: &[State]) -> Vec<Sample> {
+    let each = states.iter().enumerate().map(|(index, state)| {
+        let position = solved(linkage, state.coordinate);
+        let out = reactions(linkage, loads, state, &position).unwrap();
+        let reactions = joint_forces(linkage, &out);
+        Sample { index, coordinate: state.coordinate, reactions, balancing: out.balancing }
+    });
+    each.collect()
+}
 
 #[test]
 fn shares_sum_to_the_whole() {
@@ -57,7 +69,7 @@ fn greatest_and_root_mean_square_of_a_rotor() {
     let states: Vec<_> = (0..8)
         .map(|index| State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index)))
         .collect();
-    let list = samples(&linkage, &loads, analyzer("groups"), &states).unwrap();
+    let list = samples(&linkage, &loads, &states);
     let found = extremes(&linkage, &list);
     let arm = found.iter().find(|one| one.on == "arm").unwrap();
     // Centripetal 2 * 9 * 0.5 = 9 N, weight 20 N: 29 N below (position 6, 270 degrees); mean square 20^2 + 9^2.
@@ -77,7 +89,7 @@ fn over_a_range_the_mean_is_by_trapezoids() {
     let loads = Loads::compile(&linkage).unwrap();
     let states: Vec<_> =
         (0..3).map(|index| State::prescribed(&linkage.mechanism, f64::from(index))).collect();
-    let found = extremes(&linkage, &samples(&linkage, &loads, analyzer("groups"), &states).unwrap());
+    let found = extremes(&linkage, &samples(&linkage, &loads, &states));
     // |R|^2 = 481 - 2 * 9 * 20 sin q at q = 0, 1, 2, weights 1/4, 1/2, 1/4.
     let square = |q: f64| 481.0 - 360.0 * q.sin();
     let wanted = 0.25 * square(0.0) + 0.5 * square(1.0) + 0.25 * square(2.0);

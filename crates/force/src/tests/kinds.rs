@@ -37,7 +37,6 @@ fn inertia_of_a_turning_link() {
     let found = loads.reduced(&at(0.7, 3.0), &bodies(&linkage, 0.7));
     near(found.inertia, 0.1 + 2.0 * 0.0625, 1.0);
     near(found.inertia_derivative, 0.0, 1.0);
-    near(loads.kinetic_energy(3.0, &bodies(&linkage, 0.7)), 0.5 * 0.225 * 9.0, 1.0);
 }
 
 #[test]

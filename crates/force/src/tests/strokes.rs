@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use proptest::prelude::*;
 
 use super::{at, bodies, compiled, fixture, near};
-use crate::root::root;
 use crate::stroke::{Span, Stroke};
 
 const R: f64 = 0.06;
@@ -106,14 +105,6 @@ fn a_range_of_a_mechanism_that_cannot_turn_is_its_stroke() {
     let place = (height(q) - low) / (high - low);
     let found = loads.reduced(&at(q, 90.0), &bodies(&linkage, q)).moment;
     near(found, -gas(place, true) * bodies(&linkage, q)[3].y1, 100.0);
-}
-
-#[test]
-fn roots_are_exact_even_where_newton_is_thrown_out() {
-    let cube = |x: f64| Ok::<_, ()>((x * x * x - 2.0, 3.0 * x * x));
-    near(root(cube, -5.0, 9.0).unwrap(), 2.0_f64.cbrt(), 1.0);
-    // No slope given: bisection alone.
-    near(root(|x: f64| Ok::<_, ()>((0.3 - x, 0.0)), -5.0, 9.0).unwrap(), 0.3, 1.0);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 use serde_json::Value;
 
 use super::fixture;
-use crate::press::Press;
+use super::press::Press;
 
 const PRESS: Press = Press {
     crank: 0.04,

@@ -7,49 +7,49 @@
 
 /// Lengths and load, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Press {
+pub(super) struct Press {
     /// r1 = |OA|, m.
-    pub crank: f64,
+    pub(super) crank: f64,
     /// b = |AB|, m.
-    pub rod: f64,
+    pub(super) rod: f64,
     /// r2 = |AN|, m: from the crank pin to the center of the arc.
-    pub center: f64,
+    pub(super) center: f64,
     /// R, radius of the arc, m.
-    pub radius: f64,
+    pub(super) radius: f64,
     /// alpha, rad: the contact force acts at half of it.
-    pub alpha: f64,
+    pub(super) alpha: f64,
     /// Fc, normal force of the contact, N.
-    pub force: f64,
+    pub(super) force: f64,
     /// f, coefficient of sliding friction.
-    pub friction: f64,
+    pub(super) friction: f64,
 }
 
 /// What the equations give in one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub(super) struct Answer {
     /// (Fx, Fy), N (eq. 2).
-    pub force: [f64; 2],
+    pub(super) force: [f64; 2],
     /// (X2, Y2), m: distances of K and P (eqs. 8, 9).
-    pub distances: [f64; 2],
+    pub(super) distances: [f64; 2],
     /// Mc, N m: moment of F about P, clockwise (eq. 7).
-    pub moment: f64,
+    pub(super) moment: f64,
     /// Mb, N m: balancing moment on the crank, counter-clockwise (eq. 6).
-    pub balancing: f64,
+    pub(super) balancing: f64,
     /// Fb, N: balancing force at A (eq. 5).
-    pub balancing_force: f64,
+    pub(super) balancing_force: f64,
     /// R1, N: longitudinal reaction of the crank (eq. 10).
-    pub r1: f64,
+    pub(super) r1: f64,
     /// R3, N: longitudinal reaction of the slider, towards -x on the rod (eq. 11).
-    pub r3: f64,
+    pub(super) r3: f64,
     /// RO = RA, N (eq. 12).
-    pub ra: f64,
+    pub(super) ra: f64,
 }
 
 impl Press {
     /// All equations at the crank angle `f1`, rad, from y towards x.
     ///
     /// Where cos f1 = 0 the pole is at infinity and numbers are infinite or NaN: the print has no other answer there.
-    pub fn at(&self, f1: f64) -> Answer {
+    pub(super) fn at(&self, f1: f64) -> Answer {
         let (sin, cos) = f1.sin_cos();
         let (sa, ca) = (0.5 * self.alpha).sin_cos();
         let (fc, f) = (self.force, self.friction);
