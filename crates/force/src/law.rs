@@ -80,13 +80,7 @@ impl Law {
     }
 
     /// The formula that holds just ahead of a state, and the box in which it is smooth cut into `bounds`.
-    pub(crate) fn enter(
-        &self,
-        state: &State,
-        sense: f64,
-        period: Option<f64>,
-        bounds: &mut Piece,
-    ) -> Active {
+    pub(crate) fn enter(&self, state: &State, sense: f64, period: Option<f64>, bounds: &mut Piece) -> Active {
         let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
         match self {
             Self::Constant(_) => Active::ONLY,
