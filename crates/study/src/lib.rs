@@ -6,5 +6,4 @@
 //! Reads no clock of its own: whoever asks for times hands in a [`chart::Clock`].
 
 pub mod chart;
-mod differences;
 pub mod stability;

@@ -42,7 +42,7 @@ pub(crate) enum Command {
     Explain(ExplainArgs),
     /// Measure speed against accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
-    /// Walk towards where methods fail, on a fixed bench or on a scene; how near the scene comes to failing
+    /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
     Stability(StabilityArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point
     Sweep(super::sweep::SweepArgs),
@@ -127,8 +127,8 @@ pub(crate) struct AnalyzeArgs {
 /// Arguments of `stability`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StabilityArgs {
-    /// Scene file; without it, a fixed bench of mechanisms and motions close to failure
-    pub(crate) scene: Option<PathBuf>,
+    /// Scene file
+    pub(crate) scene: PathBuf,
     /// Form of the results
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,

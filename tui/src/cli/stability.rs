@@ -1,6 +1,8 @@
 //! `assur stability`.
 
-use assur_study::stability::{bench, stability};
+use std::ops::ControlFlow;
+
+use assur_study::stability::stability;
 
 use super::args::{Format, StabilityArgs};
 use super::fault::{Fault, Status};
@@ -8,13 +10,12 @@ use super::style::Style;
 use super::{output, scene};
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
-    let found = match &args.scene {
-        Some(path) => {
-            let mechanism = scene::read(path, style)?;
-            stability(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?
-        }
-        None => bench(),
+    let path = &args.scene;
+    let mechanism = scene::read(path, style)?;
+    let ControlFlow::Continue(found) = stability(mechanism, &mut |_, _| ControlFlow::Continue(())) else {
+        return Err(Fault::other("the study was stopped"));
     };
+    let found = found.map_err(|error| scene::in_file(path, &error.to_string()))?;
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,
         Format::Csv => found.to_csv(),

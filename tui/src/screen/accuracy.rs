@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use assur_kinematics::Linkage;
 use assur_study::chart::{self, ChartData, Clock, Options};
-use assur_study::stability::{Stability, stability_watched};
+use assur_study::stability::{Stability, stability};
 
 use super::running::{Cancel, PAUSE};
 use super::state::{State, Wish};
@@ -132,7 +132,7 @@ fn stability_of(
 ) -> ControlFlow<(), Result<Stability, String>> {
     wanted.cancel.flow()?;
     let mut told = Instant::now();
-    let found = stability_watched(wanted.linkage.mechanism.clone(), &mut |done, total| {
+    let found = stability(wanted.linkage.mechanism.clone(), &mut |done, total| {
         if told.elapsed() >= PAUSE {
             told = Instant::now();
             progress(fill(ENGLISH.count_stability, &[&done, &total]));

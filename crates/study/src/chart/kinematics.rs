@@ -1,6 +1,6 @@
 //! Transfer functions: closed forms in several numbers, the general solution, numerical differentiation.
 
-mod differences;
+pub(crate) mod differences;
 mod lanes;
 mod newton;
 
@@ -14,8 +14,7 @@ use super::entry::{Contestant, Entry, Field, Verdict};
 use super::work::Work;
 use super::{ChartError, Options, Row, Setting, Stage, Unit};
 
-use crate::differences::Stencil;
-use differences::Differences;
+use differences::{Differences, Stencil};
 use lanes::InLanes;
 use newton::{General, Places};
 

@@ -16,7 +16,7 @@ mod csv;
 mod data;
 mod entry;
 mod forces;
-mod kinematics;
+pub(crate) mod kinematics;
 mod markdown;
 mod motion;
 mod options;

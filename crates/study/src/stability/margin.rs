@@ -4,7 +4,6 @@
 //! the minima of the squared determinants are sought over the coordinate, not on a grid only: the length at which the
 //! least of them is zero is where both the determinant and its derivative by the coordinate vanish.
 
-mod golden;
 mod length;
 mod search;
 mod survey;
@@ -15,7 +14,7 @@ use std::ops::ControlFlow;
 use assur_kinematics::Linkage;
 use serde::Serialize;
 
-use length::{Length, lengths};
+use length::Length;
 use search::{Reach, SHORTEST, least};
 use survey::{Survey, grid};
 
@@ -55,25 +54,21 @@ const FARTHEST: f64 = 100.0;
 /// Changes below this part of the size are zero: lengths and places are rounded.
 const ZERO: f64 = 4e-12;
 
-/// How many lengths [`margins`] searches.
-pub(crate) fn count(linkage: &Linkage) -> usize {
-    let count = lengths(&linkage.mechanism).len();
-    if count > MOST_LENGTHS { 0 } else { count }
+/// The lengths whose margins are searched: all, or none of a mechanism that has more than [`MOST_LENGTHS`].
+pub(crate) fn lengths(linkage: &Linkage) -> Vec<Length> {
+    let all = length::lengths(&linkage.mechanism);
+    if all.len() > MOST_LENGTHS { Vec::new() } else { all }
 }
 
-/// The margins, the smallest first; none for a mechanism of more than [`MOST_LENGTHS`] lengths. `step` is called before each
-/// length, and may stop the search.
-pub(crate) fn margins<B>(
+/// The margins of the given lengths, the smallest first. `step` is called before each length, and may stop the search.
+pub(crate) fn margins(
     linkage: &Linkage,
-    step: &mut impl FnMut() -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<Margin>> {
+    lengths: &[Length],
+    step: &mut impl FnMut() -> ControlFlow<()>,
+) -> ControlFlow<(), Vec<Margin>> {
     let grid = grid(linkage);
-    let lengths = lengths(&linkage.mechanism);
-    if lengths.len() > MOST_LENGTHS {
-        return ControlFlow::Continue(Vec::new());
-    }
     let mut found = Vec::with_capacity(lengths.len());
-    for length in &lengths {
+    for length in lengths {
         step()?;
         found.push(margin(linkage, length, &grid));
     }

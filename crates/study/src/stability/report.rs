@@ -1,6 +1,5 @@
-//! The stability of a scene's mechanism, as data, JSON and text.
+//! The stability of a scene's mechanism, as data, JSON and CSV.
 
-use std::convert::Infallible;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
@@ -8,13 +7,11 @@ use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
 use serde::Serialize;
 
-use super::cycle::{self, GroupHealth};
-use super::isolated::Isolated;
 use super::margin::{self, Margin};
+use super::nearest::{self, GroupHealth};
 use super::row::Row;
 use super::target::targets;
-use super::walk_cycle::Walk;
-use super::{differences, scales, turns, walk_group};
+use super::walk::Walk;
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,86 +26,51 @@ pub struct Stability {
     pub lengths: Vec<Margin>,
     /// The walks.
     pub rows: Vec<Row>,
+    /// Places of least health that were not walked to, since the mechanism has very many groups; the worst were.
+    pub places_left_out: usize,
     /// Why the mechanism can't be assembled all over its cycle; `groups` and `lengths` are then empty.
     pub failure: Option<String>,
 }
 
-/// Studies a mechanism: its own cycle, and walks towards each singular position that its groups have.
+/// Studies a mechanism: its own cycle, its lengths, and walks to where each of its groups comes nearest to a singular position.
+///
+/// `watch` is called before each piece of work with the number of pieces that are done and of all pieces; it breaks to stop.
 ///
 /// # Errors
 ///
-/// [`CompileError`] if it can't be taken apart into registered groups.
-pub fn stability(mechanism: Mechanism) -> Result<Stability, CompileError> {
-    match stability_watched(mechanism, &mut |_, _| ControlFlow::<Infallible>::Continue(())) {
-        ControlFlow::Continue(found) => found,
-        ControlFlow::Break(never) => match never {},
-    }
-}
-
-/// The same; `tell` is called with the pieces of work that are done and their number before each piece, and may stop it.
-///
-/// # Errors
-///
-/// As [`stability`].
-pub fn stability_watched<B>(
+/// Continues with [`CompileError`] if the mechanism can't be taken apart into registered groups.
+pub fn stability(
     mut mechanism: Mechanism,
-    tell: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
-) -> ControlFlow<B, Result<Stability, CompileError>> {
+    watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,
+) -> ControlFlow<(), Result<Stability, CompileError>> {
     // The walks load every link themselves, with the balancing load on the input link.
     mechanism.balance = None;
     let linkage = match Linkage::compile(mechanism) {
         Ok(linkage) => linkage,
         Err(error) => return ControlFlow::Continue(Err(error)),
     };
-    let different = different(&linkage);
-    // The walks of the cycle are at most as many as the groups; the search for the least health is one piece of them each.
-    let total = different.len() + linkage.structure.groups.len() + margin::count(&linkage);
-    let mut done = 0;
-    let mut step = || {
-        done += 1;
-        tell(done - 1, total)
-    };
-    let mut rows = Vec::new();
-    for (name, group) in different {
-        step()?;
-        rows.extend(walk_group::walk(&name, &linkage.structure.groups[group]));
-    }
-    let (groups, failure) = match cycle::healths(&linkage) {
+    let (groups, failure) = match nearest::nearest(&linkage) {
         Ok(groups) => (groups, None),
         Err(failure) => (Vec::new(), Some(failure)),
     };
+    let (targets, places_left_out) = targets(&linkage, &groups);
+    let lengths = if failure.is_none() { margin::lengths(&linkage) } else { Vec::new() };
+    let total = targets.len() + lengths.len();
+    let mut done = 0;
+    let mut step = || {
+        done += 1;
+        watch(done - 1, total)
+    };
+    let mut rows = Vec::new();
     if let Some(walk) = Walk::new(&linkage) {
-        for target in targets(&linkage, &groups) {
+        for target in &targets {
             step()?;
-            walk.to(&target, &mut rows);
-        }
-        if let Some(q) = cycle::healthiest(&linkage) {
-            rows.extend(turns::rows(&linkage, &walk, q, None));
-            rows.extend(differences::rows(&linkage, q, "whole mechanism, where it is healthiest"));
-            rows.extend(scales::rows(&linkage, q, "whole mechanism, where it is healthiest"));
+            walk.to(target, &mut rows);
         }
     }
-    let lengths = if failure.is_none() { margin::margins(&linkage, &mut step)? } else { Vec::new() };
+    let lengths = margin::margins(&linkage, &lengths, &mut step)?;
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
-    ControlFlow::Continue(Ok(Stability { title, angular, groups, lengths, rows, failure }))
-}
-
-/// Groups that differ in kind or lengths, with a name that counts those alike.
-fn different(linkage: &Linkage) -> Vec<(String, usize)> {
-    let groups = &linkage.structure.groups;
-    let alone: Vec<_> = groups.iter().map(|group| Isolated::of(group).map(|alone| alone.frame)).collect();
-    let alike = |a: usize, b: usize| {
-        groups[a].plugin.name == groups[b].plugin.name && alone[a].is_some() && alone[a] == alone[b]
-    };
-    let first = |&index: &usize| (0..index).all(|before| !alike(before, index));
-    let named = |index: usize| {
-        let name = linkage.structure.group_name(&linkage.mechanism, index);
-        match (index + 1..groups.len()).filter(|&other| alike(index, other)).count() {
-            0 => (name, index),
-            more => (format!("{name} and {more} of the same lengths"), index),
-        }
-    };
-    (0..groups.len()).filter(first).map(named).collect()
+    ControlFlow::Continue(Ok(Stability { title, angular, groups, lengths, rows, places_left_out, failure }))
 }
 
 impl Stability {
@@ -128,14 +90,13 @@ impl Stability {
 
     /// All rows as a table with commas, one header row.
     pub fn to_csv(&self) -> String {
-        let mut text =
-            "where,method,quantity,distance,health,error,bound,ok,reason,section,along,expected\n".to_owned();
+        let mut text = "where,method,quantity,distance,health,error,bound,ok,reason\n".to_owned();
         let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
         for row in &self.rows {
             let error = row.error.map_or_else(String::new, |error| format!("{error:e}"));
             let _ = writeln!(
                 text,
-                "{},{},{},{:e},{:e},{error},{:e},{},{},{},{},{}",
+                "{},{},{},{:e},{:e},{error},{:e},{},{}",
                 quoted(&row.place),
                 quoted(&row.method),
                 row.quantity,
@@ -144,9 +105,6 @@ impl Stability {
                 row.bound,
                 row.ok,
                 quoted(row.reason.as_deref().unwrap_or("")),
-                row.law.section,
-                quoted(row.law.along),
-                quoted(row.law.expected)
             );
         }
         text

@@ -3,29 +3,24 @@
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
-use super::cycle::{self, GroupHealth};
-use super::row::Law;
+use super::nearest::{self, GroupHealth};
 
-pub(crate) static CYCLE: Law = Law {
-    section: "cycle",
-    along: "distance of the coordinate from where the group is least healthy, rad or parts of the size",
-    expected: "16 eps (1 + |q|) (groups / product of healths)^k, q in rad or parts of the size: k = 1 for \
-               places, 2 for PF1, PF2 and reactions; for all but reactions times (longest / shortest \
-               length), and where PF2 is small against its terms PF1^2 / health times their quotient; \
-               around a change point, where the motion is interpolated, k = 1, 2, 3 with the healths where \
-               that begins; for the published longitudinal form also / sine^2 of the angle at the pole",
-};
+/// A search for the least health finds its place to so much, rad or parts of the scale.
+const SAME: f64 = 1e-6;
 
-/// Where a walk goes.
+/// Most places that are walked to: of more, those where the health is least.
+const MOST_PLACES: usize = 24;
+
+/// Solutions of a group that the walks may cost, a mechanism of very many groups is walked to fewer places.
+const MOST_GROUPS: usize = 1200;
+
+/// A place that is walked to.
 #[derive(Debug)]
 pub(crate) struct Target {
-    pub(crate) law: &'static Law,
-    /// What takes the place of the group's name.
-    pub(crate) name: Option<String>,
     pub(crate) coordinate: f64,
     /// From which sides, 1 or -1.
     pub(crate) sides: Vec<f64>,
-    /// How far there is a way to walk, rad or m.
+    /// How far from it the walk may begin, rad or m.
     pub(crate) reach: f64,
     /// The groups that are least healthy there.
     pub(crate) groups: Vec<usize>,
@@ -34,51 +29,44 @@ pub(crate) struct Target {
 }
 
 impl Target {
-    /// The walk, as rows name it.
+    /// The place as rows name it.
     pub(crate) fn place(&self, linkage: &Linkage, group: usize, more: &str) -> String {
-        let name = match &self.name {
-            Some(name) => name.clone(),
-            None => linkage.structure.group_name(&linkage.mechanism, group),
-        };
-        format!("{name}{more}, {}", self.words)
+        format!("{}{more}, {}", linkage.structure.group_name(&linkage.mechanism, group), self.words)
     }
 }
 
-/// Where each group is least healthy, and where the range ends; groups that are so at one place, as in a row of
-/// parallelograms, are walked to together.
-pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> Vec<Target> {
-    /// A search for the least health finds its place to so much, rad or parts of the scale.
-    const SAME: f64 = 1e-6;
-    let unit = linkage.coordinate_unit();
+/// Where each group is least healthy, and where the range ends, and how many such places are left out. Groups that are least
+/// healthy at one place, as in a row of parallelograms, are walked to together.
+pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>, usize) {
+    let mut worst: Vec<usize> = (0..groups.len()).collect();
+    worst.sort_by(|&a, &b| groups[a].health.total_cmp(&groups[b].health));
     let mut targets: Vec<Target> = Vec::new();
-    for (index, least) in groups.iter().enumerate() {
-        let change = linkage.interpolation(least.coordinate);
-        let coordinate = change.map_or(least.coordinate, |across| across.center);
+    for index in worst {
+        let change = linkage.interpolation(groups[index].coordinate);
+        let coordinate = change.map_or(groups[index].coordinate, |across| across.center);
         let words = if change.is_some() { "change point" } else { "least health of the cycle" };
-        let near = |target: &&mut Target| (target.coordinate - coordinate).abs() <= SAME * unit;
+        let near =
+            |target: &&mut Target| (target.coordinate - coordinate).abs() <= SAME * linkage.coordinate_unit();
         match targets.iter_mut().find(near) {
             Some(target) => target.groups.push(index),
             None => targets.push(within(linkage, coordinate, index, words)),
         }
     }
+    let most = (MOST_GROUPS / groups.len().max(1)).clamp(2, MOST_PLACES);
+    let left_out = targets.len().saturating_sub(most);
+    targets.truncate(most);
+    targets.iter_mut().for_each(|target| target.groups.sort_unstable());
+    targets.sort_by_key(|target| target.groups.first().copied());
     targets.extend(ends(linkage));
-    targets
+    (targets, left_out)
 }
 
-/// A place of the cycle, from the side on which there is more way.
+/// A place of the cycle, from the side that has more of the cycle.
 fn within(linkage: &Linkage, coordinate: f64, group: usize, words: &'static str) -> Target {
-    let grid = cycle::coordinates(linkage);
+    let grid = nearest::coordinates(linkage);
     let (down, up) = (grid[0] - coordinate, grid[grid.len() - 1] - coordinate);
     let longer = if down.abs() > up.abs() { down } else { up };
-    Target {
-        law: &CYCLE,
-        name: None,
-        coordinate,
-        sides: vec![longer.signum()],
-        reach: longer.abs(),
-        groups: vec![group],
-        words,
-    }
+    Target { coordinate, sides: vec![longer.signum()], reach: longer.abs(), groups: vec![group], words }
 }
 
 /// The ends of the range in which it assembles, from inside, with the group that ends it.
@@ -87,22 +75,16 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
     const NEAR: f64 = 1e-6;
     const ENDING: f64 = 1e-2;
     let Some(range) = linkage.range.filter(|range| !range.full) else { return Vec::new() };
-    let unit = linkage.coordinate_unit();
     let mut position = linkage.position();
-    let mut end = |(coordinate, side): (f64, f64)| {
-        linkage.solve(coordinate + side * NEAR * unit, Order::Place, &mut position).ok()?;
+    let mut end = |(coordinate, side, words): (f64, f64, &'static str)| {
+        linkage
+            .solve(coordinate + side * NEAR * linkage.coordinate_unit(), Order::Place, &mut position)
+            .ok()?;
         let healths = position.health.iter().map(|health| health.abs()).enumerate();
         let (group, least) = healths.min_by(|a, b| a.1.total_cmp(&b.1))?;
         let reach = range.high - range.low;
-        (least < ENDING).then(|| Target {
-            law: &CYCLE,
-            name: None,
-            coordinate,
-            sides: vec![side],
-            reach,
-            groups: vec![group],
-            words: if side > 0.0 { "low end of the range" } else { "high end of the range" },
-        })
+        (least < ENDING).then(|| Target { coordinate, sides: vec![side], reach, groups: vec![group], words })
     };
-    [(range.low, 1.0), (range.high, -1.0)].into_iter().filter_map(&mut end).collect()
+    let both = [(range.low, 1.0, "low end of the range"), (range.high, -1.0, "high end of the range")];
+    both.into_iter().filter_map(&mut end).collect()
 }

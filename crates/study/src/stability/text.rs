@@ -5,9 +5,10 @@ use std::fmt::Write;
 
 use super::margin;
 use super::report::Stability;
-use super::row::{Law, Row};
+use super::row::Row;
+use super::walk;
 
-/// Rows that fail, of which the conclusion tells.
+/// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
 
 /// All distances of one method on one walk.
@@ -64,9 +65,6 @@ impl Stability {
     }
 
     fn nearest(&self, text: &mut String) {
-        if self.groups.is_empty() && self.failure.is_none() {
-            return;
-        }
         text.push_str("\nNearest to a singular position over the cycle\n");
         let unit = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
         for group in &self.groups {
@@ -110,17 +108,17 @@ impl Stability {
 
     fn walks(&self, text: &mut String) {
         text.push_str("\nWalks: largest error over bound, and the distances at which a method refuses\n");
-        let mut laws: Vec<&Law> = Vec::new();
-        for row in &self.rows {
-            if !laws.contains(&&row.law) {
-                laws.push(&row.law);
-            }
+        let _ = writeln!(text, "\n  distance: {}\n  bound: {}", walk::ALONG, walk::EXPECTED);
+        if self.places_left_out > 0 {
+            let _ = writeln!(
+                text,
+                "  {} groups: only the places of least health are walked to, {} others are left out",
+                self.groups.len(),
+                self.places_left_out
+            );
         }
-        for law in laws {
-            let _ = writeln!(text, "\n  {}: {}\n  expected: {}", law.section, law.along, law.expected);
-            for walk in walks_of(self.rows.iter().filter(|row| row.law == *law)) {
-                text.push_str(&walk.line());
-            }
+        for walk in walks_of(self.rows.iter()) {
+            text.push_str(&walk.line());
         }
     }
 

@@ -3,7 +3,7 @@
 use assur_mechanism::{LinkId, Mechanism};
 
 /// One length and how it is changed.
-pub(super) enum Length {
+pub(crate) enum Length {
     /// From one joint of a link to another one, which moves.
     Joints { link: LinkId, from: usize, to: usize },
     /// Offset of a slide across its guide.
@@ -68,9 +68,15 @@ impl Length {
             Self::Joints { link, from, to } => {
                 let [a, b] = ends(&mechanism, link, from, to);
                 let part = change / distance(&mechanism, link, from, to);
-                let places = mechanism.points[to].places.iter_mut().filter(|place| place.link == link);
-                for place in places {
-                    place.at = [b[0] + part * (b[0] - a[0]), b[1] + part * (b[1] - a[1])];
+                let moved = [b[0] + part * (b[0] - a[0]), b[1] + part * (b[1] - a[1])];
+                let points = mechanism.points[to].places.iter_mut().map(|place| (place.link, &mut place.at));
+                // A guide that passes through the joint, or a slide held by it, is dimensioned from the joint.
+                let slides = mechanism
+                    .slides
+                    .iter_mut()
+                    .flat_map(|slide| [(slide.link, &mut slide.point), (slide.on, &mut slide.through)]);
+                for (_, at) in points.chain(slides).filter(|(on, at)| *on == link && **at == b) {
+                    *at = moved;
                 }
             }
             Self::Offset { slide } => {

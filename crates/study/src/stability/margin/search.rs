@@ -1,6 +1,7 @@
 //! The least change of a length that breaks a mechanism.
 
-use super::golden::least_of;
+use assur_number::search::{bisect, try_least};
+
 use super::survey::may_touch;
 
 /// First change that is tried, in parts of the length.
@@ -46,44 +47,24 @@ pub(super) fn least(reach: Reach, mut clearance: impl FnMut(f64) -> Option<f64>)
     while tried[1].0 < reach.last {
         let change = reach.next(tried[1].0);
         let Some(value) = clearance(change) else {
-            let found = boundary(tried[1].0, change, finest, &mut clearance);
+            let [_, broken] = bisect(tried[1].0, change, finest, |change| clearance(change).is_some());
             // An iteration that began too far away may not have found what is there.
-            match clearance(found.1) {
-                None => return Some(found.1),
+            match clearance(broken) {
+                None => return Some(broken),
                 Some(value) => {
-                    tried = [tried[1], (found.1, value)];
+                    tried = [tried[1], (broken, value)];
                     continue;
                 }
             }
         };
         let [before, middle] = tried;
         if may_touch(middle.1, [before.1, value]) {
-            let mut at = middle.0;
-            let found = least_of(before.0, change, STEPS, |change| {
-                at = change;
-                clearance(change)
-            });
-            if found.is_none() {
-                return Some(boundary(before.0, at, finest, &mut clearance).1);
+            let found = try_least(before.0, change, STEPS, |change| clearance(change).ok_or(change));
+            if let Err(broken) = found {
+                return Some(bisect(before.0, broken, finest, |change| clearance(change).is_some())[1]);
             }
         }
         tried = [middle, (change, value)];
     }
     None
-}
-
-/// Both sides of the boundary between a change that is good and one that is bad, by bisection down to rounding.
-fn boundary(
-    mut good: f64,
-    mut bad: f64,
-    finest: f64,
-    clearance: &mut impl FnMut(f64) -> Option<f64>,
-) -> (f64, f64) {
-    loop {
-        let middle = 0.5 * (good + bad);
-        if middle <= good || middle >= bad || bad - good < finest {
-            return (good, bad);
-        }
-        if clearance(middle).is_none() { bad = middle } else { good = middle }
-    }
 }

@@ -2,8 +2,8 @@
 
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, iterated};
+use assur_number::search::try_least;
 
-use super::golden::least_of;
 use super::length::Length;
 use super::trial::Trial;
 
@@ -30,7 +30,7 @@ pub(super) struct Survey<'a> {
 
 /// The coordinates of the grid.
 pub(super) fn grid(linkage: &Linkage) -> Vec<f64> {
-    super::super::cycle::coordinates(linkage).into_iter().step_by(STRIDE).collect()
+    super::super::nearest::coordinates(linkage).into_iter().step_by(STRIDE).collect()
 }
 
 impl<'a> Survey<'a> {
@@ -100,28 +100,28 @@ impl<'a> Survey<'a> {
                     continue;
                 }
                 let [low, high] = neighbors.map(|k| self.grid[k]);
-                let mut failed = None;
-                let found = least_of(low, high, STEPS, |q| {
+                let found = try_least(low, high, STEPS, |q| {
                     if let Some(start) = placed.get(i) {
                         bodies.clone_from(start);
                     }
-                    failed = Some(q);
-                    trial.place(q, &self.iterates, &mut bodies)?;
-                    Some(trial.squares[group])
+                    trial.place(q, &self.iterates, &mut bodies).ok_or(q)?;
+                    Ok(trial.squares[group])
                 });
-                let Some((_, value)) = found else {
-                    self.suspect = failed.map(|q| (i.min(self.starts.len() - 1), q));
-                    return None;
-                };
-                least = least.min(value);
+                match found {
+                    Ok((_, value)) => least = least.min(value),
+                    Err(q) => {
+                        self.suspect = Some((i.min(self.starts.len() - 1), q));
+                        return None;
+                    }
+                }
             }
         }
         Some(least)
     }
 }
 
-/// Whether a value that is not above its neighbors may be beside a minimum that reaches zero: a parabola through the three
-/// dips by an eighth of their difference at most.
+/// Whether a value that is not above its neighbors may lie next to a minimum of zero: the parabola through the three falls below
+/// it by at most an eighth of their difference.
 pub(super) fn may_touch(value: f64, neighbors: [f64; 2]) -> bool {
     let [a, b] = neighbors;
     value <= a && value <= b && value <= a.max(b) - value

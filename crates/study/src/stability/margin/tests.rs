@@ -1,8 +1,7 @@
 //! Against closed forms of the limits.
 
-use assur_all as _;
-
-use super::super::{Margin, stability};
+use super::Margin;
+use crate::stability::tests::studied;
 
 /// A slider-crank with crank, rod and offset, m.
 fn slider_crank(crank: f64, rod: f64, offset: f64) -> String {
@@ -24,7 +23,7 @@ fn four_bar(c: [f64; 2], crank: f64, coupler: f64, rocker: f64) -> String {
 }
 
 fn margins(text: &str) -> Vec<Margin> {
-    stability(assur_scene::read("scene.toml", text).unwrap()).unwrap().lengths
+    studied(assur_scene::read("scene.toml", text).unwrap()).unwrap().lengths
 }
 
 /// The increase and the decrease of the length that begins so are these, to 1e-12 of the size (1 m).
@@ -130,4 +129,24 @@ fn margins_scale_with_the_mechanism() {
         assert!((margin.increase.unwrap() / unit - 0.4).abs() < 1e-12, "{unit}: {margin:?}");
         assert!((margin.decrease.unwrap() / unit - 0.1).abs() < 1e-12, "{unit}: {margin:?}");
     }
+}
+
+/// A bar through a sleeve on the crank pin, the line through its point T at 33 degrees to the bar: a longer bar carries the
+/// line away from the pivot C. The crank pin A must stay outside the circle about C that a line at A's distance from the
+/// guide touches.
+#[test]
+fn a_guide_through_a_joint_moves_with_it() {
+    let found = margins(
+        "[ground]\npoints = { O = [0, 0], C = [0.3, -0.1] }\n[link.crank]\npoints = { O = 0, A = 0.08 }\n\
+         [link.bar]\npoints = { C = 0, T = 0.4 }\n[link.sleeve]\npoints = { A = [0.01, 0.02] }\n\
+         [[slide]]\nlink = \"bar\"\non = \"sleeve\"\nthrough = [0, 0.03]\nangle = \"12 deg\"\npoint = \"T\"\ntilt = \"-33 deg\"\n\
+         [link.rod]\npoints = { T = 0, H = 0.35 }\n[link.yoke]\npoints = { H = [0, 0.02] }\n\
+         [[slide]]\nlink = \"yoke\"\non = \"ground\"\nthrough = [0, -0.3]\nangle = \"3 deg\"\n[input]\nlink = \"crank\"\n",
+    );
+    let (s, c) = 12.0_f64.to_radians().sin_cos();
+    // From A to the guide, both in the frame of the sleeve.
+    let apart = 0.01 * s + (0.03 - 0.02) * c;
+    let longest = (0.3_f64.hypot(0.1) - 0.08 - apart) / 33.0_f64.to_radians().sin();
+    check(&found, "bar: C to T", Some(longest - 0.4), None);
+    assert!((longest - 0.4 - 0.012).abs() < 1e-4, "{longest}");
 }

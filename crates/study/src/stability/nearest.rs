@@ -1,0 +1,119 @@
+//! The mechanism over its own cycle: the least health of each group, and the angle that forces pass through there.
+
+use assur_group::Order;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::Range;
+use assur_number::search;
+use serde::Serialize;
+
+/// Coordinates that are tried over the cycle before the search is refined.
+const SAMPLES: usize = 720;
+
+/// Steps of the search between two of them: to rounding.
+const SECTIONS: usize = 80;
+
+/// So many groups, those of least health, have their least health refined between the samples: each costs as many solutions
+/// of the whole mechanism.
+const MOST_REFINED: usize = 60;
+
+/// How near a group comes to a singular position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GroupHealth {
+    /// `group 1 (RRR rod, rocker)`.
+    #[serde(rename = "where")]
+    pub place: String,
+    /// Least dimensionless determinant over the cycle.
+    pub health: f64,
+    /// Where, rad or m.
+    pub coordinate: f64,
+    /// Number of the scene's position that is nearest.
+    pub position: usize,
+    /// What the angle is.
+    pub angle_of: &'static str,
+    /// Worst value of that angle over the cycle, rad.
+    pub angle: f64,
+    /// Whether two ways of assembly meet there: a change point, which the motion goes through.
+    pub change_point: bool,
+}
+
+impl GroupHealth {
+    /// What the least health means, as a sentence.
+    pub(crate) fn words(&self) -> String {
+        if self.change_point {
+            return format!(
+                "{} goes through a change point: its motion is continued smoothly, its reactions are not determined there.",
+                self.place
+            );
+        }
+        let digits = (-(f64::EPSILON / self.health.max(1e-8).powi(2)).log10()).clamp(0.0, 16.0);
+        format!(
+            "{} comes closest to a singular position (health {:.3e}): about {digits:.0} digits are left there of \
+             velocities and reactions.",
+            self.place, self.health
+        )
+    }
+}
+
+/// Coordinates over what the scene asks for, both ends included.
+pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
+    let input = &linkage.mechanism.input;
+    let length = match input.range {
+        Range::Cycle(cycle) => input.sign() * cycle,
+        Range::To(to) => to - input.from,
+    };
+    (0..=SAMPLES).map(|i| input.from + length * (i as f64) / (SAMPLES as f64)).collect()
+}
+
+/// Where each group is least healthy.
+///
+/// # Errors
+///
+/// What is said of the first position that does not assemble.
+pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, String> {
+    let grid = coordinates(linkage);
+    let mut position = linkage.position();
+    let mut least: Vec<(f64, usize)> = vec![(f64::INFINITY, 0); linkage.groups().len()];
+    for (i, &q) in grid.iter().enumerate() {
+        linkage.solve(q, Order::Place, &mut position).map_err(|error| error.to_string())?;
+        for (least, health) in least.iter_mut().zip(&position.health) {
+            if health.abs() < least.0 {
+                *least = (health.abs(), i);
+            }
+        }
+    }
+    let mut worst: Vec<usize> = (0..least.len()).collect();
+    worst.sort_by(|&a, &b| least[a].0.total_cmp(&least[b].0));
+    let mut places: Vec<f64> = least.iter().map(|(_, at)| grid[*at]).collect();
+    for &group in worst.iter().take(MOST_REFINED) {
+        let (health, at) = least[group];
+        let (low, high) = (grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]);
+        let found = search::least(low, high, SECTIONS, |q| {
+            linkage
+                .solve(q, Order::Place, &mut position)
+                .map_or(f64::INFINITY, |()| position.health[group].abs())
+        });
+        if found.1 < health {
+            places[group] = found.0;
+        }
+    }
+    (0..places.len()).map(|group| at(linkage, group, places[group], &mut position)).collect()
+}
+
+fn at(linkage: &Linkage, group: usize, q: f64, position: &mut Position) -> Result<GroupHealth, String> {
+    linkage.solve(q, Order::Place, position).map_err(|error| error.to_string())?;
+    let input = &linkage.mechanism.input;
+    let away = |index: &usize| (input.coordinate(*index) - q).abs();
+    let position_near = (0..input.positions).min_by(|a, b| away(a).total_cmp(&away(b)));
+    let found = &linkage.structure.groups[group];
+    let health = position.health[group].abs();
+    let force_angle = &found.plugin.force_angle;
+    Ok(GroupHealth {
+        place: linkage.structure.group_name(&linkage.mechanism, group),
+        health,
+        coordinate: q,
+        position: position_near.unwrap_or(0),
+        angle_of: force_angle.words,
+        angle: (force_angle.of)(&found.frame, &position.bodies, health),
+        change_point: linkage.is_interpolated(q),
+    })
+}

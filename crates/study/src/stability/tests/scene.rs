@@ -1,0 +1,180 @@
+//! The study of a scene: figures in closed form, change points, JSON and text.
+
+use std::ops::ControlFlow;
+
+use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
+
+use super::studied;
+use crate::stability::{DISTANCES, stability};
+
+fn scene(text: &str) -> Mechanism {
+    assur_scene::read("scene.toml", text).unwrap()
+}
+
+const CRANK_ROD: &str = r#"
+    [ground]
+    points = { O = [0, 0] }
+    [link.crank]
+    points = { O = 0, A = 0.25 }
+    [link.rod]
+    points = { A = 0, B = 1 }
+    [link.slider]
+    points = { B = 0 }
+    [[slide]]
+    link = "slider"
+    on = "ground"
+    [input]
+    link = "crank"
+"#;
+
+fn parallelogram() -> Mechanism {
+    scene(
+        r#"
+        [ground]
+        points = { O = [0, 0], C = [1, 0] }
+        [link.crank]
+        points = { O = 0, A = 0.5 }
+        [link.coupler]
+        points = { A = 0, B = 1 }
+        [link.rocker]
+        points = { C = 0, B = 0.5 }
+        [input]
+        link = "crank"
+        from = 1
+        [assembly]
+        B = [1.27, 0.42]
+    "#,
+    )
+}
+
+#[test]
+fn a_study_that_is_stopped_ends_there() {
+    let mut calls = Vec::new();
+    let found = stability(scene(CRANK_ROD), &mut |done, total| {
+        calls.push((done, total));
+        if done == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert!(found.is_break());
+    // One group, to which one walk goes; then the lengths of crank and rod, and the offset of the slide.
+    assert_eq!(calls, [(0, 4), (1, 4), (2, 4)]);
+}
+
+/// n = 4: the rod makes asin(1/4) with the guide at the worst, and the offset may grow to rod - crank.
+#[test]
+fn figures_of_a_slider_crank() {
+    let found = studied(scene(CRANK_ROD)).unwrap();
+    let group = &found.groups[0];
+    assert!((group.angle - 0.25_f64.asin()).abs() < 1e-12);
+    assert!((group.health - 0.9375_f64.sqrt()).abs() < 1e-12);
+    let of = |start: &str| found.lengths.iter().find(|margin| margin.length.starts_with(start)).unwrap();
+    assert!((of("rod").decrease.unwrap() - 0.75).abs() < 1e-6);
+    assert!((of("slider").increase.unwrap() - 0.75).abs() < 1e-6);
+    assert!(of("rod").increase.is_none());
+    assert!(found.is_ok(), "{}", found.to_text());
+}
+
+#[test]
+fn margins_are_told_with_the_digits_that_are_right() {
+    let text = studied(scene(CRANK_ROD)).unwrap().to_text();
+    assert!(
+        text.contains("rod: A to B (1000 mm): + none found up to 100000 mm, -750 mm\n")
+            && text.contains("crank: O to A (250 mm): +750 mm, - none found up to 249.99975 mm\n"),
+        "{text}"
+    );
+}
+
+#[test]
+fn ways_stay_where_they_no_longer_meet() {
+    let linkage = Linkage::compile(parallelogram()).unwrap();
+    assert_eq!(linkage.change_points().len(), 2);
+    assert_eq!(linkage.ways.without(1.0, |_| false), linkage.ways);
+    for from in [1.0, 4.0] {
+        let alone = linkage.ways.without(from, |_| true);
+        for q in [-2.0, 0.5, 2.0, 4.0, 7.0] {
+            assert_eq!(alone.at(q), linkage.ways.at(from), "{from}, {q}");
+        }
+    }
+}
+
+/// A crank-rocker 1 : 3.5 : 3 : 4 (crank, coupler, rocker, ground) by Grashof's sums.
+#[test]
+fn margins_of_a_four_bar() {
+    let found = studied(scene(
+        r#"
+        [ground]
+        points = { O = [0, 0], C = [4, 0] }
+        [link.crank]
+        points = { O = 0, A = 1 }
+        [link.coupler]
+        points = { A = 0, B = 3.5 }
+        [link.rocker]
+        points = { C = 0, B = 3 }
+        [input]
+        link = "crank"
+    "#,
+    ))
+    .unwrap();
+    let of = |start: &str| found.lengths.iter().find(|margin| margin.length.starts_with(start)).unwrap();
+    // Turns fully while 4 + 1 <= b + c and 4 - 1 >= |b - c|.
+    assert!((of("coupler").decrease.unwrap() - 1.5).abs() < 1e-6);
+    assert!((of("coupler").increase.unwrap() - 2.5).abs() < 1e-6);
+    assert!((of("rocker").decrease.unwrap() - 1.5).abs() < 1e-6);
+    assert!(found.is_ok(), "{}", found.to_text());
+}
+
+/// The parallelogram goes through its change points as a parallelogram: the rocker is parallel to the crank, the coupler
+/// to the ground, at every distance and on both sides.
+#[test]
+fn a_parallelogram_passes_its_change_points() {
+    let linkage = Linkage::compile(parallelogram()).unwrap();
+    let mut position = linkage.position();
+    for center in [0.0, std::f64::consts::PI] {
+        for distance in DISTANCES {
+            for q in [center - distance, center + distance] {
+                linkage.solve(q, assur_group::Order::Second, &mut position).unwrap();
+                let (coupler, rocker) = (&position.bodies[2], &position.bodies[3]);
+                assert!((rocker.c - q.cos()).abs() + (rocker.s - q.sin()).abs() < 1e-11, "{q}");
+                assert!((rocker.w1 - 1.0).abs() + coupler.w1.abs() < 1e-9, "{q}");
+                assert!(rocker.w2.abs() + coupler.w2.abs() < 1e-7, "{q}");
+            }
+        }
+    }
+}
+
+#[test]
+fn walks_over_a_change_point_keep_their_bounds() {
+    let found = studied(parallelogram()).unwrap();
+    assert!(found.rows.iter().any(|row| row.place.ends_with("change point")));
+    assert!(found.is_ok(), "{}", found.to_text());
+}
+
+/// The published longitudinal reactions lose digits towards their pole at infinity; the stable form does not.
+#[test]
+fn the_published_pole_at_infinity_is_told() {
+    let found =
+        studied(scene(&CRANK_ROD.replace("on = \"ground\"", "on = \"ground\"\n    angle = \"90 deg\"")))
+            .unwrap();
+    let worst = |method: &str| {
+        let rows = found.rows.iter().filter(|row| row.method == method);
+        rows.filter_map(|row| row.error).fold(0.0, f64::max)
+    };
+    assert!(worst("longitudinal") < 1e-13 && worst("longitudinal-published") > 1e-10);
+    assert!(found.is_ok(), "{}", found.to_text());
+}
+
+#[test]
+fn no_assembly_is_told() {
+    let found = studied(scene(&CRANK_ROD.replace("A = 0.25", "A = 1.25"))).unwrap();
+    assert!(!found.is_ok() && found.failure.unwrap().contains("no assembly"));
+}
+
+#[test]
+fn json_has_the_keys_of_the_format() {
+    let text = studied(scene(CRANK_ROD)).unwrap().to_json().unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let row = json["rows"][0].as_object().unwrap();
+    for key in ["where", "method", "quantity", "distance", "health", "error", "bound", "ok", "reason"] {
+        assert!(row.contains_key(key), "{key}");
+    }
+}
