@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use assur_all as _;
-use assur_analysis::{Options, Study};
+use assur_analysis::{Calculation, Options, unwatched};
 use assur_force::{Reactions, State};
 use assur_group::{Order, Wrench};
 
@@ -87,15 +87,15 @@ fn bare(text: &str, heavy: &[&str]) -> String {
     lines.collect::<Vec<_>>().join("\n") + "\n"
 }
 
-fn study(text: &str) -> Study {
+fn study(text: &str) -> Calculation {
     let mechanism = assur_scene::read("bench", text).expect("a good scene");
-    Study::of(mechanism, &Options::default()).expect("a good mechanism")
+    Calculation::of(mechanism, &Options::default(), &mut unwatched).expect("a good mechanism")
 }
 
 fn analyze(text: &str, runs: usize) {
     let study = study(text);
     for _ in 0..runs {
-        black_box(study.analyze());
+        let _ = black_box(study.analyze(&mut unwatched));
     }
 }
 

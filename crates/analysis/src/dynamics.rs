@@ -2,45 +2,46 @@
 
 use std::sync::Arc;
 
+use assur_dynamics::{ReductionPoint, Regime, Steady, SteadyMotor, Transient};
+use assur_mechanism::Motion;
+
 use crate::results::{
-    CourseRow, Dynamics, Energy, EventRow, Instant, Integration, MotorReport, MotorWork, Named, PointReport,
-    RegimeReport, RunnerUp,
+    Dynamics, Energy, Integration, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
 };
-use assur_dynamics::{FlywheelByMethod, ReductionPoint, Regime, Steady, SteadyMotor, Transient};
-use assur_integrator::{Event, EventKind, State};
+use crate::{Calculation, InputMotion};
 
-use crate::{Course, Study};
-
-/// Intervals of the course of the regime over a cycle.
-const COURSE: u32 = 144;
+/// Intervals over a cycle at which the regime is reported.
+const INTERVALS: u32 = 144;
 /// Points of the motor's curves.
 const CURVE: usize = 61;
 
-impl Study {
+impl Calculation {
     /// Regime, drive and flywheel; `None` without a steady motion.
     pub(crate) fn dynamics(&self) -> Option<Dynamics> {
-        let Course::Steady(found) = &self.course else { return None };
+        let InputMotion::Steady(found) = &self.motion else { return None };
         let regime = &found.regime;
         let drive = self.linkage.mechanism.drive.as_ref();
         let has_flywheel = drive.is_some_and(|drive| drive.flywheel.is_some());
+        let methods = regime.flywheel_by_method.iter().filter(|row| has_flywheel && row.flywheel.is_finite());
         Some(Dynamics {
             flywheel: has_flywheel.then_some(regime.flywheel),
             ratio: regime.ratio,
-            mean_speed: Some(regime.mean_speed),
-            unevenness: Some(regime.unevenness),
-            speed_min: Some(regime.speed_min),
-            speed_max: Some(regime.speed_max),
-            coordinate_at_min: Some(regime.coordinate_at_min),
-            coordinate_at_max: Some(regime.coordinate_at_max),
-            excess_work: Some(regime.excess_work),
-            dynamic_unevenness: finite(regime.dynamic_unevenness),
-            required_power: Some(regime.required_power),
+            mean_speed: regime.mean_speed,
+            unevenness: regime.unevenness,
+            speed_min: regime.speed_min,
+            speed_max: regime.speed_max,
+            coordinate_at_min: regime.coordinate_at_min,
+            coordinate_at_max: regime.coordinate_at_max,
+            excess_work: regime.excess_work,
+            // Infinite where both extremes are at one place.
+            dynamic_unevenness: Some(regime.dynamic_unevenness).filter(|value| value.is_finite()),
+            required_power: regime.required_power,
             torque: regime.torque,
             motor: found.motor.as_ref().map(motor),
-            flywheel_by_method: by_method(regime, has_flywheel),
-            flywheel_methods: if has_flywheel { methods(regime) } else { Vec::new() },
+            flywheel_by_method: methods.clone().map(|row| (Arc::from(row.method), row.flywheel)).collect(),
+            flywheel_methods: methods.copied().collect(),
             flywheel_places: found.flywheel_sizes.clone(),
-            regime: Some(self.regime(found)),
+            regime: self.regime(found),
             reduction_point: self.reduction_point(),
         })
     }
@@ -55,7 +56,7 @@ impl Study {
         let regime = &found.regime;
         let input = &self.linkage.mechanism.input;
         let cycle = input.sign() * input.period().unwrap_or(0.0);
-        let row = |i: u32| course_row(regime, input.from + cycle * (f64::from(i) / f64::from(COURSE)));
+        let at = |i: u32| input.from + cycle * (f64::from(i) / f64::from(INTERVALS));
         RegimeReport {
             mean_resistance: found.mean_resistance,
             resistance_work: found.resistance_work,
@@ -66,16 +67,15 @@ impl Study {
             effort: regime.effort,
             iteration: regime.turns.clone(),
             trials: regime.trials.clone(),
-            course: (0..=COURSE).map(row).collect(),
+            course: (0..=INTERVALS).map(|i| regime_point(regime, at(i))).collect(),
         }
     }
 
     /// How a transient motion was found; `None` without one.
     pub(crate) fn integration(&self) -> Option<Integration> {
-        let Course::Transient(found) = &self.course else { return None };
-        let statistics = found.trajectory.statistics;
+        let InputMotion::Transient(found) = &self.motion else { return None };
         let tolerance = match self.linkage.mechanism.motion {
-            Some(assur_mechanism::Motion::Transient { tolerance, .. }) => tolerance,
+            Some(Motion::Transient { tolerance, .. }) => tolerance,
             _ => 0.0,
         };
         Some(Integration {
@@ -84,27 +84,17 @@ impl Study {
             equation: found.dependence.words(),
             reason: found.reason.clone(),
             tolerance,
-            steps: statistics.steps,
-            rejected: statistics.rejected,
-            evaluations: statistics.evaluations,
-            jacobians: statistics.jacobians,
-            pieces: statistics.pieces,
-            stiffness: statistics.stiffness,
-            end: instant(&found.trajectory.end),
-            events: found.trajectory.events.iter().map(event).collect(),
+            statistics: found.trajectory.statistics,
+            end: found.trajectory.end,
+            events: found.trajectory.events.clone(),
             energy: energy(found),
         })
     }
 }
 
-/// A number that JSON can hold.
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
-}
-
-fn course_row(regime: &Regime, coordinate: f64) -> CourseRow {
+fn regime_point(regime: &Regime, coordinate: f64) -> RegimePoint {
     let at = regime.state(coordinate);
-    CourseRow {
+    RegimePoint {
         coordinate,
         speed: at.speed,
         first_turn: regime.first_turn(coordinate).map(|first| first.speed),
@@ -115,91 +105,49 @@ fn course_row(regime: &Regime, coordinate: f64) -> CourseRow {
     }
 }
 
-fn by_method(regime: &Regime, has_flywheel: bool) -> Named<f64> {
-    let rows = regime.flywheel_by_method.iter().filter(|row| has_flywheel && row.flywheel.is_finite());
-    rows.map(|row| (Arc::from(row.method), row.flywheel)).collect()
-}
-
-fn methods(regime: &Regime) -> Vec<FlywheelByMethod> {
-    let rows = regime.flywheel_by_method.iter().filter(|row| row.flywheel.is_finite());
-    rows.copied().collect()
-}
-
 fn motor(found: &SteadyMotor) -> MotorReport {
-    let (rated, row) = (&found.motor.rated, found.motor.row);
+    let row = found.motor.row;
+    let runners_up = found.motor.runners_up.iter().map(|other| RunnerUp {
+        designation: other.motor.designation.clone(),
+        catalogue: other.motor.catalogue.clone(),
+        power: other.motor.rated_power,
+        rated_speed: other.motor.rated_speed,
+        ratio: other.ratio,
+        mass: other.motor.mass,
+    });
     MotorReport {
         designation: found.motor.designation.clone().unwrap_or_default(),
         catalogue: row.map(|row| row.catalogue.clone()),
-        power: rated.power,
-        synchronous_speed: rated.synchronous_speed,
-        rated_speed: rated.rated_speed,
-        max_torque_ratio: rated.max_torque_ratio,
-        inertia: rated.inertia,
+        rated: found.motor.rated,
         mass: row.and_then(|row| row.mass),
         length: row.and_then(|row| row.length),
         diameter: row.and_then(|row| row.diameter),
-        work: Some(work(found)),
-        runners_up: found
-            .motor
-            .runners_up
-            .iter()
-            .map(|other| RunnerUp {
-                designation: other.motor.designation.clone(),
-                catalogue: other.motor.catalogue.clone(),
-                power: other.motor.rated_power,
-                rated_speed: other.motor.rated_speed,
-                ratio: other.ratio,
-                mass: other.motor.mass,
-            })
-            .collect(),
+        work: MotorWork {
+            characteristic: found.characteristic.name(),
+            rated_torque: found.characteristic.rated_torque(),
+            breakdown_torque: found.characteristic.breakdown_torque(),
+            speed: found.speed,
+            torque: found.torque,
+            rms_torque: found.rms_torque,
+            starting_load: found.starting_load,
+            curve: found.curve(CURVE),
+            working_section: found.working_section(CURVE),
+        },
+        runners_up: runners_up.collect(),
         warnings: found.warnings.iter().map(ToString::to_string).collect(),
     }
 }
 
-fn work(found: &SteadyMotor) -> MotorWork {
-    MotorWork {
-        characteristic: found.characteristic.name(),
-        rated_torque: found.characteristic.rated_torque(),
-        breakdown_torque: found.characteristic.breakdown_torque(),
-        speed: found.speed,
-        torque: found.torque,
-        rms_torque: found.rms_torque,
-        starting_load: found.starting_load,
-        curve: found.curve(CURVE),
-        working_section: found.working_section(CURVE),
-    }
-}
-
-fn instant(state: &State) -> Instant {
-    Instant { time: state.time, coordinate: state.coordinate, speed: state.speed }
-}
-
-fn event(event: &Event) -> EventRow {
-    let kind = match event.kind {
-        EventKind::Coordinate => "coordinate",
-        EventKind::Speed => "speed",
-        EventKind::Time => "time",
-        EventKind::Reversal => "reversal",
-        EventKind::Rest => "rest",
-        EventKind::Held => "held",
-        EventKind::Release => "release",
-        _ => "other",
-    };
-    EventRow { kind, at: instant(&event.state) }
-}
-
 fn energy(found: &Transient) -> Energy {
     let energy = &found.energy;
-    let ends =
-        |values: &[f64]| (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
-    let (kinetic_start, kinetic_end) = ends(&energy.kinetic);
-    let (potential_start, potential_end) = ends(&energy.potential);
+    let first = |values: &[f64]| values.first().copied().unwrap_or(0.0);
+    let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);
     Energy {
         conservative: energy.conservative,
-        kinetic_start,
-        kinetic_end,
-        potential_start,
-        potential_end,
+        kinetic_start: first(&energy.kinetic),
+        kinetic_end: last(&energy.kinetic),
+        potential_start: first(&energy.potential),
+        potential_end: last(&energy.potential),
         change: energy.change,
     }
 }

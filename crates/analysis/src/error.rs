@@ -3,6 +3,8 @@
 use assur_force::{LoadError, RegistryError};
 use assur_kinematics::CompileError;
 
+use crate::Stopped;
+
 /// Why a scene can't be calculated at all; what fails in one position only is part of the results.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -25,8 +27,8 @@ pub enum AnalysisError {
         reason: String,
     },
     /// Whoever watched it stopped it.
-    #[error("stopped on request")]
-    Stopped,
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// There is no motion.
     #[error("{message}")]
     Motion {
@@ -39,7 +41,7 @@ pub enum AnalysisError {
 
 impl From<assur_dynamics::DynamicsError> for AnalysisError {
     fn from(error: assur_dynamics::DynamicsError) -> Self {
-        Self::Motion { usage: crate::course::is_usage(&error), message: error.to_string() }
+        Self::Motion { usage: crate::motion::is_usage(&error), message: error.to_string() }
     }
 }
 

@@ -1,31 +1,29 @@
 //! Runs the plan of a scene: position after position, from transfer functions to named reactions.
 //!
-//! [`Study::of`] takes a mechanism apart, plans and compiles it; [`Study::analyze`] calculates everything that the scene
+//! [`Calculation::of`] takes a mechanism apart, plans and compiles it; [`Calculation::analyze`] calculates everything that the scene
 //! asks for. Knows no concrete plugin, no file and no terminal.
 
 mod angles;
+mod calculation;
 mod checks;
-mod course;
 mod dynamics;
 mod error;
-mod forces;
-mod motions;
-mod names;
+mod motion;
 mod notes;
 pub mod plan;
 mod plans;
+mod positions;
 mod progress;
 mod proof;
+mod reader;
 pub mod results;
-mod run;
 mod structure;
-mod study;
 mod trajectory;
 
-pub use course::{Course, explain_motion};
+pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Options, methods};
 pub use error::AnalysisError;
-pub use progress::Progress;
-pub use study::{DEFAULT_INTEGRATOR, Options, Study, methods};
+pub use motion::{InputMotion, explain_motion};
+pub use progress::{Progress, Stopped, Watch, unwatched};
 
 #[cfg(test)]
 mod tests;

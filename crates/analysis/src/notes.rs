@@ -5,8 +5,8 @@ use std::fmt::Write;
 use assur_group::{GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 
-use crate::trajectory::Lost;
-use crate::{Options, Study};
+use crate::trajectory::WithoutForces;
+use crate::{Calculation, Options};
 
 /// Change points of several groups nearer than this are one, rad or m.
 const SAME: f64 = 1e-6;
@@ -15,9 +15,9 @@ const SAME: f64 = 1e-6;
 const LOST: &str = "the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group \
                     coincide there and its reactions are not determined";
 
-impl Study {
+impl Calculation {
     /// Notes for the results; `positions` at which forces are not determined, and `samples` of a motion without them.
-    pub(crate) fn notes(&self, positions: &[usize], samples: &Lost) -> Vec<String> {
+    pub(crate) fn notes(&self, positions: &[usize], samples: &WithoutForces) -> Vec<String> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.poles());
@@ -39,7 +39,7 @@ impl Study {
     }
 }
 
-impl Study {
+impl Calculation {
     /// Where ways of assembly meet, which the motion goes through without a sign in the numbers but a great condition.
     fn change_points(&self) -> Option<String> {
         let linkage = &self.linkage;

@@ -11,12 +11,12 @@ use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::{Order, Wrench};
 use assur_mechanism::PairId;
 
-use crate::Study;
+use crate::Calculation;
 
 /// A guide whose force stays below this part of the greatest reaction bears nothing but rounding.
 const LEAST_FORCE: f64 = 1e-9;
 
-impl Study {
+impl Calculation {
     /// All plans of a position in its motion: prescribed, or of the steady regime. In a transient motion, and where no regime
     /// is found, forces do not belong to the positions and theirs are left out.
     ///

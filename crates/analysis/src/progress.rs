@@ -1,8 +1,33 @@
 //! How far a calculation is.
 
-/// What is calculated at the moment, and how far it is.
+use std::ops::ControlFlow;
+
+/// Whoever asks for a calculation is told before each piece of it how far it is, and breaks to stop it.
+pub type Watch<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
+
+/// A calculation was stopped by whoever watched it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("stopped on request")]
+pub struct Stopped;
+
+/// Lets a calculation run to its end.
 ///
-/// Whoever asked for a calculation is told before each piece of it, and stops it by breaking. What nobody watches is not counted.
+/// # Examples
+///
+/// ```no_run
+/// # fn f(found: &assur_analysis::Calculation) -> Result<(), assur_analysis::Stopped> {
+/// let analysis = found.analyze(&mut assur_analysis::unwatched)?;
+/// # Ok(()) }
+/// ```
+pub fn unwatched(_: Progress) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+pub(crate) fn step(watch: &mut Watch<'_>, progress: Progress) -> Result<(), Stopped> {
+    if watch(progress).is_break() { Err(Stopped) } else { Ok(()) }
+}
+
+/// What is calculated at the moment, and how far it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Progress {
@@ -25,8 +50,8 @@ pub enum Progress {
         /// How many there are.
         total: usize,
     },
-    /// The course over time is written down.
-    Instants {
+    /// The samples of a motion are calculated.
+    Samples {
         /// How many are done.
         done: usize,
         /// How many there are.

@@ -1,11 +1,10 @@
 //! Motions proved by other means than those that found them: work against energy, a cycle run once more in time.
 
-use crate::results::CheckRow;
+use assur_check::Check;
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
 use assur_integrator::{AUTO, Motion, Request, Sample, Solution, State, Trajectory, Until, solve};
 
-use crate::Study;
-use crate::checks::row;
+use crate::Calculation;
 
 /// Intervals of the quadrature of the work; a multiple of four.
 const INTERVALS: usize = 4000;
@@ -14,9 +13,9 @@ const TOLERANCE: f64 = 1e-10;
 /// Least part of the largest energy that a sum of energies can resolve.
 const ROUNDING: f64 = 1e-12;
 
-impl Study {
+impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
-    pub(crate) fn work_check(&self, found: &Transient) -> Option<CheckRow> {
+    pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
@@ -28,11 +27,11 @@ impl Study {
         let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
                       energy; limit: twice the error of the quadrature (from half as many points) and the tolerance of every \
                       step";
-        Some(row("work and kinetic energy", residual, limit, None, "input link", reason))
+        Some(Check::of("work and kinetic energy", residual, limit, "input link", reason))
     }
 
     /// One cycle from the state of the regime by an integrator in time: it must come back, and take the same time.
-    pub(crate) fn cycle_check(&self, found: &Steady) -> Option<CheckRow> {
+    pub(crate) fn cycle_check(&self, found: &Steady) -> Option<Check> {
         let (loads, regime) = (self.loads.as_ref()?, &found.regime);
         let input = &self.linkage.mechanism.input;
         let mut motion = Driven::new(Machine::new(&self.linkage, loads), regime.shaft());
@@ -46,7 +45,7 @@ impl Study {
         let limit = 2.0 * TOLERANCE * (trajectory.statistics.steps + 1) as f64 + regime.effort.residual;
         let reason = "a cycle run once more in time from the speed of the regime: relative difference of the speed at its end \
                       and of its duration; limit: the tolerance of every step and the residual of the regime";
-        Some(row("cycle in time", back.max(time), limit, None, integrator.name, reason))
+        Some(Check::of("cycle in time", back.max(time), limit, integrator.name, reason))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::results::Analysis;
 use assur_all as _;
 
-use crate::{AnalysisError, Options, Study};
+use crate::{AnalysisError, Calculation, Options, unwatched};
 
 mod watched;
 
@@ -11,12 +11,12 @@ fn text(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-fn study(text: &str) -> Result<Study, AnalysisError> {
-    Study::of(assur_scene::read("test", text).unwrap(), &Options::default())
+fn study(text: &str) -> Result<Calculation, AnalysisError> {
+    Calculation::of(assur_scene::read("test", text).unwrap(), &Options::default(), &mut unwatched)
 }
 
 fn analyzed(text: &str) -> Analysis {
-    study(text).unwrap().analyze()
+    study(text).unwrap().analyze(&mut unwatched).unwrap()
 }
 
 #[test]
@@ -114,16 +114,22 @@ fn forces_of_a_pair_sum_to_zero() {
 #[test]
 fn checks_hold_and_belong_to_the_whole() {
     let study_whole = study(&text("shaper")).unwrap();
-    let checks = study_whole.checks();
+    let checks = study_whole.checks(&mut unwatched).unwrap();
     assert!(checks.len() > 5 && checks.iter().all(|check| check.ok));
-    assert!(study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n")).unwrap().checks().is_empty());
+    assert!(
+        study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n"))
+            .unwrap()
+            .checks(&mut unwatched)
+            .unwrap()
+            .is_empty()
+    );
 }
 
 #[test]
 fn an_unknown_analyzer_is_refused() {
     let mechanism = assur_scene::read("test", &text("shaper")).unwrap();
     let options = Options { analyzer: Some("magic".to_owned()), integrator: None };
-    assert!(matches!(Study::of(mechanism, &options), Err(AnalysisError::Analyzer(_))));
+    assert!(matches!(Calculation::of(mechanism, &options, &mut unwatched), Err(AnalysisError::Analyzer(_))));
 }
 
 #[test]
@@ -154,7 +160,8 @@ fn samples_without_forces_say_why() {
         [input]\nlink = \"crank\"\nfrom = \"90 deg\"\n[motion]\nkind = \"transient\"\nspeed = 1\nuntil = \"1 s\"\n";
     let options = Options { analyzer: Some("longitudinal-published".to_owned()), integrator: None };
     let mechanism = assur_scene::read("test", scene).unwrap();
-    let found = Study::of(mechanism, &options).unwrap().analyze();
+    let found =
+        Calculation::of(mechanism, &options, &mut unwatched).unwrap().analyze(&mut unwatched).unwrap();
     assert!(found.trajectory[0].balancing.is_none() && found.trajectory[1].balancing.is_some());
     let note = found.notes.iter().find(|note| note.contains("No forces")).unwrap();
     assert!(note.starts_with("No forces at 1 sample of the motion; at the first: "), "{note}");

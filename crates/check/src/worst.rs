@@ -1,7 +1,9 @@
 //! The largest residual of a check, measured by its limit.
 
+use serde::Serialize;
+
 /// One check over all positions.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
     /// Name, stable.
     pub name: &'static str,
@@ -10,20 +12,46 @@ pub struct Check {
     /// Its limit.
     pub limit: f64,
     /// Number of the position of this residual.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<usize>,
     /// Pair, link or point of this residual.
+    #[serde(skip_serializing_if = "String::is_empty")]
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: &'static str,
     /// Positions that the check could not judge, at least not in full (too close to the end of assembly, or singular).
     pub left_out: usize,
     /// Why, for the first of them; empty where all were judged.
+    #[serde(skip_serializing_if = "str::is_empty")]
     pub why_left_out: &'static str,
     /// Whether it says anything: a residual exceeds its limit, or one position at least could be judged in full. Otherwise it
     /// is neither [`ok`](Self::ok) nor failed.
     pub judged: bool,
     /// Whether it says something, and every residual that could be judged keeps its limit.
     pub ok: bool,
+}
+
+impl Check {
+    /// A check of one number against its limit, which belongs to no position or to one.
+    pub fn of(name: &'static str, residual: f64, limit: f64, place: &str, reason: &'static str) -> Self {
+        Self {
+            name,
+            residual,
+            limit,
+            at: None,
+            place: place.to_owned(),
+            reason,
+            left_out: 0,
+            why_left_out: "",
+            judged: true,
+            ok: residual <= limit,
+        }
+    }
+
+    /// Whether something exceeds its limit. A check that could not judge anything does not fail.
+    pub fn failed(&self) -> bool {
+        self.judged && !self.ok
+    }
 }
 
 /// Part of the size of what is compared up to which a limit judges: beyond, not even a wrong first digit would be noticed,

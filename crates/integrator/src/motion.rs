@@ -57,7 +57,7 @@ impl Dependence {
 }
 
 /// A state of the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct State {
     /// Time t, s.
     pub time: f64,
@@ -74,7 +74,7 @@ impl std::fmt::Display for State {
 }
 
 /// The coefficients of the equation at one state.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Reduced {
     /// J, kg m² (kg). Positive.
     pub inertia: f64,

@@ -1,5 +1,7 @@
 //! What is asked of an integrator, and what it answers.
 
+use serde::Serialize;
+
 use crate::{IntegrationError, State};
 
 /// When the motion ends.
@@ -105,7 +107,8 @@ pub struct Sample {
 }
 
 /// What happened at an instant between smooth stretches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum EventKind {
     /// A bound of a piece along the coordinate was reached: a row of a table, a contact.
@@ -124,17 +127,33 @@ pub enum EventKind {
     Release,
 }
 
+impl EventKind {
+    /// The word that results use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Coordinate => "coordinate",
+            Self::Speed => "speed",
+            Self::Time => "time",
+            Self::Reversal => "reversal",
+            Self::Rest => "rest",
+            Self::Held => "held",
+            Self::Release => "release",
+        }
+    }
+}
+
 /// An event and the state at which it happened.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Event {
-    /// State at the event.
-    pub state: State,
     /// What happened.
     pub kind: EventKind,
+    /// State at the event.
+    #[serde(flatten)]
+    pub state: State,
 }
 
 /// What the solution cost.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Statistics {
     /// Accepted steps (panels, for the energy form).
     pub steps: usize,
@@ -148,6 +167,7 @@ pub struct Statistics {
     pub pieces: usize,
     /// Step times the largest eigenvalue of the equation, at the end of a run that took more than a thousand
     /// steps; an explicit method is slow by stiffness where it lies near 3 or above.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
 }
 

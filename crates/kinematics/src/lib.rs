@@ -30,7 +30,7 @@ pub use error::{CompileError, PositionError};
 pub use linkage::{Linkage, Position};
 pub use patch::Interpolation;
 pub use rank::{Rank, rank_of};
-pub use read::{LinkMotion, PointMotion, SlideMotion, continuous_angle};
+pub use read::{PointMotion, ScalarMotion, continuous_angle};
 pub use seeds::iterated;
 
 #[cfg(test)]

@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 
 use assur_group::Body;
 use assur_mechanism::{LinkId, Place, PointId, SlideId};
+use serde::Serialize;
 
 use crate::{Linkage, Position};
 
 /// PF0, PF1, PF2 of a point: m, m/rad, m/rad² (per m for a sliding input).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct PointMotion {
     /// Place, m.
     pub pf0: [f64; 2],
@@ -18,21 +19,12 @@ pub struct PointMotion {
     pub pf2: [f64; 2],
 }
 
-/// PF0, PF1, PF2 of a link: its angle, rad, and derivatives by the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct LinkMotion {
-    /// Angle in (-pi, pi], rad; [`continuous_angle`] joins it to the position before.
-    pub pf0: f64,
-    /// First derivative.
-    pub pf1: f64,
-    /// Second derivative.
-    pub pf2: f64,
-}
-
-/// PF0, PF1, PF2 of a slide: its displacement, m, and derivatives by the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SlideMotion {
-    /// Signed distance of the sliding point from `through` along the guide, m.
+/// PF0, PF1, PF2 of the angle of a link (rad) or of the displacement of a slide (m): the value and its derivatives by the
+/// coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ScalarMotion {
+    /// An angle in (-pi, pi], rad ([`continuous_angle`] joins it to the position before); or the signed distance of the
+    /// sliding point from `through` along the guide, m.
     pub pf0: f64,
     /// First derivative.
     pub pf1: f64,
@@ -73,13 +65,13 @@ impl Linkage {
     }
 
     /// Motion of a link.
-    pub fn link_motion(&self, link: LinkId, position: &Position) -> LinkMotion {
+    pub fn link_motion(&self, link: LinkId, position: &Position) -> ScalarMotion {
         let body = &position.bodies[link];
-        LinkMotion { pf0: body.s.atan2(body.c), pf1: body.w1, pf2: body.w2 }
+        ScalarMotion { pf0: body.s.atan2(body.c), pf1: body.w1, pf2: body.w2 }
     }
 
     /// Motion of a slide.
-    pub fn slide_motion(&self, slide: SlideId, position: &Position) -> SlideMotion {
+    pub fn slide_motion(&self, slide: SlideId, position: &Position) -> ScalarMotion {
         let found = &self.mechanism.slides[slide];
         let (slider, carrier) = (&position.bodies[found.link], &position.bodies[found.on]);
         let point = motion_of(slider, found.point);
@@ -93,7 +85,7 @@ impl Linkage {
             (minus(point.pf0, through.pf0), minus(point.pf1, through.pf1), minus(point.pf2, through.pf2));
         // s = t d with t' = w n, t'' = e n - w² t.
         let (w, e) = (carrier.w1, carrier.w2);
-        SlideMotion {
+        ScalarMotion {
             pf0: dot(along, d0),
             pf1: dot(along, d1) + w * dot(across, d0),
             pf2: dot(along, d2) + 2.0 * w * dot(across, d1) + e * dot(across, d0) - w * w * dot(along, d0),

@@ -58,7 +58,7 @@ pub enum Motor {
 }
 
 /// Rated data of a motor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct RatedMotor {
     /// Rated power, W.
     pub power: f64,
@@ -67,8 +67,10 @@ pub struct RatedMotor {
     /// Rated speed, rad/s.
     pub rated_speed: f64,
     /// Breakdown torque / rated torque.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_torque_ratio: Option<f64>,
     /// Moment of inertia of the rotor, kg m²; `None`: not modelled.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub inertia: Option<f64>,
 }
 

@@ -3,7 +3,7 @@
 use ::csv::Writer;
 
 use crate::to_ascii;
-use assur_analysis::results::{Analysis, Derivatives, Named, PairReaction, PositionResult, Rates};
+use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, Rates, ScalarMotion};
 
 /// A result can't be written as CSV.
 #[derive(Debug, thiserror::Error)]
@@ -80,7 +80,7 @@ impl Row {
     }
 
     /// Value and derivatives: `crank_angle_rad`, `crank_angle_pf1_rad_per_rad`, ...
-    fn derivatives(&mut self, name: &str, unit: &str, units: Units, value: &Derivatives) {
+    fn derivatives(&mut self, name: &str, unit: &str, units: Units, value: &ScalarMotion) {
         self.add(format!("{name}_{unit}"), value.pf0);
         self.add(format!("{name}_pf1_{unit}{}", units.per[0]), value.pf1);
         self.add(format!("{name}_pf2_{unit}{}", units.per[1]), value.pf2);

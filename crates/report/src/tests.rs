@@ -6,7 +6,7 @@ use crate::csv::{CsvError, to_csv};
 use crate::json::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
-    Analysis, Derivatives, InputReport, Named, PairReaction, PositionResult, StructureReport, Transfer,
+    Analysis, InputReport, Named, PairReaction, PointMotion, PositionResult, ScalarMotion, StructureReport,
 };
 
 fn named<T>(name: &str, value: T) -> Named<T> {
@@ -24,8 +24,8 @@ fn analysis(angle: f64) -> Analysis {
         coordinate: 0.1 + 0.2,
         speed: None,
         acceleration: None,
-        links: named("größe", Derivatives { pf0: angle, pf1: 1.0, pf2: 0.0 }),
-        points: named("A", Transfer { pf0: [1e-300, 2.0 / 3.0], ..Transfer::default() }),
+        links: named("größe", ScalarMotion { pf0: angle, pf1: 1.0, pf2: 0.0 }),
+        points: named("A", PointMotion { pf0: [1e-300, 2.0 / 3.0], ..PointMotion::default() }),
         slides: Named::default(),
         velocities: None,
         accelerations: None,

@@ -1,6 +1,6 @@
 //! The columns of one point.
 
-use assur_analysis::results::{Analysis, Derivatives, Named, PairReaction, PositionResult};
+use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, ScalarMotion};
 
 use crate::row::Cells;
 
@@ -95,7 +95,7 @@ fn places(analysis: &Analysis, cells: &mut Cells) {
             cells.add(format!("{point}_{part}_max_m"), max);
         }
     }
-    let value = |named: &Named<Derivatives>, index: usize| Some(named.0.get(index)?.1.pf0);
+    let value = |named: &Named<ScalarMotion>, index: usize| Some(named.0.get(index)?.1.pf0);
     for (index, (slide, _)) in first.slides.iter().enumerate() {
         let [min, max] = extremes(analysis, |position| value(&position.slides, index));
         cells.add(format!("{slide}_min_m"), min);
@@ -119,10 +119,10 @@ fn dynamics(analysis: &Analysis, units: Units, cells: &mut Cells) {
     cells.add_some("flywheel_kgm2", found.flywheel);
     cells.add_some("ratio", found.ratio);
     cells.add_some("torque_Nm", found.torque);
-    cells.add_some(format!("mean_speed_{}", units.speed), found.mean_speed);
-    cells.add_some("unevenness", found.unevenness);
-    cells.add_some(format!("speed_min_{}", units.speed), found.speed_min);
-    cells.add_some(format!("speed_max_{}", units.speed), found.speed_max);
-    cells.add_some("excess_work_J", found.excess_work);
-    cells.add_some("required_power_W", found.required_power);
+    cells.add(format!("mean_speed_{}", units.speed), found.mean_speed);
+    cells.add("unevenness", found.unevenness);
+    cells.add(format!("speed_min_{}", units.speed), found.speed_min);
+    cells.add(format!("speed_max_{}", units.speed), found.speed_max);
+    cells.add("excess_work_J", found.excess_work);
+    cells.add("required_power_W", found.required_power);
 }

@@ -1,7 +1,7 @@
 //! The calculation of one point.
 
 use assur_analysis::results::Failure;
-use assur_analysis::{Options, Study};
+use assur_analysis::{AnalysisError, Calculation, Options, unwatched};
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Mechanism, Motion};
 
@@ -10,22 +10,26 @@ use crate::{Status, measure};
 
 /// Calculates a mechanism and keeps what the columns tell.
 pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) -> Row {
-    let study = match Study::of(mechanism, options) {
-        Ok(study) => study,
-        Err(error) => {
-            let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
-            return Row::without(status, &error.to_string(), None);
-        }
+    let refused = |error: AnalysisError| {
+        let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
+        Row::without(status, &error.to_string(), None)
     };
-    let analysis = study.analyze();
+    let calculation = match Calculation::of(mechanism, options, &mut unwatched) {
+        Ok(calculation) => calculation,
+        Err(error) => return refused(error),
+    };
+    let analysis = match calculation.analyze(&mut unwatched) {
+        Ok(analysis) => analysis,
+        Err(stopped) => return refused(stopped.into()),
+    };
     if let Some(first) = analysis.failures.first() {
-        return Row::without(status(&study, first), &first.message, Some(failed(&analysis.failures)));
+        return Row::without(status(&calculation, first), &first.message, Some(failed(&analysis.failures)));
     }
     if let Some(message) = &analysis.no_motion {
         return Row::without(Status::NoSolution, message, Some(0));
     }
-    let groups = study.plan.groups_needed.iter().filter(|needed| **needed).count();
-    let transient = matches!(study.linkage.mechanism.motion, Some(Motion::Transient { .. }));
+    let groups = calculation.plan.groups_needed.iter().filter(|needed| **needed).count();
+    let transient = matches!(calculation.linkage.mechanism.motion, Some(Motion::Transient { .. }));
     let cells = measure::cells(&analysis, groups, transient);
     if let Some(column) = cells.not_finite() {
         let message = format!("{column} is not a finite number; this is a bug of the program");
@@ -49,9 +53,9 @@ fn failed(failures: &[Failure]) -> usize {
 }
 
 /// Whether it was the assembly that failed.
-fn status(study: &Study, first: &Failure) -> Status {
-    let mut position = study.linkage.position();
-    match study.linkage.solve_index(first.index, Order::Place, &mut position) {
+fn status(calculation: &Calculation, first: &Failure) -> Status {
+    let mut position = calculation.linkage.position();
+    match calculation.linkage.solve_index(first.index, Order::Place, &mut position) {
         Err(error) if matches!(error.source, GroupError::NoAssembly { .. }) => Status::NoAssembly,
         _ => Status::NoSolution,
     }

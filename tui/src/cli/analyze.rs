@@ -1,6 +1,7 @@
 //! `assur analyze`.
 
 use assur_analysis::results::Failure;
+use assur_analysis::unwatched;
 use assur_report::{csv, json};
 
 use super::args::{AnalyzeArgs, Format};
@@ -17,7 +18,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     }
     let study = scene::study(&args.scene, style)?;
     args.plans.refuse(args.format, &study)?;
-    let mut analysis = study.analyze_and_check();
+    let mut analysis = study.analyze(&mut unwatched).map_err(Fault::other)?;
+    analysis.checks = study.checks(&mut unwatched).map_err(Fault::other)?;
     let added = args.plans.add(&study, &args.scene, style, &mut analysis)?;
     let target = args.output.as_deref();
     match (args.format, target) {

@@ -1,6 +1,7 @@
 //! `assur check`.
 
-use assur_analysis::results::CheckRow;
+use assur_analysis::results::Check;
+use assur_analysis::unwatched;
 use assur_report::text;
 
 use super::args::SceneArgs;
@@ -11,7 +12,7 @@ use super::{analyze, output, scene};
 pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever the scene asks for.
     let study = scene::whole_study(args, style)?;
-    let checks = study.checks();
+    let checks = study.checks(&mut unwatched).map_err(Fault::other)?;
     output::print(&text::checks(&checks, style.ascii))?;
     for check in checks.iter().filter(|check| check.failed()) {
         style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
@@ -19,6 +20,6 @@ pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     let failures = study.failures();
     analyze::tell_failures(&failures, style);
     analyze::tell_no_motion(study.no_motion.as_deref(), style);
-    let holds = failures.is_empty() && study.no_motion.is_none() && !checks.iter().any(CheckRow::failed);
+    let holds = failures.is_empty() && study.no_motion.is_none() && !checks.iter().any(Check::failed);
     Ok(if holds { Status::Done } else { Status::Failed })
 }

@@ -1,6 +1,6 @@
 //! `assur analyze --plans N`, `--by-cause`.
 
-use assur_analysis::Study;
+use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
 use assur_diagram::sheet_text;
 use clap::Args;
@@ -23,7 +23,7 @@ pub(crate) struct PlanArgs {
 
 impl PlanArgs {
     /// Refuses what can't be told, before anything is calculated.
-    pub(crate) fn refuse(&self, format: Format, study: &Study) -> Result<(), Fault> {
+    pub(crate) fn refuse(&self, format: Format, study: &Calculation) -> Result<(), Fault> {
         if format == Format::Csv && (self.by_cause || !self.plans.is_empty()) {
             return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
         }
@@ -40,7 +40,7 @@ impl PlanArgs {
     /// Adds what was asked for; a position without plans is told and makes the command fail.
     pub(crate) fn add(
         &self,
-        study: &Study,
+        study: &Calculation,
         args: &SceneArgs,
         style: Style,
         analysis: &mut Analysis,

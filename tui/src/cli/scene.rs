@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assur_analysis::{Options, Study};
+use assur_analysis::{Calculation, Options, unwatched};
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::{Structure, StructureError};
@@ -35,20 +35,21 @@ pub(crate) fn faults(errors: &SceneErrors, style: Style) -> Fault {
 }
 
 /// Reads and compiles a scene file.
-pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Study, Fault> {
+pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
     let options = options(&args.methods)?;
     compiled(args, &options, read(&args.scene, style)?)
 }
 
 /// The same, as if the scene asked for everything.
-pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Study, Fault> {
+pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
     let options = options(&args.methods)?;
     let mechanism = read(&args.scene, style)?;
     compiled(args, &options, Mechanism { output: None, ..mechanism })
 }
 
-fn compiled(args: &SceneArgs, options: &Options, mechanism: Mechanism) -> Result<Study, Fault> {
-    Study::of(mechanism, options).map_err(|error| in_file(&args.scene, &error.to_string()))
+fn compiled(args: &SceneArgs, options: &Options, mechanism: Mechanism) -> Result<Calculation, Fault> {
+    Calculation::of(mechanism, options, &mut unwatched)
+        .map_err(|error| in_file(&args.scene, &error.to_string()))
 }
 
 /// The methods asked for, which must exist even where the scene has no use for them.

@@ -1,6 +1,6 @@
 //! The analysis of the open scene: asked for, taken, and which views it fills.
 
-use assur_analysis::results::CheckRow;
+use assur_analysis::results::Check;
 
 use super::found::Found;
 use super::running::{Cancel, Running};
@@ -88,7 +88,7 @@ impl State {
     }
 
     /// Takes the checks of the analysis that was given before them.
-    pub(crate) fn take_checks(&mut self, number: usize, checks: Vec<CheckRow>) -> bool {
+    pub(crate) fn take_checks(&mut self, number: usize, checks: Vec<Check>) -> bool {
         let Some(index) = self.running.iter().position(|running| running.number == number) else {
             return false;
         };

@@ -1,6 +1,6 @@
 //! What the analysis found, beside the transfer functions: rates, reduction, reactions, checks, course over time.
 
-use assur_analysis::results::{Analysis, CheckRow, PositionResult};
+use assur_analysis::results::{Analysis, Check, PositionResult};
 
 use super::plans::Planner;
 use super::series::Series;
@@ -13,7 +13,7 @@ pub(crate) struct Found {
     pub(crate) analyzer: String,
     pub(crate) analysis: Analysis,
     /// Empty until they are done.
-    pub(crate) checks: Vec<CheckRow>,
+    pub(crate) checks: Vec<Check>,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.

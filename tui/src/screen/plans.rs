@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use assur_analysis::Study;
+use assur_analysis::Calculation;
 use assur_diagram::{PlansError, Sheet};
 use assur_force::Construction;
 
@@ -21,13 +21,13 @@ pub(crate) struct Plans {
 /// Gives the plans of any position.
 #[derive(Debug)]
 pub(crate) struct Planner {
-    study: Arc<Study>,
+    study: Arc<Calculation>,
     /// The last position, since a view is drawn many times.
     kept: RefCell<Option<(usize, Arc<Plans>)>>,
 }
 
 impl Planner {
-    pub(crate) fn new(study: Arc<Study>) -> Self {
+    pub(crate) fn new(study: Arc<Calculation>) -> Self {
         Self { study, kept: RefCell::new(None) }
     }
 

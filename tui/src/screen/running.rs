@@ -85,7 +85,7 @@ fn words(progress: Progress) -> String {
         Progress::Motion { time, cycles } => fill(t.count_motion, &[&(cycles + 1), &plain(time)]),
         Progress::Regime { evaluations } => fill(t.count_regime, &[&evaluations]),
         Progress::Positions { done, total } => fill(t.count_positions, &[&done, &total]),
-        Progress::Instants { done, total } => fill(t.count_instants, &[&done, &total]),
+        Progress::Samples { done, total } => fill(t.count_instants, &[&done, &total]),
         Progress::Checks { done, total } => fill(t.count_checks, &[&done, &total]),
         _ => String::new(),
     }

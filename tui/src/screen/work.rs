@@ -1,12 +1,11 @@
 //! What is done beside the screen: reading, compiling, calculating.
 
-use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 
-use assur_analysis::results::CheckRow;
+use assur_analysis::results::Check;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
@@ -69,7 +68,7 @@ pub(crate) enum Report {
     /// An analysis, or why there is none.
     Analyzed { number: usize, found: Result<Box<Found>, String> },
     /// The checks of an analysis that was given before.
-    Checked { number: usize, checks: Vec<CheckRow> },
+    Checked { number: usize, checks: Vec<Check> },
     /// How far an analysis is.
     Counted { number: usize, count: String },
 }
@@ -126,25 +125,26 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 
 /// Calculates a scene and gives what was found, then checks it; one that is only compared is not checked.
 fn analyze(request: &Request, tell: &dyn Fn(Report)) -> Report {
-    use assur_analysis::{AnalysisError, Options, Study};
+    use assur_analysis::{Calculation, Options};
     let (mechanism, number) = (&request.linkage.mechanism, request.number);
     let options = Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
     let count = |count| tell(Report::Counted { number, count });
     let mut watch = Watch::new(&request.cancel, &count);
     let mut watch = |progress| watch.see(progress);
     let failed = |text: String| Report::Analyzed { number, found: Err(text) };
-    let study = match Study::of_watched(mechanism.clone(), &options, &mut watch) {
+    let study = match Calculation::of(mechanism.clone(), &options, &mut watch) {
         Ok(study) => study,
         Err(error) => return failed(error.to_string()),
     };
-    let ControlFlow::Continue(analysis) = study.analyze_watched(&mut watch) else {
-        return failed(AnalysisError::Stopped.to_string());
+    let analysis = match study.analyze(&mut watch) {
+        Ok(analysis) => analysis,
+        Err(stopped) => return failed(stopped.to_string()),
     };
     let analyzer = study.analyzer.map_or("", |plugin| plugin.name).to_owned();
     // The whole mechanism is checked and has plans, whatever the scene asks for.
     let whole = mechanism.output.as_ref().and_then(|_| {
         let whole = Mechanism { output: None, ..mechanism.clone() };
-        Study::of_watched(whole, &options, &mut watch).ok()
+        Calculation::of(whole, &options, &mut watch).ok()
     });
     let whole = Arc::new(whole.unwrap_or(study));
     let planner = Planner::new(Arc::clone(&whole));
@@ -154,8 +154,8 @@ fn analyze(request: &Request, tell: &dyn Fn(Report)) -> Report {
         return report;
     }
     tell(report);
-    let checks = whole.checks_watched(&mut watch);
-    Report::Checked { number, checks: checks.continue_value().unwrap_or_default() }
+    let checks = whole.checks(&mut watch);
+    Report::Checked { number, checks: checks.unwrap_or_default() }
 }
 
 /// Reads a scene from where it is.

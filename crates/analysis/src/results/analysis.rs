@@ -1,8 +1,9 @@
 //! The whole result.
 
+use assur_check::Check;
 use serde::Serialize;
 
-use crate::results::{Cycle, Dynamics, Integration, PositionResult, StructureReport, Trajectory};
+use crate::results::{Cycle, Dynamics, Integration, MotionSample, PositionResult, StructureReport};
 
 /// Everything that one calculation of a scene found. Sections that don't apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -15,21 +16,21 @@ pub struct Analysis {
     pub input: InputReport,
     /// Mobility, groups, formula.
     pub structure: StructureReport,
-    /// The positions that exist, in order; their `index` tells which are missing.
+    /// The positions that exist, in order; their `index` shows which are missing.
     pub positions: Vec<PositionResult>,
     /// Positions that have no solution.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub failures: Vec<Failure>,
-    /// Transient and steady motion: the course over time.
+    /// Transient and steady motion: samples over time.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub trajectory: Vec<Trajectory>,
+    pub trajectory: Vec<MotionSample>,
     /// Periodic regime, drive, flywheel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<Dynamics>,
     /// How a transient motion was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub integration: Option<Integration>,
-    /// Why the motion that was asked for is not found; what does not depend on it is told nevertheless.
+    /// Why the motion that was asked for is not found; what does not depend on it is given nevertheless.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub no_motion: Option<String>,
     /// What had to be left out, and what was decided on the way.
@@ -40,7 +41,7 @@ pub struct Analysis {
     pub cycle: Cycle,
     /// Checks of the numbers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub checks: Vec<CheckRow>,
+    pub checks: Vec<Check>,
 }
 
 impl Analysis {
@@ -49,7 +50,7 @@ impl Analysis {
 
     /// Whether a position, the motion, or a check, failed.
     pub fn failed(&self) -> bool {
-        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(CheckRow::failed)
+        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(Check::failed)
     }
 }
 
@@ -73,40 +74,4 @@ pub struct Failure {
     pub coordinate: f64,
     /// What is missing, where and by how much.
     pub message: String,
-}
-
-/// The largest residual of one check.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CheckRow {
-    /// Name of the check.
-    pub name: String,
-    /// The largest residual, in the check's own measure.
-    pub residual: f64,
-    /// What it must not exceed.
-    pub limit: f64,
-    /// Number of the position of the largest residual; absent where it belongs to none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub at: Option<usize>,
-    /// The place of the largest residual in words: a link, a pair.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub place: String,
-    /// What is compared, and where the limit comes from.
-    pub reason: String,
-    /// Positions that could not be judged, at least not in full.
-    pub left_out: usize,
-    /// Why, for the first of them.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub why_left_out: String,
-    /// Whether it says anything: something failed, or one position at least could be judged in full. Otherwise it is neither
-    /// `ok` nor failed.
-    pub judged: bool,
-    /// Whether it says something, and everything that could be judged holds.
-    pub ok: bool,
-}
-
-impl CheckRow {
-    /// Whether something exceeds its limit. A check that could not judge anything does not fail.
-    pub fn failed(&self) -> bool {
-        self.judged && !self.ok
-    }
 }

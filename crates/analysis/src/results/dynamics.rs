@@ -1,13 +1,13 @@
 //! Periodic regime, drive and flywheel.
 
-use assur_dynamics::FlywheelByMethod;
-use assur_motor::FlywheelSize;
+use assur_dynamics::{Effort, FlywheelByMethod, Trial, Turn};
+use assur_motor::{FlywheelSize, RatedData};
 use serde::Serialize;
 
-use crate::results::{MotorWork, Named, PointReport, RegimeReport, RunnerUp};
+use crate::results::Named;
 
 /// What was found about the motion under loads and drive; what does not apply is absent.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Dynamics {
     /// Moment of inertia of the flywheel, without the rotor, kg m².
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -16,32 +16,24 @@ pub struct Dynamics {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
     /// (max + min) / 2 of the input speed, rad/s or m/s.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mean_speed: Option<f64>,
+    pub mean_speed: f64,
     /// (max - min) / mean.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub unevenness: Option<f64>,
+    pub unevenness: f64,
     /// Least speed, rad/s or m/s.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub speed_min: Option<f64>,
+    pub speed_min: f64,
     /// Greatest speed, rad/s or m/s.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub speed_max: Option<f64>,
+    pub speed_max: f64,
     /// Where the speed is least, rad or m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub coordinate_at_min: Option<f64>,
+    pub coordinate_at_min: f64,
     /// Where the speed is greatest, rad or m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub coordinate_at_max: Option<f64>,
+    pub coordinate_at_max: f64,
     /// Excess work between the extremes, J.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub excess_work: Option<f64>,
+    pub excess_work: f64,
     /// Artobolevsky's dynamic unevenness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamic_unevenness: Option<f64>,
     /// Required power, W.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub required_power: Option<f64>,
+    pub required_power: f64,
     /// Constant driving moment found, N m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque: Option<f64>,
@@ -51,18 +43,73 @@ pub struct Dynamics {
     /// Flywheel by each method that applies, kg m².
     #[serde(skip_serializing_if = "Named::is_empty")]
     pub flywheel_by_method: Named<f64>,
-    /// The same with formulas and differences from the exact one.
+    /// The flywheel of each method with its formula and the difference from the exact one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flywheel_methods: Vec<FlywheelByMethod>,
-    /// The two places of the flywheel.
+    /// The flywheel on each of the two shafts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flywheel_places: Vec<FlywheelSize>,
-    /// Course of the regime.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub regime: Option<RegimeReport>,
+    /// The regime over the cycle.
+    pub regime: RegimeReport,
     /// The point of the input link to which loads and masses are reduced, too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduction_point: Option<PointReport>,
+}
+
+/// The regime over the cycle, and how it was found.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RegimeReport {
+    /// Mean of the resisting moment over the cycle, reduced to the input, N m, against the motion.
+    pub mean_resistance: f64,
+    /// Work of the resistance over a cycle, J.
+    pub resistance_work: f64,
+    /// Time of a cycle, s.
+    pub cycle_time: f64,
+    /// What a small change of the speed is multiplied by over a cycle; below 1 the regime is stable.
+    pub multiplier: f64,
+    /// Flywheel and rotor reduced to the input, kg m².
+    pub shaft_inertia: f64,
+    /// The wanted unevenness is met without a flywheel.
+    pub flywheel_needless: bool,
+    /// What it cost to find it.
+    #[serde(flatten)]
+    pub effort: Effort,
+    /// Iteration to the periodic regime from the mean speed (S fig. 10).
+    pub iteration: Vec<Turn>,
+    /// Trials of ratio and flywheel (S stage 6).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub trials: Vec<Trial>,
+    /// Over a cycle: speeds, moments and inertia (S figs. 8, 9, 12); the end of the cycle is the last row.
+    pub course: Vec<RegimePoint>,
+}
+
+/// The regime at one coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RegimePoint {
+    /// Coordinate, rad or m.
+    pub coordinate: f64,
+    /// Speed in the regime.
+    pub speed: f64,
+    /// Speed in the first turn from the mean speed; absent where the machine stalls in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_turn: Option<f64>,
+    /// Moment of the drive on the input, N m.
+    pub drive: f64,
+    /// Reduced moment of the loads, N m.
+    pub load: f64,
+    /// Reduced inertia without flywheel and rotor, kg m².
+    pub inertia: f64,
+    /// Its derivative by the coordinate.
+    pub inertia_derivative: f64,
+}
+
+/// The point to which loads and masses are reduced beside the input link (E eqs. 4-6).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PointReport {
+    /// Its name.
+    pub name: String,
+    /// |PF1| of the point: force = moment / radius, mass = inertia / radius².
+    pub radius: f64,
 }
 
 /// The motor that drives.
@@ -73,18 +120,9 @@ pub struct MotorReport {
     /// Catalogue; absent where the scene gives rated data.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub catalogue: Option<String>,
-    /// Rated power, W.
-    pub power: f64,
-    /// Synchronous speed, rad/s.
-    pub synchronous_speed: f64,
-    /// Rated speed, rad/s.
-    pub rated_speed: f64,
-    /// Breakdown torque / rated torque.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub max_torque_ratio: Option<f64>,
-    /// Moment of inertia of the rotor, kg m².
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<f64>,
+    /// What its plate says.
+    #[serde(flatten)]
+    pub rated: RatedData,
     /// Mass of the motor, kg.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,
@@ -95,12 +133,53 @@ pub struct MotorReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diameter: Option<f64>,
     /// How it works in the regime.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub work: Option<MotorWork>,
+    pub work: MotorWork,
     /// Other motors that would do, the best first; only where it was chosen.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub runners_up: Vec<RunnerUp>,
     /// What to look at: values that the source does not print, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
+}
+
+/// How the motor works in the regime; speeds and torques of its own shaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MotorWork {
+    /// `kloss` or `linear`.
+    pub characteristic: &'static str,
+    /// Rated torque, N m.
+    pub rated_torque: f64,
+    /// Breakdown torque, N m, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub breakdown_torque: Option<f64>,
+    /// Least and greatest speed, rad/s: the working section.
+    pub speed: [f64; 2],
+    /// Least and greatest torque, N m.
+    pub torque: [f64; 2],
+    /// Root mean square torque over a cycle, N m.
+    pub rms_torque: f64,
+    /// Greatest torque of the load at rest, N m.
+    pub starting_load: f64,
+    /// The characteristic: speed, torque.
+    pub curve: Vec<[f64; 2]>,
+    /// The working section: speed, torque.
+    pub working_section: Vec<[f64; 2]>,
+}
+
+/// Another motor that would do.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunnerUp {
+    /// Designation.
+    pub designation: String,
+    /// Catalogue.
+    pub catalogue: String,
+    /// Rated power, W.
+    pub power: f64,
+    /// Rated speed, rad/s.
+    pub rated_speed: f64,
+    /// Ratio that it would need.
+    pub ratio: f64,
+    /// Mass, kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
 }

@@ -1,21 +1,24 @@
 //! What was found, as plain data.
 //!
-//! [`Analysis`] serializes to the JSON of the program. Everything is SI, angles in rad.
+//! [`Analysis`] serializes to the JSON of the program. Everything is SI, angles in rad. What a stage found stands here as the
+//! stage gives it; own types are those that results alone need.
 
 mod analysis;
-mod course;
 mod cycle;
 mod dynamics;
+mod motion;
 mod named;
 mod position;
-mod regime;
 mod structure;
 
-pub use analysis::{Analysis, CheckRow, Failure, InputReport};
-pub use course::{Energy, EventRow, Instant, Integration, Spot, Trajectory};
+pub use analysis::{Analysis, Failure, InputReport};
+pub use assur_check::Check;
+pub use assur_dynamics::{Effort, FlywheelByMethod, Trial, Turn};
+pub use assur_integrator::{Event, Reduced, State, Statistics};
+pub use assur_kinematics::{PointMotion, ScalarMotion};
 pub use cycle::{ByCause, Cycle, PositionPlans};
-pub use dynamics::{Dynamics, MotorReport};
+pub use dynamics::{Dynamics, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp};
+pub use motion::{Energy, Integration, MotionSample, PointPosition};
 pub use named::Named;
-pub use position::{Derivatives, PairReaction, PositionResult, Rates, Reduced, Transfer};
-pub use regime::{CourseRow, MotorWork, PointReport, RegimeReport, RunnerUp};
+pub use position::{PairReaction, PositionResult, Rates};
 pub use structure::{GroupReport, StructureReport};

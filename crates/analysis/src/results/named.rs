@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Serialize, Serializer};
 
 /// Values by name in the order of the scene; serializes to a map in that order.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,10 +49,6 @@ impl<T> FromIterator<(Arc<str>, T)> for Named<T> {
 
 impl<T: Serialize> Serialize for Named<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, value) in &self.0 {
-            map.serialize_entry(&**name, value)?;
-        }
-        map.end()
+        serializer.collect_map(self.iter())
     }
 }

@@ -1,32 +1,13 @@
 //! What was found in one position.
 
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
 use std::sync::Arc;
 
+use assur_integrator::Reduced;
+use assur_kinematics::{PointMotion, ScalarMotion};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+
 use crate::results::{ByCause, Named};
-
-/// PF0, PF1, PF2 of an angle (rad) or a displacement (m): the value and its derivatives by the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Derivatives {
-    /// The value.
-    pub pf0: f64,
-    /// First derivative by the coordinate.
-    pub pf1: f64,
-    /// Second derivative by the coordinate.
-    pub pf2: f64,
-}
-
-/// PF0, PF1, PF2 of a point, m and its derivatives by the coordinate, in the ground's frame.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Transfer {
-    /// Place, m.
-    pub pf0: [f64; 2],
-    /// First derivative by the coordinate.
-    pub pf1: [f64; 2],
-    /// Second derivative by the coordinate.
-    pub pf2: [f64; 2],
-}
 
 /// Derivatives by time of one order (velocities or accelerations).
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -40,17 +21,6 @@ pub struct Rates {
     /// Of the displacements of slides, m/s or m/s².
     #[serde(skip_serializing_if = "Named::is_empty")]
     pub slides: Named<f64>,
-}
-
-/// All moving links reduced to the input coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Reduced {
-    /// J, kg m² (kg for a sliding input).
-    pub inertia: f64,
-    /// dJ/dq.
-    pub inertia_derivative: f64,
-    /// Q, N m (N): of all loads but the balancing one; no inertia.
-    pub moment: f64,
 }
 
 /// The forces in one pin or slide.
@@ -94,18 +64,18 @@ pub struct PositionResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<f64>,
     /// Angles of the moving links, continuous over the positions.
-    pub links: Named<Derivatives>,
+    pub links: Named<ScalarMotion>,
     /// Named points.
-    pub points: Named<Transfer>,
+    pub points: Named<PointMotion>,
     /// Displacements of the slides.
-    pub slides: Named<Derivatives>,
+    pub slides: Named<ScalarMotion>,
     /// First derivatives by time, with a motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocities: Option<Rates>,
     /// Second derivatives by time, with a motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accelerations: Option<Rates>,
-    /// Reduction to the input link.
+    /// All moving links reduced to the input coordinate; no motor, no flywheel, no balancing load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduced: Option<Reduced>,
     /// Reactions by pin or slide.

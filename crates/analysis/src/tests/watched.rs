@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{study, text};
-use crate::{AnalysisError, Options, Progress, Study};
+use crate::{AnalysisError, Calculation, Options, Progress, Stopped, unwatched};
 
 #[test]
 fn watching_changes_no_number() {
@@ -11,10 +11,9 @@ fn watching_changes_no_number() {
         let plain = study(&text(name)).unwrap();
         let mut go_on = |_: Progress| ControlFlow::Continue(());
         let mechanism = assur_scene::read("test", &text(name)).unwrap();
-        let watched = Study::of_watched(mechanism, &Options::default(), &mut go_on).unwrap();
-        let ControlFlow::Continue(analysis) = watched.analyze_watched(&mut go_on) else { panic!("{name}") };
-        assert_eq!(analysis, plain.analyze(), "{name}");
-        assert_eq!(watched.checks_watched(&mut go_on).continue_value(), Some(plain.checks()), "{name}");
+        let watched = Calculation::of(mechanism, &Options::default(), &mut go_on).unwrap();
+        assert_eq!(watched.analyze(&mut go_on), plain.analyze(&mut unwatched), "{name}");
+        assert_eq!(watched.checks(&mut go_on), plain.checks(&mut unwatched), "{name}");
     }
 }
 
@@ -25,9 +24,9 @@ fn every_position_is_told_once() {
         if let Progress::Positions { done, total } = progress {
             told.push((done, total));
         }
-        ControlFlow::<()>::Continue(())
+        ControlFlow::Continue(())
     };
-    assert!(study(&text("shaper")).unwrap().analyze_watched(&mut watch).is_continue());
+    assert!(study(&text("shaper")).unwrap().analyze(&mut watch).is_ok());
     assert_eq!(told, (0..48).map(|done| (done, 48)).collect::<Vec<_>>());
 }
 
@@ -38,16 +37,16 @@ fn an_analysis_ends_at_the_piece_where_it_is_stopped() {
         let mut calls = 0;
         let mut watch = |_: Progress| {
             calls += 1;
-            if calls > last { ControlFlow::Break(last) } else { ControlFlow::Continue(()) }
+            if calls > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        assert_eq!(shaper.analyze_watched(&mut watch).break_value(), Some(last));
+        assert_eq!(shaper.analyze(&mut watch), Err(Stopped));
         assert_eq!(calls, last + 1);
         calls = 0;
         let mut watch = |_: Progress| {
             calls += 1;
-            if calls > last { ControlFlow::Break(last) } else { ControlFlow::Continue(()) }
+            if calls > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        assert_eq!(shaper.checks_watched(&mut watch).break_value(), Some(last));
+        assert_eq!(shaper.checks(&mut watch), Err(Stopped));
         assert_eq!(calls, last + 1);
     }
 }
@@ -62,8 +61,8 @@ fn a_motion_and_a_regime_are_stopped() {
             calls += 1;
             if calls > 20 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let error = Study::of_watched(mechanism, &Options::default(), &mut watch).unwrap_err();
-        assert_eq!(error, AnalysisError::Stopped, "{name}");
+        let error = Calculation::of(mechanism, &Options::default(), &mut watch).unwrap_err();
+        assert_eq!(error, AnalysisError::Stopped(Stopped), "{name}");
         assert!(calls < 500, "{name}: {calls} more calls");
     }
 }

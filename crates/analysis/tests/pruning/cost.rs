@@ -1,6 +1,6 @@
 //! What is solved, counted.
 
-use assur_analysis::Study;
+use assur_analysis::{Calculation, unwatched};
 use assur_group::Order;
 use assur_mechanism::Mechanism;
 
@@ -8,14 +8,14 @@ use crate::probe::{Solved, probe};
 use crate::{mechanism, study, text};
 
 /// By group: what an analysis solves.
-fn counted(mut study: Study) -> Vec<Solved> {
+fn counted(mut study: Calculation) -> Vec<Solved> {
     let calls = probe(&mut study);
-    let found = study.analyze();
+    let found = study.analyze(&mut unwatched).unwrap();
     assert!(found.failures.is_empty(), "{:?}", found.failures);
     calls.iter().map(|calls| calls.solved()).collect()
 }
 
-fn of(text: &str) -> (Study, Vec<Solved>) {
+fn of(text: &str) -> (Calculation, Vec<Solved>) {
     (study(mechanism(text)), counted(study(mechanism(text))))
 }
 
@@ -41,7 +41,7 @@ fn a_group_without_load_is_left_alone_and_its_reactions_are_exactly_zero() {
     // Beside the positions, the sides of the guide are looked at over the cycle.
     assert!(solved[0].forces >= 48, "{solved:?}");
     assert_eq!(solved[1].forces, 0);
-    let found = whole.analyze();
+    let found = whole.analyze(&mut unwatched).unwrap();
     for position in &found.positions {
         let reactions = position.reactions.as_ref().unwrap();
         for joint in ["D", "stone4/ram", "ram/ground"] {
@@ -58,7 +58,7 @@ fn a_group_whose_reactions_are_zero_is_not_even_placed_for_them() {
     let (part, solved) = of(&(light_ram() + "\n[output]\nreactions = [\"A\", \"ram/ground\"]\n"));
     assert_eq!(part.plan.groups_needed, [true, false]);
     assert_eq!(solved[1], NOTHING);
-    let found = part.analyze();
+    let found = part.analyze(&mut unwatched).unwrap();
     let zero = found.positions[7].reactions.as_ref().unwrap().get("ram/ground").unwrap();
     assert!(zero.forces.iter().all(|(_, force)| *force == [0.0, 0.0]) && zero.moment == Some(0.0));
 }
@@ -91,7 +91,7 @@ fn what_depends_on_nothing_is_not_solved() {
     let bare = format!("{}[motion]\nspeed = 1\n{}", &bare[..motion], &bare[end..]);
     let (part, solved) = of(&(bare + "\n[output]\nreactions = [\"B1\"]\n"));
     assert_eq!((part.plan.order, solved), (Order::Place, vec![NOTHING, NOTHING]));
-    let positions = part.analyze().positions;
+    let positions = part.analyze(&mut unwatched).unwrap().positions;
     assert!(positions.iter().all(|position| position.balancing == Some(0.0)));
 }
 
@@ -99,7 +99,7 @@ fn what_depends_on_nothing_is_not_solved() {
 fn another_method_solves_all_groups() {
     let mechanism: Mechanism = mechanism(&(light_ram() + "\n[output]\nreactions = [\"A\"]\n"));
     let options = assur_analysis::Options { analyzer: Some("newton-euler".to_owned()), integrator: None };
-    let study = Study::of(mechanism, &options).unwrap();
+    let study = Calculation::of(mechanism, &options, &mut unwatched).unwrap();
     assert_eq!(study.plan.groups_needed, [true, true]);
-    assert!(study.analyze().failures.is_empty());
+    assert!(study.analyze(&mut unwatched).unwrap().failures.is_empty());
 }

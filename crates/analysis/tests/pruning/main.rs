@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
 use assur_all as _;
-use assur_analysis::{Options, Study};
+use assur_analysis::{Calculation, Options, unwatched};
 use assur_mechanism::{Mechanism, Output, PairId};
 use assur_testkit::specimen::Rng;
 
@@ -20,12 +20,12 @@ fn mechanism(text: &str) -> Mechanism {
     assur_scene::read("test", text).unwrap()
 }
 
-fn study(mechanism: Mechanism) -> Study {
-    Study::of(mechanism, &Options::default()).unwrap()
+fn study(mechanism: Mechanism) -> Calculation {
+    Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap()
 }
 
 /// The full solution: every group, up to PF2, with the forces of every group.
-fn full(mechanism: &Mechanism) -> Study {
+fn full(mechanism: &Mechanism) -> Calculation {
     let mut study = study(Mechanism { output: None, ..mechanism.clone() });
     assert!(!study.plan.is_partial());
     study.plan.groups_carrying.fill(true);

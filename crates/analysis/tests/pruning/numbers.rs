@@ -1,5 +1,6 @@
 //! Bit for bit.
 
+use assur_analysis::unwatched;
 use assur_mechanism::{Mechanism, Motion};
 use assur_testkit::specimen::{Recipe, Rng};
 
@@ -9,16 +10,16 @@ use crate::{full, mechanism, output, study, text};
 
 /// Compares random parts with the whole; the parts by kernels that leave NaN where the plan wants no derivatives.
 fn compare(mechanism: &Mechanism, parts: usize, rng: &mut Rng, count: &mut Count) {
-    let whole = full(mechanism).analyze();
+    let whole = full(mechanism).analyze(&mut unwatched).unwrap();
     for _ in 0..parts {
         let output = Some(output(mechanism, rng));
         let mut part = study(Mechanism { output, ..mechanism.clone() });
         let _ = probe(&mut part);
-        count.analyses(&part.analyze(), &whole);
+        count.analyses(&part.analyze(&mut unwatched).unwrap(), &whole);
     }
     let mut all = study(Mechanism { output: None, ..mechanism.clone() });
     let _ = probe(&mut all);
-    count.analyses(&all.analyze(), &whole);
+    count.analyses(&all.analyze(&mut unwatched).unwrap(), &whole);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use assur_analysis::Study;
+use assur_analysis::Calculation;
 use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Order, Wrench};
 
 /// What was asked of one group.
@@ -99,7 +99,7 @@ impl AssurGroup<f64> for Probe {
 }
 
 /// Puts a counter before every kernel of a compiled study.
-pub(crate) fn probe(study: &mut Study) -> Vec<Arc<Calls>> {
+pub(crate) fn probe(study: &mut Calculation) -> Vec<Arc<Calls>> {
     let kernels = std::mem::take(&mut study.linkage.chain.groups);
     let mut counters = Vec::new();
     for inner in kernels {

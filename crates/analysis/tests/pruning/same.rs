@@ -1,7 +1,7 @@
 //! Comparison of results bit for bit.
 
 use assur_analysis::results::{
-    Analysis, Derivatives, Named, PairReaction, PositionResult, Rates, Trajectory, Transfer,
+    Analysis, MotionSample, Named, PairReaction, PointMotion, PositionResult, Rates, ScalarMotion,
 };
 
 /// How many numbers were compared.
@@ -31,13 +31,13 @@ impl Count {
         }
     }
 
-    fn derivatives(&mut self, part: &Named<Derivatives>, whole: &Named<Derivatives>) {
+    fn derivatives(&mut self, part: &Named<ScalarMotion>, whole: &Named<ScalarMotion>) {
         self.each(part, whole, |all, name, a, b| {
             all.numbers(name, [a.pf0, a.pf1, a.pf2], [b.pf0, b.pf1, b.pf2]);
         });
     }
 
-    fn transfer(&mut self, part: &Named<Transfer>, whole: &Named<Transfer>) {
+    fn transfer(&mut self, part: &Named<PointMotion>, whole: &Named<PointMotion>) {
         self.each(part, whole, |all, name, a, b| {
             all.numbers(name, a.pf0, b.pf0);
             all.numbers(name, a.pf1, b.pf1);
@@ -87,8 +87,8 @@ impl Count {
         }
     }
 
-    fn row(&mut self, part: &Trajectory, whole: &Trajectory) {
-        let state = |row: &Trajectory| [row.time, row.coordinate, row.speed, row.acceleration];
+    fn row(&mut self, part: &MotionSample, whole: &MotionSample) {
+        let state = |row: &MotionSample| [row.time, row.coordinate, row.speed, row.acceleration];
         self.numbers("state", state(part), state(whole));
         self.derivatives(&part.links, &whole.links);
         self.derivatives(&part.slides, &whole.slides);

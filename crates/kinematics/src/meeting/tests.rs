@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use assur_all as _;
 use assur_group::{GroupError, Order};
 
-use crate::{LinkMotion, Linkage, continuous_angle};
+use crate::{Linkage, ScalarMotion, continuous_angle};
 
 fn compiled(text: &str) -> Linkage {
     Linkage::compile(assur_scene::read("meeting", text).unwrap()).unwrap()
@@ -31,7 +31,7 @@ fn shaper(distance: &str, e: &str) -> Linkage {
     ))
 }
 
-fn motion(linkage: &Linkage, link: usize, q: f64) -> LinkMotion {
+fn motion(linkage: &Linkage, link: usize, q: f64) -> ScalarMotion {
     let mut position = linkage.position();
     linkage.solve(q, Order::Second, &mut position).unwrap();
     linkage.link_motion(link, &position)

@@ -4,7 +4,7 @@ use super::Source;
 use super::layout::{Cells, Column, Page};
 use super::number::{short, single};
 use super::units::Unit;
-use assur_analysis::results::{Integration, Named, PairReaction, Trajectory};
+use assur_analysis::results::{Integration, MotionSample, Named, PairReaction};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
@@ -29,11 +29,12 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
     let unit = source.units.coordinate;
     page.paragraph(&format!("Equation of motion: {} (case {} of D 3.21)", found.equation, found.case));
     page.paragraph(&format!("Integrator: {} ({})", found.method, found.reason));
+    let cost = &found.statistics;
     page.paragraph(&format!(
         "Tolerance {:e}; {} steps, {} rejected or redone, {} evaluations, {} Jacobians, {} smooth pieces",
-        found.tolerance, found.steps, found.rejected, found.evaluations, found.jacobians, found.pieces
+        found.tolerance, cost.steps, cost.rejected, cost.evaluations, cost.jacobians, cost.pieces
     ));
-    if let Some(product) = found.stiffness {
+    if let Some(product) = cost.stiffness {
         page.paragraph(&format!("Step times largest eigenvalue at the end: {}", short(product)));
     }
     page.paragraph(&format!(
@@ -63,7 +64,7 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
 }
 
 /// Every so many samples that not more than [`ROWS`] are shown, the last one always.
-fn shown(all: &[Trajectory]) -> Vec<&Trajectory> {
+fn shown(all: &[MotionSample]) -> Vec<&MotionSample> {
     let stride = all.len().saturating_sub(1).div_ceil(ROWS - 1).max(1);
     let mut rows: Vec<_> = all.iter().step_by(stride).collect();
     if let Some(last) = all.last().filter(|_| all.len() % stride != 1 && stride > 1) {
@@ -74,10 +75,10 @@ fn shown(all: &[Trajectory]) -> Vec<&Trajectory> {
 
 /// A column over the samples.
 fn column(
-    rows: &[&Trajectory],
+    rows: &[&MotionSample],
     head: &str,
     unit: Unit,
-    value: impl Fn(&Trajectory) -> Option<f64>,
+    value: impl Fn(&MotionSample) -> Option<f64>,
 ) -> Column {
     let values = rows.iter().map(|row| value(row).map(|value| value * unit.factor)).collect();
     Column { head: head.to_owned(), unit: unit.name.to_owned(), cells: Cells::Numbers(values) }
@@ -115,10 +116,10 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     rows.extend(found.events.iter().take(EVENTS).map(|event| {
         vec![
-            event.kind.to_owned(),
-            single(event.at.time),
-            single(event.at.coordinate * unit.factor),
-            single(event.at.speed * rate.factor),
+            event.kind.name().to_owned(),
+            single(event.state.time),
+            single(event.state.coordinate * unit.factor),
+            single(event.state.speed * rate.factor),
         ]
     }));
     page.caption(&format!(
@@ -133,7 +134,7 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
 fn greatest(source: &Source<'_>, page: &mut Page) {
     let all = &source.analysis.trajectory;
     let Some(first) = all.iter().find_map(|row| row.reactions.as_ref()) else { return };
-    let force = |row: &Trajectory, pair: usize, link: usize| modulus(row.reactions.as_ref()?, pair, link);
+    let force = |row: &MotionSample, pair: usize, link: usize| modulus(row.reactions.as_ref()?, pair, link);
     let mut rows = vec![["pair", "on", "greatest R, N", "time, s"].map(str::to_owned).to_vec()];
     for (pair, (name, reaction)) in first.iter().enumerate() {
         for link in super::forces::shown(source, reaction) {

@@ -4,7 +4,7 @@ use super::Source;
 use super::layout::{Cells, Column, Page};
 use super::number::{short, single};
 use super::units::Unit;
-use assur_analysis::results::{CourseRow, Dynamics, MotorReport, RegimeReport};
+use assur_analysis::results::{Dynamics, MotorReport, RegimePoint, RegimeReport};
 
 /// Rows of the course over a cycle, without the first.
 const ROWS: usize = 48;
@@ -13,12 +13,11 @@ const RPM: f64 = 30.0 / std::f64::consts::PI;
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     let Some(found) = &source.analysis.dynamics else { return };
-    if let Some(regime) = &found.regime {
-        page.section("Steady regime");
-        numbers(source, found, regime, page);
-        iteration(source, regime, page);
-        course(source, regime, page);
-    }
+    let regime = &found.regime;
+    page.section("Steady regime");
+    numbers(source, found, regime, page);
+    iteration(source, regime, page);
+    course(source, regime, page);
     if found.motor.is_some() || found.flywheel.is_some() {
         page.section("Drive and flywheel");
         drive(source, found, page);
@@ -33,18 +32,16 @@ fn row(page: &mut Page, what: &str, value: &str, unit: &str) {
 fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &mut Page) {
     let (rate, place) = (source.units.rates[0], source.units.coordinate);
     let moment = source.units.reduced[2].name;
-    let at = |q: Option<f64>| {
-        q.map_or_else(|| "-".to_owned(), |q| format!("{} {}", single(q * place.factor), place.name))
-    };
+    let at = |q: f64| format!("{} {}", single(q * place.factor), place.name);
     let all = [
-        ("Mean speed (greatest + least)/2", found.mean_speed, rate.name),
-        ("Unevenness (greatest - least)/mean", found.unevenness, ""),
-        ("Excess work between least and greatest speed, in this motion", found.excess_work, "J"),
+        ("Mean speed (greatest + least)/2", Some(found.mean_speed), rate.name),
+        ("Unevenness (greatest - least)/mean", Some(found.unevenness), ""),
+        ("Excess work between least and greatest speed, in this motion", Some(found.excess_work), "J"),
         ("Dynamic unevenness (Artobolevsky)", found.dynamic_unevenness, ""),
         ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
         ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
         ("Constant moment of the drive", found.torque, moment),
-        ("Power that the motor needs, at the mean speed", found.required_power, "W"),
+        ("Power that the motor needs, at the mean speed", Some(found.required_power), "W"),
         ("Time of a cycle", Some(regime.cycle_time), "s"),
         ("A small change of the speed is multiplied over a cycle by", Some(regime.multiplier), ""),
     ];
@@ -57,9 +54,7 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
         ("Least speed", found.speed_min, found.coordinate_at_min),
         ("Greatest speed", found.speed_max, found.coordinate_at_max),
     ] {
-        if let Some(speed) = speed {
-            row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
-        }
+        row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
     }
     let effort = &regime.effort;
     page.paragraph(&format!(
@@ -112,7 +107,7 @@ fn course(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     // Every so many rows, both ends among them; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
-    let column = |head: &str, unit: Unit, value: &dyn Fn(&CourseRow) -> Option<f64>| Column {
+    let column = |head: &str, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| Column {
         head: head.to_owned(),
         unit: unit.name.to_owned(),
         cells: Cells::Numbers(rows.iter().map(|row| value(row).map(|value| value * unit.factor)).collect()),
@@ -140,13 +135,13 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
         row(page, "Gear ratio (motor speed / input speed)", &single(ratio), "");
     }
     let unit = source.units.reduced[0].name;
-    if let Some(regime) = found.regime.as_ref().filter(|regime| regime.shaft_inertia > 0.0) {
-        row(page, "Flywheel and rotor, reduced to the input", &single(regime.shaft_inertia), unit);
+    if found.regime.shaft_inertia > 0.0 {
+        row(page, "Flywheel and rotor, reduced to the input", &single(found.regime.shaft_inertia), unit);
     }
     if let Some(flywheel) = found.flywheel {
         row(page, "Flywheel, on its own shaft, without the rotor", &single(flywheel), "kg·m²");
     }
-    if found.regime.as_ref().is_some_and(|regime| regime.flywheel_needless) {
+    if found.regime.flywheel_needless {
         page.paragraph("The wanted unevenness is met without a flywheel.");
     }
     let Some(motor) = &found.motor else { return };
@@ -181,15 +176,15 @@ fn motor_lines(motor: &MotorReport, page: &mut Page) {
     let name = if motor.designation.is_empty() { "given by its rated data" } else { &motor.designation };
     let catalogue = motor.catalogue.as_ref().map_or_else(String::new, |name| format!(" (catalogue {name})"));
     row(page, "Motor", &format!("{name}{catalogue}"), "");
-    row(page, "  Rated power", &single(motor.power), "W");
+    row(page, "  Rated power", &single(motor.rated.power), "W");
     for (what, speed) in
-        [("  Synchronous speed", motor.synchronous_speed), ("  Rated speed", motor.rated_speed)]
+        [("  Synchronous speed", motor.rated.synchronous_speed), ("  Rated speed", motor.rated.rated_speed)]
     {
         row(page, what, &single(speed), &format!("rad/s ({} rpm)", short(speed * RPM)));
     }
     let optional = [
-        ("  Breakdown torque / rated torque", motor.max_torque_ratio, ""),
-        ("  Rotor", motor.inertia, "kg·m²"),
+        ("  Breakdown torque / rated torque", motor.rated.max_torque_ratio, ""),
+        ("  Rotor", motor.rated.inertia, "kg·m²"),
         ("  Mass", motor.mass, "kg"),
         ("  Length", motor.length.map(|length| 1e3 * length), "mm"),
         ("  Diameter", motor.diameter.map(|diameter| 1e3 * diameter), "mm"),
@@ -199,7 +194,7 @@ fn motor_lines(motor: &MotorReport, page: &mut Page) {
             row(page, what, &short(value), unit);
         }
     }
-    let Some(work) = &motor.work else { return };
+    let work = &motor.work;
     row(page, "  Characteristic", work.characteristic, "");
     row(page, "  Rated torque", &single(work.rated_torque), "N·m");
     if let Some(breakdown) = work.breakdown_torque {

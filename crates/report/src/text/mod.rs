@@ -18,7 +18,7 @@ mod units;
 
 use assur_mechanism::Mechanism;
 
-use assur_analysis::results::{Analysis, CheckRow};
+use assur_analysis::results::{Analysis, Check};
 
 pub use layout::columns;
 use layout::{Page, wrap};
@@ -68,12 +68,12 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
 
 /// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what
 /// was not judged, and why.
-pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
+pub fn checks(checks: &[Check], ascii: bool) -> String {
     let mut rows =
         vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
     rows.extend(checks.iter().map(|check| {
         vec![
-            check.name.clone(),
+            check.name.to_owned(),
             scientific(check.residual),
             check.at.map_or_else(|| "-".to_owned(), |at| at.to_string()),
             if check.place.is_empty() { "-".to_owned() } else { check.place.clone() },
@@ -85,7 +85,7 @@ pub fn checks(checks: &[CheckRow], ascii: bool) -> String {
     columns(&rows, ascii) + &lines
 }
 
-fn verdict(check: &CheckRow) -> &'static str {
+fn verdict(check: &Check) -> &'static str {
     match (check.failed(), check.judged) {
         (true, _) => "FAILED",
         (false, true) => "ok",
@@ -94,13 +94,13 @@ fn verdict(check: &CheckRow) -> &'static str {
 }
 
 /// In how many positions which checks could not judge, and why: one sentence for those that have both in common.
-pub fn not_judged(checks: &[CheckRow]) -> Vec<String> {
+pub fn not_judged(checks: &[Check]) -> Vec<String> {
     let mut kinds: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for check in checks.iter().filter(|check| check.left_out > 0) {
-        let (count, why) = (check.left_out, check.why_left_out.as_str());
+        let (count, why) = (check.left_out, check.why_left_out);
         match kinds.iter_mut().find(|kind| (kind.0, kind.1) == (count, why)) {
-            Some((_, _, names)) => names.push(&check.name),
-            None => kinds.push((count, why, vec![&check.name])),
+            Some((_, _, names)) => names.push(check.name),
+            None => kinds.push((count, why, vec![check.name])),
         }
     }
     let sentence = |(count, why, names): (usize, &str, Vec<&str>)| {

@@ -40,16 +40,16 @@ fn words_break_at_the_width_and_are_never_lost() {
     assert_eq!(text.split_whitespace().count(), 60);
 }
 
-fn check(name: &str, left_out: usize, judged: bool, ok: bool) -> assur_analysis::results::CheckRow {
-    assur_analysis::results::CheckRow {
-        name: name.to_owned(),
+fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> assur_analysis::results::Check {
+    assur_analysis::results::Check {
+        name,
         residual: 1e-12,
         limit: 1e-9,
         at: Some(3),
         place: "link rod".to_owned(),
-        reason: String::new(),
+        reason: "",
         left_out,
-        why_left_out: if left_out > 0 { "too close".to_owned() } else { String::new() },
+        why_left_out: if left_out > 0 { "too close" } else { "" },
         judged,
         ok,
     }

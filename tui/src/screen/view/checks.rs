@@ -1,6 +1,6 @@
 //! Every check in a line: name, largest residual, limit, where, and whether it holds, in words.
 
-use assur_analysis::results::CheckRow;
+use assur_analysis::results::Check;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -31,7 +31,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     }
 }
 
-fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &mut Buffer) {
+fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
     if chosen {
@@ -40,7 +40,7 @@ fn draw_row(state: &State, check: &CheckRow, chosen: bool, area: Rect, buffer: &
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
     let residual = format!("{:.2e}", check.residual);
     let limit = format!("{:.2e}", check.limit);
-    let cells = [check.name.as_str(), &residual, &limit, check.place.as_str(), &at];
+    let cells = [check.name, &residual, &limit, check.place.as_str(), &at];
     let ends = COLUMNS.iter().skip(1).chain([&WORD]);
     for ((text, &column), &end) in cells.into_iter().zip(&COLUMNS).zip(ends) {
         let text = cut(text, usize::from(end - column - 1));

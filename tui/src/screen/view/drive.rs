@@ -51,8 +51,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
 
 /// What the reader looks for first.
 fn heading(texts: &Texts, dynamics: &Dynamics, angular: bool) -> String {
-    let [unevenness, mean] =
-        [dynamics.unevenness, dynamics.mean_speed].map(|x| digits(x.unwrap_or_default(), 5));
+    let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed].map(|x| digits(x, 5));
     let unit = speed_unit(angular);
     match dynamics.flywheel {
         Some(flywheel) => fill(texts.drive_heading, &[&unevenness, &mean, &unit, &digits(flywheel, 5)]),
@@ -91,9 +90,7 @@ fn draw_plots(
     let [one, two]: [Rect; 2] =
         if beside { Layout::horizontal(halves).areas(area) } else { Layout::vertical(halves).areas(area) };
     regime::draw_characteristic(state, dynamics, one, buffer);
-    if let Some(report) = &dynamics.regime {
-        regime::draw_moments(state, study, report, two, buffer);
-    }
+    regime::draw_moments(state, study, &dynamics.regime, two, buffer);
 }
 
 fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Row> {
@@ -119,22 +116,20 @@ fn motor_rows(texts: &Texts, motor: &MotorReport) -> Vec<Row> {
     };
     let mut lines = vec![(Role::Header, title)];
     let mut add = |name: &str, value: String| lines.push((Role::Plain, format!("  {name:<18} {value}")));
-    add(texts.rated_power, format!("{} W", digits(motor.power, 5)));
-    add(texts.synchronous_speed, format!("{} rad/s", digits(motor.synchronous_speed, 5)));
-    add(texts.rated_speed, format!("{} rad/s", digits(motor.rated_speed, 5)));
-    if let Some(ratio) = motor.max_torque_ratio {
+    add(texts.rated_power, format!("{} W", digits(motor.rated.power, 5)));
+    add(texts.synchronous_speed, format!("{} rad/s", digits(motor.rated.synchronous_speed, 5)));
+    add(texts.rated_speed, format!("{} rad/s", digits(motor.rated.rated_speed, 5)));
+    if let Some(ratio) = motor.rated.max_torque_ratio {
         add(texts.breakdown, digits(ratio, 4));
     }
-    if let Some(inertia) = motor.inertia {
+    if let Some(inertia) = motor.rated.inertia {
         add(texts.rotor_inertia, format!("{} kg m2", digits(inertia, 5)));
     }
-    if let Some(work) = &motor.work {
-        let [low, high] = work.speed.map(|speed| digits(speed, 5));
-        add(texts.works_at, format!("{low} .. {high} rad/s"));
-        let [low, high] = work.torque.map(|torque| digits(torque, 4));
-        add(texts.motor_moment, format!("{low} .. {high} N m"));
-        add(texts.rms_torque, format!("{} N m", digits(work.rms_torque, 4)));
-    }
+    let [low, high] = motor.work.speed.map(|speed| digits(speed, 5));
+    add(texts.works_at, format!("{low} .. {high} rad/s"));
+    let [low, high] = motor.work.torque.map(|torque| digits(torque, 4));
+    add(texts.motor_moment, format!("{low} .. {high} N m"));
+    add(texts.rms_torque, format!("{} N m", digits(motor.work.rms_torque, 4)));
     lines
 }
 

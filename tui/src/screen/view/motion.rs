@@ -34,7 +34,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     put(buffer, title, 1, 0, &text, state.look.theme.style(role));
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
-    let regime = found.analysis.dynamics.as_ref().and_then(|dynamics| dynamics.regime.as_ref());
+    let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     // Its table needs the whole width.
     if let (Some(regime), Pane::Hodograph) = (regime, state.pane) {
         return regime::draw_iteration(state, regime, area, buffer);
@@ -59,7 +59,7 @@ fn heading(state: &State, study: &Study, found: &Found) -> (Role, String) {
     let texts = state.texts;
     if let Some(dynamics) = &found.analysis.dynamics {
         let unit = speed_unit(found.analysis.input.angular);
-        let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed].map(Option::unwrap_or_default);
+        let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed];
         let text = fill(texts.motion_heading, &[&digits(unevenness, 5), &digits(mean, 5), &unit]);
         return (Role::Header, text);
     }
@@ -136,16 +136,16 @@ pub(crate) fn numbers(texts: &Texts, dynamics: &Dynamics, angular: bool) -> Vec<
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
     let all: [(&str, Option<f64>, &str); 10] = [
-        (texts.mean_speed, dynamics.mean_speed, speed),
-        (texts.unevenness, dynamics.unevenness, ""),
-        (texts.least_speed, dynamics.speed_min, speed),
-        (texts.at_coordinate, dynamics.coordinate_at_min.map(degrees), place),
-        (texts.greatest_speed, dynamics.speed_max, speed),
-        (texts.at_coordinate, dynamics.coordinate_at_max.map(degrees), place),
-        (texts.excess_work, dynamics.excess_work, "J"),
+        (texts.mean_speed, Some(dynamics.mean_speed), speed),
+        (texts.unevenness, Some(dynamics.unevenness), ""),
+        (texts.least_speed, Some(dynamics.speed_min), speed),
+        (texts.at_coordinate, Some(degrees(dynamics.coordinate_at_min)), place),
+        (texts.greatest_speed, Some(dynamics.speed_max), speed),
+        (texts.at_coordinate, Some(degrees(dynamics.coordinate_at_max)), place),
+        (texts.excess_work, Some(dynamics.excess_work), "J"),
         (texts.dynamic_unevenness, dynamics.dynamic_unevenness, ""),
         (texts.torque, dynamics.torque, "N m"),
-        (texts.required_power, dynamics.required_power, "W"),
+        (texts.required_power, Some(dynamics.required_power), "W"),
     ];
     let lines = all
         .into_iter()

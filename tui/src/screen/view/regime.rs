@@ -1,6 +1,6 @@
 //! The steady regime as plots: speed beside the first turn, moments with their mean, motor, iteration.
 
-use assur_analysis::results::{CourseRow, Dynamics, RegimeReport};
+use assur_analysis::results::{Dynamics, RegimePoint, RegimeReport};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -14,7 +14,7 @@ use crate::screen::study::Study;
 use crate::screen::theme::Role;
 
 /// Points of a quantity over the cycle, the coordinate in the unit that is shown.
-fn over(study: &Study, regime: &RegimeReport, read: impl Fn(&CourseRow) -> f64) -> Vec<[f64; 2]> {
+fn over(study: &Study, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64) -> Vec<[f64; 2]> {
     let (_, factor) = coordinate_unit(&study.linkage);
     regime.course.iter().map(|row| [factor * row.coordinate, read(row)]).collect()
 }
@@ -70,7 +70,7 @@ pub(crate) fn draw_moments(
 
 /// The motor's characteristic, with its working section.
 pub(crate) fn draw_characteristic(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) {
-    let Some(work) = dynamics.motor.as_ref().and_then(|motor| motor.work.as_ref()) else {
+    let Some(work) = dynamics.motor.as_ref().map(|motor| &motor.work) else {
         put(buffer, area, 1, 0, state.texts.no_motor, state.look.theme.style(Role::Dim));
         return;
     };

@@ -1,12 +1,14 @@
-//! The course of a motion over time, and how it was found.
+//! A motion over time, and how it was found.
 
+use assur_integrator::{Event, State, Statistics};
+use assur_kinematics::ScalarMotion;
 use serde::Serialize;
 
-use crate::results::{Derivatives, Named, PairReaction, Rates};
+use crate::results::{Named, PairReaction, Rates};
 
 /// One instant of a motion.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Trajectory {
+pub struct MotionSample {
     /// Time, s.
     pub time: f64,
     /// Coordinate, rad or m.
@@ -16,13 +18,13 @@ pub struct Trajectory {
     /// Its second derivative by time.
     pub acceleration: f64,
     /// Angles of the links and their derivatives by the coordinate.
-    pub links: Named<Derivatives>,
-    /// Places of the named points.
+    pub links: Named<ScalarMotion>,
+    /// The named points.
     #[serde(skip_serializing_if = "Named::is_empty")]
-    pub points: Named<Spot>,
+    pub points: Named<PointPosition>,
     /// Displacements of the slides and their derivatives by the coordinate.
     #[serde(skip_serializing_if = "Named::is_empty")]
-    pub slides: Named<Derivatives>,
+    pub slides: Named<ScalarMotion>,
     /// First derivatives by time.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocities: Option<Rates>,
@@ -37,10 +39,10 @@ pub struct Trajectory {
     pub balancing: Option<f64>,
 }
 
-/// Place of a point.
+/// Where a point is.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Spot {
-    /// Place, m, in the ground's frame.
+pub struct PointPosition {
+    /// Position, m, in the ground's frame.
     pub pf0: [f64; 2],
 }
 
@@ -57,47 +59,16 @@ pub struct Integration {
     pub reason: String,
     /// Relative tolerance asked of it.
     pub tolerance: f64,
-    /// Accepted steps (panels, for the energy form).
-    pub steps: usize,
-    /// Rejected steps, and steps redone to land on an event.
-    pub rejected: usize,
-    /// Evaluations of the equation.
-    pub evaluations: usize,
-    /// Jacobians of an implicit method.
-    pub jacobians: usize,
-    /// Smooth pieces entered.
-    pub pieces: usize,
-    /// Step times the largest eigenvalue at the end of a long run: near 3 or above, an explicit method is slow by stiffness.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffness: Option<f64>,
+    /// What it cost.
+    #[serde(flatten)]
+    pub statistics: Statistics,
     /// The state in which the motion ended.
-    pub end: Instant,
+    pub end: State,
     /// What happened between, in order of time.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub events: Vec<EventRow>,
-    /// Energies over the samples.
+    pub events: Vec<Event>,
+    /// Energies at both ends.
     pub energy: Energy,
-}
-
-/// A state of the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Instant {
-    /// Time, s.
-    pub time: f64,
-    /// Coordinate, rad or m.
-    pub coordinate: f64,
-    /// Speed, rad/s or m/s.
-    pub speed: f64,
-}
-
-/// Something that happened on the way.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EventRow {
-    /// `coordinate`, `speed`, `time` (a bound of a smooth piece), `reversal`, `rest`, `held`, `release`.
-    pub kind: &'static str,
-    /// When and where.
-    #[serde(flatten)]
-    pub at: Instant,
 }
 
 /// The balance of energy over a motion.
@@ -107,11 +78,11 @@ pub struct Energy {
     pub conservative: bool,
     /// Kinetic energy at the start, flywheel and rotor included, J.
     pub kinetic_start: f64,
-    /// The same at the end, J.
+    /// Kinetic energy at the end, flywheel and rotor included, J.
     pub kinetic_end: f64,
     /// Potential energy of weights and springs at the start, J.
     pub potential_start: f64,
-    /// The same at the end, J.
+    /// Potential energy of weights and springs at the end, J.
     pub potential_end: f64,
     /// Largest change of kinetic and potential energy over the largest kinetic energy: the drift where the machine is
     /// conservative, else the work of the other loads.

@@ -1,14 +1,13 @@
 //! A mechanism with its plan, compiled.
 
-use std::ops::ControlFlow;
-
-use crate::plan::{Methods, Plan};
 use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
 
-use crate::{AnalysisError, Course, Progress};
+use crate::plan::{Methods, Plan};
+use crate::progress::Watch;
+use crate::{AnalysisError, InputMotion};
 
 /// The integrator that is taken where none is named.
 pub const DEFAULT_INTEGRATOR: &str = assur_integrator::AUTO;
@@ -24,7 +23,7 @@ pub struct Options {
 
 /// A scene ready to be calculated.
 #[derive(Debug)]
-pub struct Study {
+pub struct Calculation {
     /// The compiled mechanism; groups that the plan does not need are left out.
     pub linkage: Linkage,
     /// What is calculated.
@@ -34,41 +33,21 @@ pub struct Study {
     /// The force analyzer, where the plan needs one.
     pub analyzer: Option<&'static AnalyzerPlugin>,
     /// How the input moves.
-    pub course: Course,
+    pub motion: InputMotion,
     /// Why the motion that was asked for is not found; what does not depend on it is calculated nevertheless.
     pub no_motion: Option<String>,
     /// What of the request has no use in this scene.
     pub(crate) unused: Vec<String>,
 }
 
-impl Study {
-    /// Takes a mechanism apart, plans and compiles it.
+impl Calculation {
+    /// Takes a mechanism apart, plans and compiles it, and finds its motion. `watch` is told how far the motion is, and may
+    /// stop it; [`unwatched`](crate::unwatched) lets it run.
     ///
     /// # Errors
     ///
-    /// [`AnalysisError`] where the scene as a whole can't be calculated.
-    pub fn of(mechanism: Mechanism, options: &Options) -> Result<Self, AnalysisError> {
-        Self::build(mechanism, options, None)
-    }
-
-    /// The same; `watch` is told how far a motion is, and may stop it.
-    ///
-    /// # Errors
-    ///
-    /// As [`of`](Self::of); [`AnalysisError::Stopped`].
-    pub fn of_watched(
-        mechanism: Mechanism,
-        options: &Options,
-        watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Self, AnalysisError> {
-        Self::build(mechanism, options, Some(watch))
-    }
-
-    fn build(
-        mechanism: Mechanism,
-        options: &Options,
-        watch: Option<&mut dyn FnMut(Progress) -> ControlFlow<()>>,
-    ) -> Result<Self, AnalysisError> {
+    /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
+    pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, &methods(&mechanism, options));
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
@@ -76,13 +55,13 @@ impl Study {
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
         let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
-        let (course, no_motion) = match Course::of(&linkage, loads.as_ref(), options, watch) {
-            Ok(course) => (course, None),
-            Err(error) if error.is_no_solution() => (Course::Prescribed, Some(error.to_string())),
+        let (motion, no_motion) = match InputMotion::of(&linkage, loads.as_ref(), options, watch) {
+            Ok(motion) => (motion, None),
+            Err(error) if error.is_no_solution() => (InputMotion::Prescribed, Some(error.to_string())),
             Err(error) => return Err(error),
         };
         let unused = crate::notes::unused(&linkage.mechanism, options);
-        Ok(Self { linkage, plan, loads, analyzer, course, no_motion, unused })
+        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.
@@ -96,7 +75,7 @@ impl Study {
 
     /// State of the input at the coordinate of a position: as prescribed, or in the steady regime.
     pub fn state(&self, coordinate: f64) -> State {
-        self.course.state(&self.linkage.mechanism, coordinate)
+        self.motion.state(&self.linkage.mechanism, coordinate)
     }
 }
 

@@ -1,8 +1,5 @@
 //! How the input moves: as the scene prescribes it, or as the equation of motion has it.
 
-use std::ops::ControlFlow;
-
-use crate::plan::Plan;
 use assur_dynamics::{
     DynamicsError, Machine, Steady, Tell, Transient, equation, steady_told, transient_told,
 };
@@ -13,6 +10,8 @@ use assur_integrator::{
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 
+use crate::plan::Plan;
+use crate::progress::{Stopped, Watch};
 use crate::{AnalysisError, Options, Progress};
 
 /// The stage of a plan that finds a motion.
@@ -20,7 +19,7 @@ const EQUATION: &str = "equation of motion";
 
 /// How the input moves.
 #[derive(Debug)]
-pub enum Course {
+pub enum InputMotion {
     /// As the scene prescribes it; without a motion at rest.
     Prescribed,
     /// From an initial state, by an integrator.
@@ -29,16 +28,15 @@ pub enum Course {
     Steady(Box<Steady>),
 }
 
-impl Course {
+impl InputMotion {
     /// Solves the motion that a scene asks for. Without loads (no position at all) there is nothing to solve.
     pub(crate) fn of(
         linkage: &Linkage,
         loads: Option<&Loads>,
         options: &Options,
-        watch: Option<&mut dyn FnMut(Progress) -> ControlFlow<()>>,
+        watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
         let Some(loads) = loads else { return Ok(Self::Prescribed) };
-        let Some(watch) = watch else { return Ok(Self::found(linkage, loads, options, None)?) };
         let mut counter = Counter::new(&linkage.mechanism);
         let mut stopped = false;
         let mut tell = |state: &IntegratorState| {
@@ -48,7 +46,7 @@ impl Course {
         };
         let found = Self::found(linkage, loads, options, Some(&mut tell));
         // A method that is stopped may say so in other words, or go another way.
-        if stopped { Err(AnalysisError::Stopped) } else { Ok(found?) }
+        if stopped { Err(Stopped.into()) } else { Ok(found?) }
     }
 
     fn found(
