@@ -192,14 +192,19 @@ fn derive_sized<T: Real, const N: usize>(
         (body.x1, body.y1, body.w1) = (first[3 * i] * scale, first[3 * i + 1] * scale, first[3 * i + 2]);
     }
     if order < Order::Second {
-        return Ok(());
+        return finite(&first);
     }
     let second = lu.solve(&right_side::<T, N>(frame, bodies, true));
     for (i, &link) in frame.links.iter().enumerate() {
         let body = &mut bodies[link];
         (body.x2, body.y2, body.w2) = (second[3 * i] * scale, second[3 * i + 1] * scale, second[3 * i + 2]);
     }
-    Ok(())
+    finite(&second)
+}
+
+/// Refuses a solution with an entry that is no number.
+fn finite<T: Real, const N: usize>(solution: &[T; N]) -> Result<(), GroupError> {
+    GroupError::if_nan(solution.iter().fold(T::ZERO, |sum, &entry| sum + entry))
 }
 
 /// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 for one that does not fit.

@@ -28,7 +28,7 @@ pub use error::{GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
 pub use kernel::{AssurGroup, Number, Order};
-pub use newton::place_by_newton;
+pub use newton::{Iterated, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
 pub use registry::{

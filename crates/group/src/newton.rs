@@ -5,7 +5,34 @@ use assur_number::Real;
 use crate::general::{guide, jacobian, sized, unfit};
 use crate::linear::Lu;
 use crate::plane::{direction, minus, times, vector};
-use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, PairGeometry};
+use crate::{
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, PairGeometry,
+};
+
+/// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
+///
+/// A plugin needs no code of its own for it, only its entry with `builders: Builders::of::<Iterated>()`, one way and
+/// `iterates: true`. It has at most 8 links.
+#[derive(Debug, Clone)]
+pub struct Iterated(GroupFrame);
+
+impl<T: Real> AssurGroup<T> for Iterated {
+    fn frame(&self) -> &GroupFrame {
+        &self.0
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], _way: usize) -> Result<T, GroupError> {
+        place_by_newton(&self.0, bodies)
+    }
+}
+
+impl GroupKind for Iterated {
+    type Kernel<T: Number> = Self;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Self, BuildError> {
+        Ok(Self(frame.clone()))
+    }
+}
 
 /// Newton's method is given up after so many steps.
 const MOST_STEPS: usize = 60;

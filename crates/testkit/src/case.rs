@@ -1,9 +1,10 @@
 //! One sample with the kernel that is held to it.
 
+use assur_group::plane::vector;
 use assur_group::{AssurGroup, Body, GroupError, GroupPlugin, Number, Order, PairGeometry, kernel_of};
 use assur_number::Real;
 
-use crate::Sample;
+use crate::sample::Sample;
 
 /// What a kind did wrong.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -19,29 +20,28 @@ pub struct Fault {
 
 /// A sample and the kernel of it in f64.
 #[derive(Debug)]
-pub struct Case {
+pub(crate) struct Case {
     /// The kind.
-    pub plugin: &'static GroupPlugin,
+    pub(crate) plugin: &'static GroupPlugin,
     /// The group.
-    pub sample: Sample,
+    pub(crate) sample: Sample,
     /// Its kernel.
-    pub kernel: Box<dyn AssurGroup>,
+    pub(crate) kernel: Box<dyn AssurGroup>,
     /// For the message.
-    pub seed: u64,
+    pub(crate) seed: u64,
 }
 
 impl Case {
-    /// Builds the kernel.
-    ///
-    /// # Errors
-    ///
-    /// [`Fault`] where the kind refuses the group.
-    pub fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
+    /// Builds the kernel; a fault where the kind refuses the group, or declares another number of ways than it has.
+    pub(crate) fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
         let fault = |what| Fault { check: "build", seed, what };
         if plugin.pattern.find(&sample.frame).is_none() {
             return Err(fault("does not match a group of its own kind".into()));
         }
         let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;
+        if kernel.ways() != plugin.ways.most {
+            return Err(fault(format!("declares {} ways, and has {}", plugin.ways.most, kernel.ways())));
+        }
         Ok(Self { plugin, sample, kernel, seed })
     }
 
@@ -53,6 +53,14 @@ impl Case {
     /// A failed call as a fault.
     pub(crate) fn called<R>(&self, check: &'static str, result: Result<R, GroupError>) -> Result<R, Fault> {
         result.map_err(|error| self.fault(check, error.to_string()))
+    }
+
+    /// Places the bodies in a way; `None` where a kind whose number of ways varies does not have it here.
+    pub(crate) fn placed(&self, bodies: &mut [Body<f64>], way: usize) -> Result<Option<f64>, Fault> {
+        match self.kernel.place(bodies, way) {
+            Err(GroupError::NoAssembly { .. }) if self.plugin.ways.varies => Ok(None),
+            other => self.called("place", other).map(Some),
+        }
     }
 
     /// Requires |difference| <= limit; a NaN fails.
@@ -90,7 +98,6 @@ impl Case {
 
     /// Greatest violation of a pair: lengths in m, angles as sines.
     pub(crate) fn residual<T: Real>(&self, bodies: &[Body<T>]) -> f64 {
-        let vector = |of: [f64; 2]| of.map(T::from_f64);
         let mut worst = 0.0_f64;
         for pair in self.sample.frame.pairs() {
             let (a, b) = (&bodies[pair.a], &bodies[pair.b]);

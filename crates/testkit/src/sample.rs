@@ -1,19 +1,29 @@
-//! Random groups by construction: poses first, then the pairs that fit them.
+//! Random groups by construction: the poses of all bodies first, then the pairs that fit them.
 
-use assur_group::{Body, GroupFrame, Pair, PairGeometry, PairSort, Pattern};
+use assur_group::{Body, GroupFrame, Pair, PairGeometry, Pattern};
 use assur_number::Real;
 
-use crate::Dice;
+use crate::Rng;
+use crate::arrangement::{Join, Pose, constraints, drawn_pairs, regularity};
 
-/// How a body moves with q: value, first and second derivative at q = 0 of x, y (m) and the angle (rad).
+/// Joints of one link are at least this far apart, m; the region of all joints is 2 m wide.
+const APART: f64 = 0.2;
+
+/// Regularity of the constraints below which a sample is drawn anew.
+const LEAST_REGULARITY: f64 = 0.02;
+
+/// Arrangements that are drawn for one sample at most.
+const TRIES: usize = 40;
+
+/// Steps between two arrangements in which a change of sign of the determinant is looked for.
+const STEPS: u32 = 16;
+
+/// How a body moves with the coordinate q: value, first and second derivative at q = 0 of x, y (m) and the angle (rad).
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Path {
-    /// x, m.
-    pub x: [f64; 3],
-    /// y, m.
-    pub y: [f64; 3],
-    /// Angle, rad.
-    pub angle: [f64; 3],
+struct Path {
+    x: [f64; 3],
+    y: [f64; 3],
+    angle: [f64; 3],
 }
 
 fn taylor<T: Real>(of: [f64; 3], q: T) -> [T; 3] {
@@ -22,89 +32,96 @@ fn taylor<T: Real>(of: [f64; 3], q: T) -> [T; 3] {
 }
 
 impl Path {
-    fn random(dice: &mut Dice) -> Self {
-        let mut three = || [dice.unit(), dice.unit(), dice.unit()];
+    fn random(rng: &mut Rng) -> Self {
+        let mut three = || [rng.range(-1.0, 1.0), rng.range(-1.0, 1.0), rng.range(-1.0, 1.0)];
         let (x, y, mut angle) = (three(), three(), three());
         angle[0] *= std::f64::consts::PI;
         Self { x, y, angle }
     }
 
     /// Pose and derivatives at q.
-    pub fn at<T: Real>(&self, q: T) -> Body<T> {
+    fn at<T: Real>(&self, q: T) -> Body<T> {
         let ([x, x1, x2], [y, y1, y2]) = (taylor(self.x, q), taylor(self.y, q));
         let [angle, w1, w2] = taylor(self.angle, q);
         let (s, c) = angle.sin_cos();
         Body { x, y, c, s, x1, y1, w1, x2, y2, w2 }
     }
 
-    /// A point of the ground's frame in the frame of the body at q = 0.
-    fn local(&self, point: [f64; 2]) -> [f64; 2] {
-        let (s, c) = self.angle[0].sin_cos();
-        let [x, y] = [point[0] - self.x[0], point[1] - self.y[0]];
-        [c * x + s * y, c * y - s * x]
+    fn pose(&self) -> Pose {
+        Pose { x: self.x[0], y: self.y[0], angle: self.angle[0] }
     }
-}
-
-/// Two bodies and the pair that shall join them.
-#[derive(Debug, Clone, Copy)]
-pub struct Join {
-    /// First body; the sliding one.
-    pub a: usize,
-    /// Second body; the one with the guide.
-    pub b: usize,
-    /// The pin; or a point of the guide, in the ground's frame, m.
-    pub at: [f64; 2],
-    /// Direction of the guide, rad; `None` for a pin.
-    pub slide: Option<f64>,
 }
 
 /// A group, and the motion of all bodies around it.
 #[derive(Debug, Clone)]
-pub struct Sample {
+pub(crate) struct Sample {
     /// The group.
-    pub frame: GroupFrame,
-    /// Bodies: those outside the group move like this; those of the group are here at q = 0.
-    pub paths: Vec<Path>,
+    pub(crate) frame: GroupFrame,
+    /// Bodies, the ground first: those outside the group move like this; those of the group are here at q = 0.
+    paths: Vec<Path>,
+}
+
+/// Bodies outside the group, one for each outer pair: mostly different ones, sometimes the ground, sometimes all one.
+fn outside(rng: &mut Rng, pairs: usize) -> Vec<usize> {
+    let all_one = rng.chance(1.0 / 6.0);
+    let body = |k: usize| match k {
+        0 => 1,
+        _ if all_one => 1,
+        _ if rng.chance(0.25) => 0,
+        _ => k + 1,
+    };
+    (0..pairs).map(body).collect()
 }
 
 impl Sample {
-    /// Random poses, the body 0 being the ground.
-    pub fn poses(dice: &mut Dice, bodies: usize) -> Vec<Path> {
-        (0..bodies).map(|i| if i == 0 { Path::default() } else { Path::random(dice) }).collect()
+    /// A random group of a pattern, well away from its singular positions; `None` where many draws found none.
+    pub(crate) fn regular(rng: &mut Rng, pattern: &Pattern) -> Option<Self> {
+        (0..TRIES).find_map(|_| {
+            let draft = Draft::new(rng, pattern);
+            let joins = draft.joins(rng);
+            let is_regular = draft.are_apart(&joins) && regularity(draft.matrix(&joins)) > LEAST_REGULARITY;
+            is_regular.then(|| draft.sample(rng, &joins))
+        })
     }
 
-    /// Reads the pairs off the poses.
-    pub fn assemble(dice: &mut Dice, paths: Vec<Path>, links: Vec<usize>, joins: &[Join]) -> Self {
-        let mut frame = GroupFrame { links, inner: vec![], outer: vec![], scale: dice.between(0.5, 1.5) };
-        for (id, join) in joins.iter().enumerate() {
-            // The scene may name the bodies of a pair in either order.
-            let (a, b) = if dice.one_in(2) { (join.a, join.b) } else { (join.b, join.a) };
-            let geometry = match join.slide {
-                None => PairGeometry::Pin { at_a: paths[a].local(join.at), at_b: paths[b].local(join.at) },
-                Some(direction) => {
-                    let (s, c) = direction.sin_cos();
-                    let shift = dice.unit();
-                    let elsewhere = [join.at[0] + shift * c, join.at[1] + shift * s];
-                    PairGeometry::Slide {
-                        point: paths[a].local(join.at),
-                        through: paths[b].local(elsewhere),
-                        angle: direction - paths[b].angle[0],
-                        tilt: paths[a].angle[0] - direction,
-                    }
-                }
+    /// A random group of a pattern at a singular position, to rounding; `None` where many draws found none.
+    ///
+    /// Between two arrangements of pairs on the same poses the determinant of the constraints changes its sign: the
+    /// arrangement at which it does is found by bisection. Each arrangement closes, because the pairs are read off the
+    /// poses.
+    pub(crate) fn singular(rng: &mut Rng, pattern: &Pattern) -> Option<Self> {
+        (0..TRIES).find_map(|_| {
+            let draft = Draft::new(rng, pattern);
+            let ends = [draft.joins(rng), draft.joins(rng)];
+            let between = |part: f64| -> Vec<Join> {
+                ends[0].iter().zip(&ends[1]).map(|(one, two)| one.between(two, part)).collect()
             };
-            let inside = |body| frame.links.contains(&body);
-            let pairs = if inside(a) && inside(b) { &mut frame.inner } else { &mut frame.outer };
-            pairs.push(Pair { id, a, b, geometry });
-        }
-        if dice.one_in(2) {
-            frame.outer.reverse();
-        }
-        Self { frame, paths }
+            let sign = |part: f64| draft.matrix(&between(part)).determinant().signum();
+            let places = (0..=STEPS).map(|i| f64::from(i) / f64::from(STEPS)).collect::<Vec<_>>();
+            let found = places.windows(2).find(|two| sign(two[0]) * sign(two[1]) < 0.0)?;
+            let (mut low, mut high) = (found[0], found[1]);
+            let start = sign(low);
+            loop {
+                let middle = 0.5 * (low + high);
+                if middle <= low || middle >= high {
+                    break;
+                }
+                if sign(middle) == start { low = middle } else { high = middle }
+            }
+            let joins = between(low);
+            // An arrangement whose neighbors are no better is singular by its sorts of pairs, not by its position.
+            let neighbor = regularity(draft.matrix(&between(low + 0.25 / f64::from(STEPS))));
+            (neighbor > 1e-4 && draft.are_apart(&joins)).then(|| draft.sample(rng, &joins))
+        })
+    }
+
+    /// All bodies where the pairs were read off them.
+    pub(crate) fn built(&self) -> Vec<Body<f64>> {
+        self.paths.iter().map(|path| path.at(0.0)).collect()
     }
 
     /// All bodies at q; those of the group a little beside their place at q = 0, for a kind that iterates.
-    pub fn bodies<T: Real>(&self, q: T) -> Vec<Body<T>> {
+    pub(crate) fn bodies<T: Real>(&self, q: T) -> Vec<Body<T>> {
         let beside = |(i, path): (usize, &Path)| {
             if self.frame.column(i).is_none() {
                 return path.at(q);
@@ -118,58 +135,89 @@ impl Sample {
     }
 
     /// Bodies outside the group that its pairs join.
-    pub fn outer(&self) -> Vec<usize> {
-        let mut outer: Vec<_> = self
-            .frame
-            .outer
-            .iter()
-            .flat_map(|p| [p.a, p.b])
-            .filter(|&i| self.frame.column(i).is_none())
-            .collect();
+    pub(crate) fn outer(&self) -> Vec<usize> {
+        let ends = self.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+        let mut outer: Vec<_> = ends.filter(|&body| self.frame.column(body).is_none()).collect();
         outer.sort_unstable();
         outer.dedup();
         outer
     }
 }
 
-/// A random dyad of a pattern; at a singular position if wanted. `None` for dice that fall badly: two pins
-/// almost in one place, or a regular one too near a singular position.
-pub fn dyad(dice: &mut Dice, pattern: &Pattern, singular: bool) -> Option<Sample> {
-    let is_slide = |sort: &PairSort| *sort == PairSort::Slide;
-    let ([(_, first), (_, second)], [(_, inner)]) = (pattern.outer, pattern.inner) else { return None };
-    let [first, inner, second] = [first, inner, second].map(is_slide);
-    let paths = Sample::poses(dice, 5);
-    let outer = if dice.one_in(4) {
-        [1, 0]
-    } else if dice.one_in(6) {
-        [1, 1]
-    } else {
-        [1, 2]
-    };
-    let mut at = [dice.vector(), dice.vector(), dice.vector()];
-    let mut along = [dice.unit() * 3.0, dice.unit() * 3.0, dice.unit() * 3.0];
-    let chord = (at[2][1] - at[0][1]).atan2(at[2][0] - at[0][0]);
-    let across = std::f64::consts::FRAC_PI_2;
-    if singular {
-        match (first, inner, second) {
-            (false, false, false) => {
-                let part = dice.between(-1.0, 2.0);
-                at[1] = [0, 1].map(|k| at[0][k] + part * (at[2][k] - at[0][k]));
-            }
-            (false, false, true) => along[2] = (at[1][1] - at[0][1]).atan2(at[1][0] - at[0][0]) + across,
-            (false, true, false) => along[1] = chord + across,
-            (true, false, true) => along[2] = along[0],
-            _ => along[2] = along[1],
-        }
+impl Join {
+    fn between(&self, other: &Self, part: f64) -> Self {
+        let mix = |a: f64, b: f64| a + part * (b - a);
+        let guide = self.guide.zip(other.guide).map(|(a, b)| mix(a, b));
+        Self { at: [0, 1].map(|k| mix(self.at[k], other.at[k])), guide, ..*self }
     }
-    let apart = |i: usize, k: usize| (at[i][0] - at[k][0]).hypot(at[i][1] - at[k][1]) > 0.2;
-    let pins_apart = apart(0, 1) && apart(1, 2) && apart(0, 2);
-    let slide = |is: bool, i: usize| is.then_some(along[i]);
-    let joins = [
-        Join { a: 3, b: outer[0], at: at[0], slide: slide(first, 0) },
-        Join { a: 3, b: 4, at: at[1], slide: slide(inner, 1) },
-        Join { a: 4, b: outer[1], at: at[2], slide: slide(second, 2) },
-    ];
-    let links = if dice.one_in(2) { vec![3, 4] } else { vec![4, 3] };
-    pins_apart.then(|| Sample::assemble(dice, paths, links, &joins))
+}
+
+/// Poses of all bodies, and which of them the pairs of the group shall join.
+struct Draft {
+    paths: Vec<Path>,
+    links: Vec<usize>,
+    pairs: Vec<([usize; 2], bool)>,
+}
+
+impl Draft {
+    fn new(rng: &mut Rng, pattern: &Pattern) -> Self {
+        let first = pattern.outer.len() + 1;
+        let links: Vec<usize> = (first..first + pattern.links).collect();
+        let outside = outside(rng, pattern.outer.len());
+        let pairs = drawn_pairs(rng, pattern, &links, &outside);
+        let moving = (1..first + pattern.links).map(|_| Path::random(rng));
+        let paths = std::iter::once(Path::default()).chain(moving).collect();
+        Self { paths, links, pairs }
+    }
+
+    fn joins(&self, rng: &mut Rng) -> Vec<Join> {
+        let join = |(bodies, is_slide): &([usize; 2], bool)| {
+            let at = [rng.range(-1.0, 1.0), rng.range(-1.0, 1.0)];
+            Join { bodies: *bodies, at, guide: is_slide.then(|| rng.angle()) }
+        };
+        self.pairs.iter().map(join).collect()
+    }
+
+    fn are_apart(&self, joins: &[Join]) -> bool {
+        let apart = |a: &Join, b: &Join| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]) > APART;
+        let common = |a: &Join, b: &Join| a.bodies.iter().any(|body| b.bodies.contains(body));
+        joins.iter().enumerate().all(|(i, a)| joins[..i].iter().all(|b| !common(a, b) || apart(a, b)))
+    }
+
+    fn matrix(&self, joins: &[Join]) -> nalgebra::DMatrix<f64> {
+        constraints(&self.links, joins, |body| [self.paths[body].x[0], self.paths[body].y[0]], 1.0)
+    }
+
+    /// Reads the pairs off the poses; the scene may name links and pairs, and the bodies of a pair, in any order.
+    fn sample(self, rng: &mut Rng, joins: &[Join]) -> Sample {
+        let mut links = self.links;
+        if rng.chance(0.5) {
+            links.reverse();
+        }
+        let mut frame = GroupFrame { links, inner: vec![], outer: vec![], scale: rng.range(0.5, 1.5) };
+        for (id, join) in joins.iter().enumerate() {
+            let [a, b] = if rng.chance(0.5) { join.bodies } else { [join.bodies[1], join.bodies[0]] };
+            let (pose_a, pose_b) = (self.paths[a].pose(), self.paths[b].pose());
+            let geometry = match join.guide {
+                None => PairGeometry::Pin { at_a: pose_a.local(join.at), at_b: pose_b.local(join.at) },
+                Some(direction) => {
+                    let (s, c) = direction.sin_cos();
+                    let shift = rng.range(-1.0, 1.0);
+                    let elsewhere = [join.at[0] + shift * c, join.at[1] + shift * s];
+                    PairGeometry::Slide {
+                        point: pose_a.local(join.at),
+                        through: pose_b.local(elsewhere),
+                        angle: direction - pose_b.angle,
+                        tilt: pose_a.angle - direction,
+                    }
+                }
+            };
+            let is_inner = join.bodies.iter().all(|body| frame.links.contains(body));
+            if is_inner { &mut frame.inner } else { &mut frame.outer }.push(Pair { id, a, b, geometry });
+        }
+        if rng.chance(0.5) {
+            frame.outer.reverse();
+        }
+        Sample { frame, paths: self.paths }
+    }
 }

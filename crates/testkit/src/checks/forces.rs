@@ -2,7 +2,8 @@
 
 use assur_group::{Body, PairGeometry, Wrench, reactions_generally};
 
-use crate::{Case, Dice, Fault};
+use crate::Rng;
+use crate::case::{Case, Fault};
 
 /// What one call gave.
 struct Answer {
@@ -12,9 +13,9 @@ struct Answer {
 }
 
 /// All checks of the reactions, on random loads.
-pub(crate) fn all(case: &Case, way: usize, health: f64, dice: &mut Dice) -> Result<(), Fault> {
+pub(crate) fn all(case: &Case, way: usize, health: f64, rng: &mut Rng) -> Result<(), Fault> {
     let bodies = case.called("derive", case.solved(&*case.kernel, 0.0, way))?;
-    let random = |_| Wrench { fx: dice.unit(), fy: dice.unit(), m: dice.unit() };
+    let random = |_| Wrench { fx: rng.range(-1.0, 1.0), fy: rng.range(-1.0, 1.0), m: rng.range(-1.0, 1.0) };
     let given: Vec<_> = (0..bodies.len()).map(random).collect();
     let pairs = case.sample.frame.pairs().count();
     let mut answer = Answer { loads: given.clone(), given, reactions: vec![Wrench::ZERO; pairs] };

@@ -6,9 +6,10 @@ mod numbers;
 mod places;
 mod refusals;
 
-use assur_group::{GroupError, GroupPlugin};
+use assur_group::GroupError;
 
-use crate::{Case, Dice, Fault};
+use crate::Rng;
+use crate::case::{Case, Fault};
 
 /// Samples nearer to a singular position than this are left to the check of singular positions.
 const LEAST_HEALTH: f64 = 0.05;
@@ -17,27 +18,25 @@ const LEAST_HEALTH: f64 = 0.05;
 #[derive(Debug, Default)]
 pub(crate) struct Tried {
     regular: usize,
-    open: usize,
-    several_ways: bool,
+    singular: usize,
+    /// How often a group was open in the check of gaps; `None` for a kind that is not held to it.
+    open: Option<usize>,
 }
 
 impl Tried {
     /// A suite that tried too little proves nothing.
-    pub(crate) fn enough(&self, plugin: &GroupPlugin) -> Result<(), Fault> {
-        let few = self.regular < 20 || self.several_ways && !plugin.iterates && self.open < 20;
+    pub(crate) fn enough(&self) -> Result<(), Fault> {
+        let few = self.regular < 20 || self.singular < 20 || self.open.is_some_and(|open| open < 10);
         if few {
-            return Err(Fault {
-                check: "samples",
-                seed: 0,
-                what: format!("too few came to a check: {self:?}"),
-            });
+            let what = format!("too few came to a check: {self:?}");
+            return Err(Fault { check: "samples", seed: 0, what });
         }
         Ok(())
     }
 }
 
 /// All checks of a group that can be assembled and is not near a singular position.
-pub(crate) fn regular(case: &Case, dice: &mut Dice, tried: &mut Tried) -> Result<(), Fault> {
+pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(), Fault> {
     let way = places::recovers(case)?;
     let mut bodies = case.sample.bodies(0.0);
     let health = case.called("place", case.kernel.place(&mut bodies, way))?;
@@ -46,27 +45,53 @@ pub(crate) fn regular(case: &Case, dice: &mut Dice, tried: &mut Tried) -> Result
         return Ok(());
     }
     tried.regular += 1;
-    tried.several_ways |= case.kernel.ways() > 1;
     places::all_ways_close(case)?;
     motion::agrees_with_differences(case, way)?;
     motion::agrees_with_the_general_solution(case, way, health)?;
     motion::solve_is_place_and_derive(case, way, health)?;
-    forces::all(case, way, health, dice)?;
-    numbers::lanes(case, way)?;
+    forces::all(case, way, health, rng)?;
+    numbers::lanes(case, way, health)?;
     numbers::precisions(case, way, health)?;
     refusals::not_a_number(case, way)?;
-    if case.kernel.ways() > 1 {
-        tried.open += refusals::gap_closes(case, dice)?;
+    // Of two links the least change of a length is a move of one outer body; of more it need not be.
+    if case.plugin.pattern.links == 2 && case.plugin.ways.most > 1 {
+        *tried.open.get_or_insert(0) += refusals::gap_closes(case, rng)?;
     }
     Ok(())
 }
 
-/// At a singular position the health is 0, up to the square root of rounding, and the pairs still close; or there is
-/// no place.
-pub(crate) fn singular(case: &Case) -> Result<(), Fault> {
+/// At a singular position one of the ways is refused as singular, or has a health of 0 up to the square root of rounding
+/// while the pairs still close; or rounding leaves the group open.
+pub(crate) fn singular(case: &Case, tried: &mut Tried) -> Result<(), Fault> {
+    tried.singular += 1;
+    if case.plugin.iterates {
+        return singular_start(case);
+    }
+    let mut last = Ok(());
+    for way in 0..case.kernel.ways() {
+        last = singular_way(case, way);
+        if last.is_ok() {
+            break;
+        }
+    }
+    last
+}
+
+/// A kind that iterates finds a health of 0 in the singular position itself; from there it may go to any assembly or give up.
+fn singular_start(case: &Case) -> Result<(), Fault> {
+    let mut bodies = case.sample.built();
+    let health = case.kernel.health(&bodies);
+    case.within("singular", "the health from 0", health, 1e-6)?;
+    match case.kernel.place(&mut bodies, 0) {
+        Ok(_) => case.within("singular", "a pair", case.residual(&bodies), 1e-13),
+        Err(_) => Ok(()),
+    }
+}
+
+fn singular_way(case: &Case, way: usize) -> Result<(), Fault> {
     let fault = |what| Err(case.fault("singular", what));
     let mut bodies = case.sample.bodies(0.0);
-    match case.kernel.place(&mut bodies, 0) {
+    match case.kernel.place(&mut bodies, way) {
         Ok(health) if health.abs() < 1e-6 && case.kernel.health(&bodies) < 1e-6 => {
             case.within("singular", "a pair", case.residual(&bodies), 1e-13)
         }

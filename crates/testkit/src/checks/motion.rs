@@ -3,7 +3,7 @@
 use assur_group::{Body, Order, derive_generally};
 use assur_number::{Dd, Real};
 
-use crate::{Case, Fault};
+use crate::case::{Case, Fault};
 
 /// Step of the differences in 32 digits: truncation 1e-20, rounding 1e-22.
 const STEP: f64 = 1e-10;

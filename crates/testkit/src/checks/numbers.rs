@@ -4,13 +4,13 @@ use assur_group::Number;
 use assur_number::{Dd, F64x4, Lanes, Real};
 
 use super::{motion, places};
-use crate::{Case, Fault};
+use crate::case::{Case, Fault};
 
 /// Positions of the four lanes.
 const LANES: [f64; 4] = [0.0, 0.004, -0.003, 0.007];
 
-/// Four positions side by side give bit for bit what each gives alone.
-pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
+/// Four positions side by side give what each gives alone: bit for bit, if the kind does not iterate.
+pub(crate) fn lanes(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let alone: Vec<_> = LANES.iter().filter_map(|&q| case.solved(&*case.kernel, q, way).ok()).collect();
     if alone.len() < LANES.len() {
         return Ok(());
@@ -21,8 +21,9 @@ pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
         for &i in &case.sample.frame.links {
             for (one, all) in bodies[i].numbers().into_iter().zip(together[i].numbers()) {
                 let off = if one.to_bits() == all.0[lane].to_bits() { 0.0 } else { one - all.0[lane] };
-                // Only a kind that iterates decides for all lanes at once.
-                let limit = if case.plugin.iterates { 1e-11 } else { 0.0 };
+                // Only a kind that iterates decides for all lanes at once: its rounding is another one.
+                let rounding = 1e-12 / (health * health) * one.abs().max(1.0);
+                let limit = if case.plugin.iterates { rounding } else { 0.0 };
                 case.within("lanes", "a number", off, limit)?;
             }
         }

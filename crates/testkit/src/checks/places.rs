@@ -2,7 +2,7 @@
 
 use assur_group::Body;
 
-use crate::{Case, Fault};
+use crate::case::{Case, Fault};
 
 /// Greatest difference of the poses of the group's links.
 pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> f64 {
@@ -16,11 +16,11 @@ pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> f64 {
 
 /// One way gives the poses that the pairs were read off; which.
 pub(crate) fn recovers(case: &Case) -> Result<usize, Fault> {
-    let built: Vec<Body<f64>> = case.sample.paths.iter().map(|path| path.at(0.0)).collect();
+    let built = case.sample.built();
     let mut least = f64::INFINITY;
     for way in 0..case.kernel.ways() {
         let mut bodies = case.sample.bodies(0.0);
-        let health = case.called("place", case.kernel.place(&mut bodies, way))?;
+        let Some(health) = case.placed(&mut bodies, way)? else { continue };
         let off = apart(case, &bodies, &built);
         if off <= 1e-13 / health.abs().min(1.0) {
             return Ok(way);
@@ -36,7 +36,9 @@ pub(crate) fn all_ways_close(case: &Case) -> Result<(), Fault> {
     for way in 0..case.kernel.ways() {
         let before = case.sample.bodies(0.0);
         let mut bodies = before.clone();
-        case.called("place", case.kernel.place(&mut bodies, way))?;
+        if case.placed(&mut bodies, way)?.is_none() {
+            continue;
+        }
         case.within("closure", "a pair", case.residual(&bodies), 2e-14)?;
         for (i, body) in bodies.iter().enumerate() {
             case.within("closure", "length of a direction", body.c.hypot(body.s) - 1.0, 1e-14)?;

@@ -2,7 +2,8 @@
 
 use assur_group::{Body, GroupError, Order};
 
-use crate::{Case, Dice, Fault};
+use crate::Rng;
+use crate::case::{Case, Fault};
 
 /// Directions that are tried to close a gap: the nearest of them wastes less than 1e-6 of it.
 const DIRECTIONS: u32 = 3600;
@@ -50,7 +51,7 @@ fn gap(case: &Case, outer: usize, by: [f64; 2]) -> Result<Option<f64>, Fault> {
 
 /// Moves an outer body until the group is open; then a move by the gap, in the best direction, closes it, and a move
 /// by less does not. How often it was open.
-pub(crate) fn gap_closes(case: &Case, dice: &mut Dice) -> Result<usize, Fault> {
+pub(crate) fn gap_closes(case: &Case, rng: &mut Rng) -> Result<usize, Fault> {
     let mut open = 0;
     let outer = case.sample.outer();
     let [.., moved] = outer[..] else { return Ok(0) };
@@ -58,7 +59,7 @@ pub(crate) fn gap_closes(case: &Case, dice: &mut Dice) -> Result<usize, Fault> {
         return Ok(0);
     }
     for size in [0.3, 1.0, 2.0, 6.0] {
-        let [x, y] = dice.vector();
+        let [x, y] = [rng.range(-1.0, 1.0), rng.range(-1.0, 1.0)];
         let by = [size * x, size * y];
         let Some(miss) = gap(case, moved, by)? else { continue };
         open += 1;

@@ -1,33 +1,11 @@
 //! Links with the poses that they have in the first position, and pairs that are put where the links lie.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide, SlideId};
 
-use super::Rng;
-
-/// Pose of a link in the first position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pose {
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) angle: f64,
-}
-
-impl Pose {
-    /// Place of the ground of a point of the link.
-    pub(crate) fn world(&self, at: [f64; 2]) -> [f64; 2] {
-        let (s, c) = self.angle.sin_cos();
-        [self.x + c * at[0] - s * at[1], self.y + s * at[0] + c * at[1]]
-    }
-
-    /// The point of the link that lies there.
-    pub(crate) fn local(&self, world: [f64; 2]) -> [f64; 2] {
-        let (s, c) = self.angle.sin_cos();
-        let [dx, dy] = [world[0] - self.x, world[1] - self.y];
-        [c * dx + s * dy, c * dy - s * dx]
-    }
-}
+use crate::Rng;
+use crate::arrangement::Pose;
 
 /// A mechanism under construction.
 #[derive(Debug)]
@@ -44,14 +22,6 @@ pub(crate) struct Draft {
 /// The same angle in [-pi, pi].
 pub(crate) fn normalized(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
-}
-
-pub(crate) fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-pub(crate) fn length(a: [f64; 2]) -> f64 {
-    a[0].hypot(a[1])
 }
 
 impl Draft {
@@ -99,9 +69,8 @@ impl Draft {
 
     /// Hangs a link on a pin, a point of interest or nothing yet of an earlier body; the place of the pin.
     pub(crate) fn hang(&mut self, link: LinkId, body: LinkId) -> [f64; 2] {
-        let ready: Vec<PointId> = (0..self.points.len())
-            .filter(|&id| self.points[id].places.iter().any(|place| place.link == body))
-            .collect();
+        let ready: Vec<PointId> =
+            (0..self.points.len()).filter(|&id| self.holds(id, body) && !self.holds(id, link)).collect();
         if !ready.is_empty() && self.rng.chance(0.35) {
             let point = *self.rng.pick(&ready);
             let world = self.world_of(point);
@@ -112,6 +81,10 @@ impl Draft {
         let world = self.place();
         self.pin(link, body, world);
         world
+    }
+
+    fn holds(&self, point: PointId, link: LinkId) -> bool {
+        self.points[point].places.iter().any(|place| place.link == link)
     }
 
     /// Where a point lies in the first position.
@@ -136,16 +109,5 @@ impl Draft {
         let name = format!("S{}", self.slides.len());
         self.slides.push(Slide { name, link, on, point, through, angle, tilt });
         self.slides.len() - 1
-    }
-
-    /// A direction of the ground whose angle from another one lies between 25 and 155 degrees.
-    pub(crate) fn across(&mut self, from: f64) -> f64 {
-        from + self.rng.signed(25.0, 155.0) * PI / 180.0
-    }
-
-    /// A direction of the ground within 65 degrees of a vector, forth or back.
-    pub(crate) fn along(&mut self, vector: [f64; 2]) -> f64 {
-        let back = if self.rng.chance(0.5) { PI } else { 0.0 };
-        vector[1].atan2(vector[0]) + self.rng.signed(0.0, 65.0) * PI / 180.0 + back
     }
 }

@@ -12,6 +12,9 @@ use super::draft::Draft;
 /// A place whose virtual velocity is less than this part of the usual one can't carry the balancing load.
 const LIVELY: f64 = 0.15;
 
+/// A force over the stroke of a point needs a stroke of at least this part of the region.
+const LEAST_TRAVEL: f64 = 0.01;
+
 pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
     if draft.rng.chance(0.75) {
         let sign = mechanism.input.sign();
@@ -68,8 +71,29 @@ fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
         1 => Direction::Link(draft.rng.angle()),
         _ => Direction::Ground(draft.rng.angle()),
     };
-    let value = value(draft, mechanism, 1.0, true);
+    let value = match value(draft, mechanism, 1.0, true) {
+        Value::Stroke { axis, forward, .. } if travel(mechanism, at, axis) < LEAST_TRAVEL * draft.size => {
+            Value::Constant(forward.rows[1][1])
+        }
+        value => value,
+    };
     Force { name: format!("force {index}"), at, direction, value }
+}
+
+/// How far a point goes along an axis, m.
+fn travel(mechanism: &Mechanism, at: Place, axis: f64) -> f64 {
+    let Ok(linkage) = Linkage::compile(mechanism.clone()) else { return 0.0 };
+    let mut position = linkage.position();
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for index in 0..mechanism.input.positions {
+        if linkage.solve_index(index, Order::Place, &mut position).is_err() {
+            return 0.0;
+        }
+        let [x, y] = position.bodies[at.link].point(at.at);
+        let along = axis.cos() * x + axis.sin() * y;
+        (low, high) = (low.min(along), high.max(along));
+    }
+    high - low
 }
 
 /// A size of up to some 100 N (times `unit`), constant or by a table.

@@ -1,19 +1,17 @@
 //! Test support: random mechanisms that are made by construction, so that they assemble, and a writer of scenes.
 //!
 //! A pose of every link in the first position is drawn first; the pairs are then put where the links happen to lie.
-//! So any arrangement comes out alike: groups of all five types in any order on any earlier bodies, guides on either
+//! So any arrangement comes out alike: groups of all registered kinds in any order on any earlier bodies, guides on either
 //! link, offset and tilted, multiple joints, links of many points, pinned and sliding inputs.
 
 mod chains;
 mod draft;
 mod loads;
 mod recipe;
-mod rng;
 mod write;
 
-pub use chains::Kind;
-pub use recipe::{Recipe, Specimen};
-pub use rng::Rng;
+pub use crate::Rng;
+pub use recipe::{Recipe, Specimen, kinds};
 pub use write::scene_text;
 
 #[cfg(test)]

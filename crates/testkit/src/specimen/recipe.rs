@@ -2,11 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use assur_group::Order;
+use assur_group::{GroupPlugin, Order, groups};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, Input, InputPair, Mechanism, Range, Sense};
 
-use super::chains::Kind;
 use super::draft::Draft;
 
 /// What a specimen shall consist of.
@@ -14,8 +13,8 @@ use super::draft::Draft;
 pub struct Recipe {
     /// Number of groups, 1 to 5.
     pub groups: usize,
-    /// This kind alone, or any.
-    pub only: Option<Kind>,
+    /// Groups of the registered kind of this name alone, or of any kinds.
+    pub only: Option<&'static str>,
     /// Whether there are loads, a motion and a balancing load elsewhere.
     pub loads: bool,
 }
@@ -27,8 +26,8 @@ pub struct Specimen {
     pub mechanism: Mechanism,
     /// Origin and angle of each link in the first position, the ground first.
     pub poses: Vec<[f64; 3]>,
-    /// The kinds in the order in which they were put together.
-    pub kinds: Vec<Kind>,
+    /// Names of the kinds in the order in which they were put together.
+    pub kinds: Vec<&'static str>,
     /// Smallest dimensionless determinant of a group over the positions.
     pub health: f64,
 }
@@ -42,29 +41,36 @@ const TRIES: u64 = 400;
 /// Positions of a range, and of a cycle.
 const POSITIONS: [usize; 2] = [5, 12];
 
+/// Names of the registered kinds of groups, for [`Recipe::only`]; none where the registry is faulty.
+pub fn kinds() -> Vec<&'static str> {
+    groups().unwrap_or_default().iter().map(|kind| kind.name).collect()
+}
+
 impl Recipe {
     /// Any kinds and all loads.
     pub fn of(groups: usize) -> Self {
         Self { groups, only: None, loads: true }
     }
 
-    /// A mechanism by this recipe, the same for the same seed; `None` if none of many constructions was healthy.
-    ///
-    /// Plugins of the five kinds must be linked.
+    /// A mechanism by this recipe, the same for the same seed and the same registered kinds; `None` if none of many
+    /// constructions was healthy, or no such kind is registered.
     pub fn specimen(&self, seed: u64) -> Option<Specimen> {
-        (0..TRIES).find_map(|attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt)))
+        let mut kinds = groups().ok()?;
+        kinds.retain(|kind| self.only.is_none_or(|only| only == kind.name));
+        let attempt = |attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt), &kinds);
+        (0..TRIES).find_map(attempt)
     }
 
-    fn attempt(&self, seed: u64) -> Option<Specimen> {
+    fn attempt(&self, seed: u64, registered: &[&'static GroupPlugin]) -> Option<Specimen> {
         let mut draft = Draft::new(seed);
         let sliding = draft.rng.chance(0.25);
         let (pair, from) = draft.input(sliding);
         let mut kinds = Vec::new();
         for _ in 0..self.groups {
-            let kind = self.only.unwrap_or_else(|| *draft.rng.pick(&Kind::ALL));
-            let bodies = two_bodies(&mut draft);
-            draft.group(kind, bodies)?;
-            kinds.push(kind);
+            let kind = registered.get(draft.rng.below(registered.len()))?;
+            let bodies = earlier_bodies(&mut draft, kind.pattern.outer.len());
+            draft.group(&kind.pattern, &bodies)?;
+            kinds.push(kind.name);
         }
         let poses = draft.poses.iter().map(|pose| [pose.x, pose.y, pose.angle]).collect();
         let mechanism = mechanism_of(&mut draft, pair, from);
@@ -76,21 +82,21 @@ impl Recipe {
     }
 }
 
-/// Two different earlier bodies, the ground and the newest ones more often.
-fn two_bodies(draft: &mut Draft) -> [usize; 2] {
+/// So many earlier bodies, the ground and the newest ones more often; no two in a row are the same.
+fn earlier_bodies(draft: &mut Draft, wanted: usize) -> Vec<usize> {
     let count = draft.links.len();
-    let draw = |draft: &mut Draft| match draft.rng.below(4) {
-        0 => GROUND,
-        1 => count - 1,
-        _ => draft.rng.below(count),
-    };
-    let first = draw(draft);
-    loop {
-        let second = draw(draft);
-        if second != first {
-            return [first, second];
+    let mut bodies: Vec<usize> = Vec::with_capacity(wanted);
+    while bodies.len() < wanted {
+        let body = match draft.rng.below(4) {
+            0 => GROUND,
+            1 => count - 1,
+            _ => draft.rng.below(count),
+        };
+        if bodies.last() != Some(&body) {
+            bodies.push(body);
         }
     }
+    bodies
 }
 
 /// The parts in the order in which a reader of the scene meets them.

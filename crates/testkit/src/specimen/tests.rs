@@ -2,11 +2,11 @@ use assur_all as _;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
-use super::{Kind, Recipe, Specimen, scene_text};
+use super::{Recipe, Specimen, scene_text};
 
 /// Specimens of one to five groups, a few for each kind alone and more of all kinds.
 fn specimens() -> Vec<(u64, Specimen)> {
-    let alone = Kind::ALL.map(|kind| Recipe { only: Some(kind), ..Recipe::of(1) });
+    let alone = ["rrr", "rrp", "rpr", "prp", "rpp"].map(|kind| Recipe { only: Some(kind), ..Recipe::of(1) });
     let mixed = [1, 2, 3, 4, 5].map(Recipe::of);
     let recipes: Vec<_> = alone.into_iter().chain(mixed).collect();
     let find = |seed: u64| recipes[usize::try_from(seed).unwrap() % recipes.len()].specimen(seed);
@@ -45,7 +45,7 @@ fn groups_are_found_as_they_were_made() {
     for (seed, specimen) in specimens() {
         let linkage = Linkage::compile(specimen.mechanism).unwrap();
         let mut found: Vec<_> = linkage.structure.groups.iter().map(|group| group.plugin.name).collect();
-        let mut made: Vec<_> = specimen.kinds.iter().map(|kind| kind.name()).collect();
+        let mut made = specimen.kinds.clone();
         found.sort_unstable();
         made.sort_unstable();
         assert_eq!(found, made, "seed {seed}");

@@ -1,14 +1,14 @@
 //! Random groups of every kind on the way to each of their singular positions.
 
 use assur_structure::Structure;
-use assur_testkit::specimen::{Kind, Recipe};
+use assur_testkit::specimen::{Recipe, kinds};
 
 use super::walk_group::walk;
 
 /// Every random group, on its way to each singular position, keeps C eps / health^k or refuses.
 #[test]
 fn groups_keep_the_bound_of_a_backward_stable_method() {
-    for kind in Kind::ALL {
+    for kind in kinds() {
         let mut rows = 0;
         for seed in 0..8 {
             let recipe = Recipe { groups: 1, only: Some(kind), loads: false };

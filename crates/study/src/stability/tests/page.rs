@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use assur_structure::Structure;
-use assur_testkit::specimen::{Kind, Recipe};
+use assur_testkit::specimen::{Recipe, kinds};
 
 use super::bench::{MOST_TURNS, sections};
 use super::{Section, walk_group};
@@ -39,11 +39,11 @@ struct Line {
 
 /// Walks of one group of each kind alone towards its singular positions.
 fn groups() -> Section {
-    let first = |kind: Kind| {
+    let first = |kind: &'static str| {
         let recipe = Recipe { groups: 1, only: Some(kind), loads: false };
         (0..100).find_map(|seed| recipe.specimen(seed))
     };
-    let rows = Kind::ALL.into_iter().filter_map(first).flat_map(|specimen| {
+    let rows = kinds().into_iter().filter_map(first).flat_map(|specimen| {
         let structure = Structure::of(&specimen.mechanism).unwrap();
         let group = &structure.groups[0];
         walk_group::walk(&format!("{} alone", group.plugin.kind), group)
