@@ -68,8 +68,7 @@ const POSITIONS: [Row; 6] = [
 ];
 
 fn shaper() -> String {
-    let path = format!("{}/../../fixtures/shaper.toml", env!("CARGO_MANIFEST_DIR"));
-    std::fs::read_to_string(path).expect("a shipped scene")
+    assur_fixtures::scene("shaper").to_owned()
 }
 
 /// The scene without loads, and with the masses of the named links alone.

@@ -5,7 +5,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
 
-use crate::plan::{Methods, Plan};
+use crate::plan::Plan;
 use crate::progress::Watch;
 use crate::{AnalysisError, InputMotion};
 
@@ -49,7 +49,7 @@ impl Calculation {
     /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
-        let plan = Plan::of(&mechanism, &structure, &methods(&mechanism, options));
+        let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         // A load that can't be compiled for want of a position is told by the positions themselves.
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
@@ -77,6 +77,17 @@ impl Calculation {
     pub fn state(&self, coordinate: f64) -> State {
         self.motion.state(&self.linkage.mechanism, coordinate)
     }
+}
+
+/// The methods of a calculation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Methods {
+    /// Force analyzer.
+    pub analyzer: String,
+    /// Whether this analyzer goes group by group, so that groups without a load can be left alone.
+    pub by_groups: bool,
+    /// Integrator of a motion that is not prescribed.
+    pub integrator: String,
 }
 
 /// The methods that a calculation of this mechanism takes.

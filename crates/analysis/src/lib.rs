@@ -20,9 +20,9 @@ pub mod results;
 mod structure;
 mod trajectory;
 
-pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Options, methods};
+pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, methods};
 pub use error::AnalysisError;
-pub use motion::{InputMotion, explain_motion};
+pub use motion::{InputMotion, method_of_motion};
 pub use progress::{Progress, Stopped, Watch, unwatched};
 
 #[cfg(test)]

@@ -9,13 +9,10 @@ use assur_integrator::{
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
+use assur_structure::Structure;
 
-use crate::plan::Plan;
 use crate::progress::{Stopped, Watch};
 use crate::{AnalysisError, Options, Progress};
-
-/// The stage of a plan that finds a motion.
-const EQUATION: &str = "equation of motion";
 
 /// How the input moves.
 #[derive(Debug)]
@@ -116,41 +113,33 @@ impl Counter {
     }
 }
 
-/// Adds to a plan which case of D the equation of a motion is, which method is taken for it and why. Scenes without an
-/// equation, and those in which no position can be assembled, keep their plan.
+/// Which case of D the equation of a motion is, which method is taken for it and why; `None` without an equation, and where no
+/// position can be assembled.
 ///
 /// # Errors
 ///
 /// [`AnalysisError`] where the scene can't be compiled, or the integrator can't treat the equation.
-pub fn explain_motion(
+pub fn method_of_motion(
     mechanism: &Mechanism,
+    structure: Structure,
     options: &Options,
-    plan: &mut Plan,
-) -> Result<(), AnalysisError> {
-    let Some(stage) = plan.stages.iter_mut().find(|stage| stage.name == EQUATION && stage.needed) else {
-        return Ok(());
-    };
-    let linkage = Linkage::compile(mechanism.clone())?;
+) -> Result<Option<String>, AnalysisError> {
+    let Some(Motion::Transient { .. } | Motion::Steady { .. }) = &mechanism.motion else { return Ok(None) };
+    let all = vec![true; structure.groups.len()];
+    let linkage = Linkage::compile_for(mechanism.clone(), structure, &all)?;
     if linkage.range.is_none() {
-        return Ok(());
+        return Ok(None);
     }
     let loads = Loads::compile(&linkage)?;
-    match &mechanism.motion {
-        Some(Motion::Transient { integrator: own, tolerance, .. }) => {
-            let dependence = equation(&linkage, &loads)?.dependence();
-            let named = options.integrator.as_deref().unwrap_or(own);
-            stage.method = integrator_words(dependence, named, *tolerance).map_err(DynamicsError::from)?;
-        }
-        Some(Motion::Steady { .. }) => {
-            let mut dependence = Machine::new(&linkage, &loads).dependence();
-            let drive = mechanism.drive.as_ref();
-            dependence.moment_on_speed |= drive.is_some_and(|d| matches!(d.torque, Torque::Motor { .. }));
-            let (case, words) = (dependence.case(), dependence.words());
-            stage.method = format!("case {case} of D ({words}): {}", stage.method);
-        }
-        Some(Motion::Prescribed { .. }) | None => {}
+    if let Some(Motion::Transient { integrator: own, tolerance, .. }) = &mechanism.motion {
+        let dependence = equation(&linkage, &loads)?.dependence();
+        let named = options.integrator.as_deref().unwrap_or(own);
+        return Ok(Some(integrator_words(dependence, named, *tolerance).map_err(DynamicsError::from)?));
     }
-    Ok(())
+    let mut dependence = Machine::new(&linkage, &loads).dependence();
+    let drive = mechanism.drive.as_ref();
+    dependence.moment_on_speed |= drive.is_some_and(|d| matches!(d.torque, Torque::Motor { .. }));
+    Ok(Some(format!("case {} of D ({})", dependence.case(), dependence.words())))
 }
 
 /// The integrator for such an equation, and why it.

@@ -8,7 +8,7 @@ use crate::{AnalysisError, Calculation, Options, unwatched};
 mod watched;
 
 fn text(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    assur_fixtures::scene(name).to_owned()
 }
 
 fn study(text: &str) -> Result<Calculation, AnalysisError> {

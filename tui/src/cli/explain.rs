@@ -1,7 +1,7 @@
 //! `assur explain`.
 
-use assur_analysis::methods;
-use assur_analysis::plan::{Plan, explain};
+use assur_analysis::plan::Plan;
+use assur_analysis::{method_of_motion, methods};
 use assur_force::{Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
@@ -21,9 +21,12 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     }
     let fault = |error: &dyn std::fmt::Display| scene::in_file(&args.scene.scene, &error.to_string());
     let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
-    let mut plan = Plan::of(&mechanism, &structure, &methods(&mechanism, &options));
-    assur_analysis::explain_motion(&mechanism, &options, &mut plan).map_err(|error| fault(&error))?;
-    output::print(&style.text(&explain(&mechanism, &structure, &plan)))?;
+    let methods = methods(&mechanism, &options);
+    let plan = Plan::of(&mechanism, &structure, methods.by_groups);
+    let equation =
+        method_of_motion(&mechanism, structure.clone(), &options).map_err(|error| fault(&error))?;
+    let text = assur_report::explain(&mechanism, &structure, &plan, &methods, equation.as_deref());
+    output::print(&style.text(&text))?;
     Ok(Status::Done)
 }
 

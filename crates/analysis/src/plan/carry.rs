@@ -3,9 +3,7 @@
 use assur_mechanism::{Balance, GROUND, LinkId, Mechanism};
 use assur_structure::Structure;
 
-use crate::plan::needs::group_of;
-
-/// By link: whether something acts on it, or (`weighty`) its mass counts in the reduced inertia.
+/// By link: whether something acts on it, or (`heavy`) its mass counts.
 ///
 /// A load that happens to be zero is a load: the plan looks at what the scene gives, not at numbers.
 fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
@@ -71,4 +69,9 @@ pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
 /// Whether a link of a group has mass.
 pub(crate) fn heavy_groups(mechanism: &Mechanism, structure: &Structure) -> bool {
     (1..mechanism.links.len()).any(|link| is_heavy(mechanism, link) && group_of(structure, link).is_some())
+}
+
+/// The group of a link; none for the ground and the input link.
+pub(crate) fn group_of(structure: &Structure, link: LinkId) -> Option<usize> {
+    structure.groups.iter().position(|group| group.frame.links.contains(&link))
 }

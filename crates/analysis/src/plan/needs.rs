@@ -1,9 +1,10 @@
 //! What is asked for, and which groups it depends on.
 
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place};
+use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Place};
 use assur_structure::Structure;
 
-use crate::plan::{Plan, Wanted, carry};
+use crate::plan::carry::{self, group_of};
+use crate::plan::{Plan, Wanted};
 
 /// What `[output]` names, or everything, without repetition and in the order of the scene.
 pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure) -> Wanted {
@@ -35,14 +36,14 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
     pins.map(|(id, _)| PairId::Pin(id)).chain(slides).collect()
 }
 
-/// The groups that what is told and what acts depend on.
+/// The groups that the wanted results and the loads depend on.
 ///
 /// A method that treats the mechanism as one system needs all of them.
 pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
     if plan.forces && !plan.by_groups {
         return vec![true; structure.groups.len()];
     }
-    let mut links = told(mechanism, &plan.wanted);
+    let mut links = shown(mechanism, &plan.wanted);
     if plan.reduction {
         links.extend(carry::reduced_links(mechanism));
     }
@@ -53,8 +54,8 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) 
     behind(structure, links)
 }
 
-/// The links whose motion is told.
-fn told(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
+/// The links whose motion is wanted.
+fn shown(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
     let slides = wanted.slides.iter().map(|&slide| &mechanism.slides[slide]);
     let points = wanted.points.iter().map(|(_, place)| place.link);
     wanted
@@ -90,18 +91,4 @@ fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place
     let places = &mechanism.points[point].places;
     // A point always has a place; the ground's origin stands in for one that has none.
     places.iter().min_by_key(rank).copied().unwrap_or(Place { link: GROUND, at: [0.0; 2] })
-}
-
-/// The group of a link; none for the ground and the input link.
-pub(crate) fn group_of(structure: &Structure, link: LinkId) -> Option<usize> {
-    structure.groups.iter().position(|group| group.frame.links.contains(&link))
-}
-
-/// The name of the input's pair, for reasons.
-pub(crate) fn coordinate_words(mechanism: &Mechanism) -> String {
-    let link = &mechanism.links[mechanism.input.link].name;
-    match mechanism.input.pair {
-        InputPair::Pin(_) => format!("the angle of `{link}`"),
-        InputPair::Slide(_) => format!("the displacement of `{link}`"),
-    }
 }

@@ -8,7 +8,7 @@ use crate::plan::{Plan, carry};
 
 /// The order of a plan whose stages are decided, with what needs it in words.
 pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> (Order, Vec<&'static str>) {
-    let tells = !plan.wanted.tells_no_motion();
+    let tells = !plan.wanted.has_no_motion();
     let second = [
         (tells, "results tell them"),
         (plan.velocities, "accelerations of what is told"),

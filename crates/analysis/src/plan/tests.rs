@@ -5,24 +5,22 @@ use assur_group::Order;
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
-use crate::plan::{Methods, Plan, explain, modelled, not_modelled};
+use crate::plan::Plan;
 
 fn scene(name: &str, change: impl Fn(String) -> String) -> Mechanism {
-    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    assur_scene::read(name, &change(std::fs::read_to_string(path).unwrap())).unwrap()
+    assur_scene::read(name, &change(assur_fixtures::scene(name).to_owned())).unwrap()
+}
+
+fn plan_by(mechanism: &Mechanism, by_groups: bool) -> Plan {
+    Plan::of(mechanism, &Structure::of(mechanism).unwrap(), by_groups)
 }
 
 fn plan(mechanism: &Mechanism) -> Plan {
-    let methods = Methods { analyzer: "groups".into(), by_groups: true, integrator: "auto".into() };
-    Plan::of(mechanism, &Structure::of(mechanism).unwrap(), &methods)
+    plan_by(mechanism, true)
 }
 
 fn with_output(output: &str) -> Plan {
     plan(&scene("shaper", |text| format!("{text}\n[output]\n{output}\n")))
-}
-
-fn needed(plan: &Plan, stage: &str) -> bool {
-    plan.stages.iter().find(|found| found.name == stage).unwrap().needed
 }
 
 #[test]
@@ -51,9 +49,7 @@ fn groups_that_nothing_depends_on_are_left_out() {
 fn stages_that_nothing_needs_are_left_out() {
     let kinematic = with_output("points = [\"S3\"]");
     assert!(kinematic.velocities && !kinematic.forces && !kinematic.reduction && !kinematic.inertia_loads);
-    for stage in ["inertia loads", "reactions", "balancing load", "checks", "equation of motion"] {
-        assert!(!needed(&kinematic, stage), "{stage}");
-    }
+    assert!(kinematic.is_partial() && !kinematic.dynamics);
     let still = plan(&scene("shaper", |text| text.replace("[motion]\nspeed = \"60 rpm\"\n", "")));
     assert!(still.forces && still.reduction && !still.velocities && !still.inertia_loads);
 }
@@ -71,43 +67,8 @@ fn second_derivatives_are_planned_only_where_something_needs_them() {
     );
 }
 
-#[test]
-fn what_is_not_modelled_is_told_with_the_way_to_include_it() {
-    let press = scene("press", |text| text);
-    let told = |what: &str| {
-        not_modelled(&press).into_iter().find(|remark| remark.what.starts_with(what)).map(|remark| remark.how)
-    };
-    assert!(told("mass of `crank`, `rod`, `slider`").unwrap().contains("add `mass`"));
-    assert!(told("weights").unwrap().contains("gravity"));
-    assert!(told("friction in pairs").unwrap().contains("against_motion"));
-    assert!(told("velocities").is_none());
-    assert!(modelled(&press).iter().any(|remark| remark.what == "contact `contact 1 on rod`"));
-}
-
-#[test]
-fn explanation_names_every_stage_and_group() {
-    let mechanism = scene("shaper", |text| text);
-    let text = explain(&mechanism, &Structure::of(&mechanism).unwrap(), &plan(&mechanism));
-    let plan = plan(&mechanism);
-    for stage in &plan.stages {
-        assert!(text.contains(&format!(
-            "  {}: {}",
-            stage.name,
-            if stage.needed { "run" } else { "left out" }
-        )));
-    }
-    for words in ["\nStructure\n", "group 1 (RPR stone2, rocker)", "\nModelled\n", "\nNot modelled\n"] {
-        assert!(text.contains(words), "{words}");
-    }
-}
-
 fn shaper_with(change: impl Fn(String) -> String, output: &str) -> Plan {
     plan(&scene("shaper", |text| format!("{}\n{output}", change(text))))
-}
-
-fn reason(plan: &Plan, stage: &str) -> String {
-    let stage = plan.stages.iter().find(|found| found.name == stage).unwrap();
-    format!("{} | {}", stage.reason, stage.method)
 }
 
 /// Takes masses from every link but the named ones.
@@ -133,15 +94,14 @@ const STILL: fn(&str) -> String = |text| text.replace("[motion]\nspeed = \"60 rp
 #[test]
 fn loads_reach_the_groups_before_them_and_no_others() {
     let carrying = |text: &str| plan(&assur_scene::read("test", text).unwrap()).groups_carrying;
-    let text = std::fs::read_to_string(format!("{}/../../fixtures/shaper.toml", env!("CARGO_MANIFEST_DIR")));
-    let text = text.unwrap();
-    assert_eq!(carrying(&text), [true, true]);
-    let light = unloaded(&massless(&text, &["rocker"]));
+    let text = assur_fixtures::scene("shaper");
+    assert_eq!(carrying(text), [true, true]);
+    let light = unloaded(&massless(text, &["rocker"]));
     assert_eq!(carrying(&light), [true, false]);
-    assert_eq!(carrying(&unloaded(&massless(&text, &["crank"]))), [false, false]);
+    assert_eq!(carrying(&unloaded(&massless(text, &["crank"]))), [false, false]);
     // A load of the last group goes through all groups before it.
-    assert_eq!(carrying(&unloaded(&massless(&text, &["ram"]))), [true, true]);
-    assert_eq!(carrying(&massless(&text, &[])), [true, true]);
+    assert_eq!(carrying(&unloaded(&massless(text, &["ram"]))), [true, true]);
+    assert_eq!(carrying(&massless(text, &[])), [true, true]);
     // Mass at rest without gravity loads nothing; a weight, a spring and the balancing load do.
     let weightless = STILL(&light).replace("gravity = \"9.81 m/s^2\"", "");
     assert_eq!(carrying(&weightless), [false, false]);
@@ -155,17 +115,8 @@ fn loads_reach_the_groups_before_them_and_no_others() {
 fn a_method_for_the_whole_system_needs_all_groups() {
     let mechanism =
         scene("shaper", |text| unloaded(&massless(&text, &["rocker"])) + "\n[output]\nreactions = [\"A\"]\n");
-    let structure = Structure::of(&mechanism).unwrap();
-    let of = |by_groups: bool| {
-        let methods = Methods { analyzer: "any".into(), by_groups, integrator: "auto".into() };
-        Plan::of(&mechanism, &structure, &methods)
-    };
-    assert_eq!(of(true).groups_needed, [true, false]);
-    assert_eq!(of(true).groups_with_forces(), [true, false]);
-    assert!(reason(&of(true), "reactions").contains("1 of 2 groups not solved"));
-    assert_eq!(of(false).groups_needed, [true, true]);
-    assert_eq!(of(false).groups_with_forces(), [true, true]);
-    assert!(reason(&of(false), "reactions").contains("solves the mechanism as one system"));
+    assert_eq!(plan_by(&mechanism, true).groups_needed, [true, false]);
+    assert_eq!(plan_by(&mechanism, false).groups_needed, [true, true]);
 }
 
 #[test]
@@ -175,11 +126,9 @@ fn the_order_is_what_something_needs() {
     // Statics of massless links: PF1 for the virtual power.
     let still = shaper_with(|text| STILL(&massless(&text, &[])), reactions);
     assert_eq!((still.order, still.order_for.len()), (Order::First, 2));
-    assert!(reason(&still, "transfer functions (PF1, PF2)").contains("saves PF2 of 2 groups"));
     // A mass on the crank alone needs no more: J is constant.
     let crank = shaper_with(|text| STILL(&massless(&text, &["crank"])), reactions);
     assert_eq!((crank.order, crank.inertia_constant), (Order::First, true));
-    assert!(reason(&crank, "reduction to the input link").contains("`crank` alone"));
     // Masses behind need PF2 even at rest, as dJ/dq is told; and in motion.
     let heavy = shaper_with(|text| STILL(&text), reactions);
     assert_eq!((heavy.order, heavy.order_for.clone()), (Order::Second, vec!["dJ/dq"]));
@@ -191,8 +140,6 @@ fn the_order_is_what_something_needs() {
     // Nothing that needs any.
     let none = shaper_with(|text| text, nothing);
     assert_eq!((none.order, none.groups_needed.clone()), (Order::Place, vec![false, false]));
-    assert!(!needed(&none, "transfer functions (PF1, PF2)"));
-    assert!(reason(&none, "transfer functions (PF1, PF2)").starts_with("orders up to 0"));
     // Transfer functions are told wherever a link is.
     let told = shaper_with(|text| STILL(&massless(&text, &[])), "[output]\nlinks = [\"rocker\"]\n");
     assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec!["results tell them"]));

@@ -13,7 +13,7 @@ mod probe;
 mod same;
 
 fn text(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    assur_fixtures::scene(name).to_owned()
 }
 
 fn mechanism(text: &str) -> Mechanism {

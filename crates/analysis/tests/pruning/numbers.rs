@@ -25,13 +25,7 @@ fn compare(mechanism: &Mechanism, parts: usize, rng: &mut Rng, count: &mut Count
 #[test]
 fn shipped_scenes() {
     let mut rng = Rng::new(1);
-    let folder = format!("{}/../../fixtures", env!("CARGO_MANIFEST_DIR"));
-    let names = std::fs::read_dir(folder).unwrap().filter_map(|entry| {
-        let path = entry.unwrap().path();
-        let scene = path.extension().is_some_and(|extension| extension == "toml");
-        scene.then(|| path.file_stem().unwrap().to_str().unwrap().to_owned())
-    });
-    let mut names: Vec<_> = names.collect();
+    let mut names: Vec<_> = assur_fixtures::SCENES.iter().map(|(name, _)| *name).collect();
     names.sort();
     assert!(names.len() > 15);
     for name in names {

@@ -122,7 +122,7 @@ impl Page {
     /// Words, broken into lines.
     pub(super) fn paragraph(&mut self, words: &str) {
         let words = self.fold(words).into_owned();
-        self.text += &wrap(&words, 2);
+        self.text += &wrap(&words, 0, 2);
     }
 
     /// Text that is laid out already.
@@ -269,22 +269,23 @@ fn line_of(row: &[String], widths: &[usize], numeric: &[bool]) -> String {
     line
 }
 
-/// Words broken into lines, those after the first indented.
-pub(super) fn wrap(words: &str, indent: usize) -> String {
-    let mut text = String::new();
-    let mut used = 0;
+/// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
+pub(crate) fn wrap(words: &str, first: usize, rest: usize) -> String {
+    let mut text = " ".repeat(first);
+    let (mut used, mut empty) = (first, true);
     for word in words.split_whitespace() {
         let width = word.width();
-        if used > 0 && used + 1 + width > WIDTH {
+        if !empty && used + 1 + width > WIDTH {
             text.push('\n');
-            text += &" ".repeat(indent);
-            used = indent;
-        } else if used > 0 {
+            text += &" ".repeat(rest);
+            used = rest;
+        } else if !empty {
             text.push(' ');
             used += 1;
         }
         text += word;
         used += width;
+        empty = false;
     }
     text.push('\n');
     text

@@ -20,8 +20,9 @@ use assur_mechanism::Mechanism;
 
 use assur_analysis::results::{Analysis, Check};
 
+use layout::Page;
 pub use layout::columns;
-use layout::{Page, wrap};
+pub(crate) use layout::wrap;
 use units::Units;
 
 /// What the sections of a report are made from.
@@ -112,7 +113,7 @@ pub fn not_judged(checks: &[Check]) -> Vec<String> {
 
 /// Broken into lines of the report's width, the ones after the first `indent` columns in.
 pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
-    wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, indent)
+    wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, 0, indent)
 }
 
 fn scientific(value: f64) -> String {

@@ -1,14 +1,10 @@
 //! The section on structure.
 
 use assur_mechanism::Link;
+use assur_structure::roman;
 
 use super::Source;
 use super::layout::Page;
-
-/// Classes in Roman numerals.
-fn roman(class: u8) -> &'static str {
-    ["0", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"].get(usize::from(class)).copied().unwrap_or("IX+")
-}
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);

@@ -33,7 +33,7 @@ fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
 #[test]
 fn words_break_at_the_width_and_are_never_lost() {
     let words = "word ".repeat(60);
-    let text = wrap(&words, 2);
+    let text = wrap(&words, 0, 2);
     assert!(
         text.lines().all(|line| line.len() <= 100) && text.lines().skip(1).all(|line| line.starts_with("  "))
     );

@@ -2,12 +2,11 @@
 
 use assur_mechanism::{Direction, GROUND, LinkId, Mechanism, Motion, Torque};
 
-use crate::plan::Remark;
-use crate::plan::model::{has_rotor, heavy, remark, used_drive};
-use crate::plan::words::links;
+use super::model::{Remark, has_rotor, heavy, remark, used_drive};
+use super::words::{links, listed};
 
 /// What is left out, why, and how it can be included.
-pub fn not_modelled(mechanism: &Mechanism) -> Vec<Remark> {
+pub(super) fn not_modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let mut list = Vec::new();
     masses(mechanism, &mut list);
     weights(mechanism, &mut list);
@@ -159,7 +158,7 @@ fn friction(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     let hint = if opposed.is_empty() {
         "a known friction force is a `[[force]]` with `against_motion = true`".to_owned()
     } else {
-        let names = crate::plan::words::listed(opposed);
+        let names = listed(opposed);
         format!("{names}, against the motion, may stand for some of it, with the size that the scene gives")
     };
     list.push(remark(

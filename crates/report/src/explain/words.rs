@@ -4,22 +4,22 @@ use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::Structure;
 
 /// `1 group`, `2 groups`.
-pub(crate) fn count(number: usize, one: &str) -> String {
+pub(super) fn count(number: usize, one: &str) -> String {
     if number == 1 { format!("1 {one}") } else { format!("{number} {one}s") }
 }
 
 /// Names in backquotes, separated by commas.
-pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// Links in backquotes.
-pub(crate) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> String {
+pub(super) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> String {
     listed(ids.iter().map(|&id| mechanism.links[id].name.as_str()))
 }
 
 /// The groups that are not chosen, by their names; of many the first ones.
-pub(crate) fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[bool]) -> String {
+pub(super) fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[bool]) -> String {
     /// More would hide the rest of the sentence.
     const MOST: usize = 6;
     let left: Vec<_> = (0..chosen.len()).filter(|index| !chosen[*index]).collect();

@@ -2,23 +2,23 @@
 
 use assur_mechanism::{Contact, Direction, Drive, LinkId, Mechanism, Motion, Motor, Over, Torque, Value};
 
-use crate::plan::words::count;
+use super::words::count;
 
 /// One thing that is or is not modelled.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Remark {
+pub(super) struct Remark {
     /// The thing.
-    pub what: String,
+    pub(super) what: String,
     /// How it is modelled; or why it is not, and how it could be included.
-    pub how: String,
+    pub(super) how: String,
 }
 
-pub(crate) fn remark(what: impl Into<String>, how: impl Into<String>) -> Remark {
+pub(super) fn remark(what: impl Into<String>, how: impl Into<String>) -> Remark {
     Remark { what: what.into(), how: how.into() }
 }
 
 /// What the scene makes part of the model.
-pub fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
+pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
     let mut list = vec![
         remark("links", format!("{}, rigid, in one plane", count(mechanism.links.len() - 1, "moving link"))),
@@ -41,18 +41,18 @@ pub fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
 }
 
 /// Moving links with a mass.
-pub(crate) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
+pub(super) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
     (1..mechanism.links.len()).filter(|id| mechanism.links[*id].mass > 0.0).collect()
 }
 
 /// The drive, where the motion makes use of it.
-pub(crate) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
+pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
     let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
     mechanism.drive.as_ref().filter(|_| found)
 }
 
 /// Whether a motor has a rotor with inertia; rated data may give none.
-pub(crate) fn has_rotor(motor: &Motor) -> bool {
+pub(super) fn has_rotor(motor: &Motor) -> bool {
     match motor {
         Motor::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
         Motor::Auto | Motor::Designation(_) => true,

@@ -1,18 +1,18 @@
 //! The stages that place the links: positions, transfer functions, velocities.
 
 use assur_group::Order;
-use assur_mechanism::Mechanism;
+use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
-use crate::plan::stages::{left_out, run};
-use crate::plan::words::{count, others};
-use crate::plan::{Plan, Stage, needs};
+use super::stage::{Stage, left_out, run};
+use super::words::{count, others};
+use assur_analysis::plan::Plan;
 
 fn solved(plan: &Plan) -> usize {
     plan.groups_needed.iter().filter(|needed| **needed).count()
 }
 
-pub(crate) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
+pub(super) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
     let left = if plan.is_partial() {
         let names = others(mechanism, structure, &plan.groups_needed);
         format!("; not solved, nor looked at whether they can be assembled: {names}")
@@ -22,7 +22,7 @@ pub(crate) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Pla
     let reason = format!(
         "{} over {}; {} of {} groups are needed for what is asked for{left}",
         count(mechanism.input.positions, "position"),
-        needs::coordinate_words(mechanism),
+        coordinate(mechanism),
         solved(plan),
         structure.groups.len()
     );
@@ -43,7 +43,7 @@ pub(crate) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Pla
     run("positions (PF0)", reason, method)
 }
 
-pub(crate) fn transfer(plan: &Plan) -> Stage {
+pub(super) fn transfer(plan: &Plan) -> Stage {
     let name = "transfer functions (PF1, PF2)";
     let method = if solved(plan) == 0 {
         "of the input link, exact"
@@ -69,7 +69,7 @@ pub(crate) fn transfer(plan: &Plan) -> Stage {
     }
 }
 
-pub(crate) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
+pub(super) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
     let name = "velocities and accelerations";
     if plan.velocities {
         return run(name, "the scene has a `[motion]`", "v = PF1 w, a = PF2 w^2 + PF1 e");
@@ -78,4 +78,13 @@ pub(crate) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
         return left_out(name, "no motion is given; add `[motion]` with a speed");
     }
     left_out(name, "`[output]` asks for no link, point or slide")
+}
+
+/// What the input coordinate is.
+fn coordinate(mechanism: &Mechanism) -> String {
+    let link = &mechanism.links[mechanism.input.link].name;
+    match mechanism.input.pair {
+        InputPair::Pin(_) => format!("the angle of `{link}`"),
+        InputPair::Slide(_) => format!("the displacement of `{link}`"),
+    }
 }

@@ -3,12 +3,16 @@
 use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
 use assur_structure::Structure;
 
-use crate::plan::{Methods, Plan, Stage, carry, kinematics, words};
+use super::stage::{Stage, left_out, run};
+use super::{kinematics, words};
+use assur_analysis::Methods;
+use assur_analysis::plan::Plan;
 
-pub(crate) fn stages(
+pub(super) fn stages(
     mechanism: &Mechanism,
     structure: &Structure,
     methods: &Methods,
+    equation: Option<&str>,
     plan: &Plan,
 ) -> Vec<Stage> {
     vec![
@@ -17,21 +21,13 @@ pub(crate) fn stages(
         kinematics::transfer(plan),
         kinematics::velocities(mechanism, plan),
         reduction(mechanism, plan),
-        motion(mechanism, methods, plan),
+        motion(mechanism, methods, equation),
         drive(mechanism),
         inertia(mechanism, plan),
         reactions(mechanism, structure, methods, plan),
         balancing(mechanism, plan),
         checks(plan),
     ]
-}
-
-pub(crate) fn run(name: &'static str, reason: impl Into<String>, method: impl Into<String>) -> Stage {
-    Stage { name, needed: true, reason: reason.into(), method: method.into() }
-}
-
-pub(crate) fn left_out(name: &'static str, reason: impl Into<String>) -> Stage {
-    Stage { name, needed: false, reason: reason.into(), method: String::new() }
 }
 
 fn structure_stage(plan: &Plan) -> Stage {
@@ -66,7 +62,8 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> String {
     if !plan.inertia_constant {
         return "J, dJ/dq and Q of all moving links and loads make the equation of motion".to_owned();
     }
-    let heavy: Vec<_> = (1..mechanism.links.len()).filter(|link| carry::is_heavy(mechanism, *link)).collect();
+    let is_heavy = |id: &usize| mechanism.links[*id].mass > 0.0 || mechanism.links[*id].inertia > 0.0;
+    let heavy: Vec<_> = (1..mechanism.links.len()).filter(is_heavy).collect();
     if heavy.is_empty() {
         return "Q of all loads; no link has a mass: J is zero, and dJ/dq is not computed".to_owned();
     }
@@ -77,7 +74,7 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> String {
     )
 }
 
-fn motion(mechanism: &Mechanism, methods: &Methods, plan: &Plan) -> Stage {
+fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&str>) -> Stage {
     let name = "equation of motion";
     match &mechanism.motion {
         None => left_out(name, "no motion is given"),
@@ -86,16 +83,14 @@ fn motion(mechanism: &Mechanism, methods: &Methods, plan: &Plan) -> Stage {
             "speed and acceleration are prescribed; `kind = \"transient\"` or \"steady\" would find them",
         ),
         Some(Motion::Transient { .. }) => {
-            debug_assert!(plan.dynamics);
-            run(
-                name,
-                "the motion follows from an initial state",
-                format!("integrator `{}`", methods.integrator),
-            )
+            let method =
+                equation.map_or_else(|| format!("integrator `{}`", methods.integrator), str::to_owned);
+            run(name, "the motion follows from an initial state", method)
         }
         Some(Motion::Steady { .. }) => {
             let method = "shooting: the speed over the cycle by collocation of order 15 between all jumps of the loads, a Newton \
                           step on the speed at the start; no integrator in time";
+            let method = equation.map_or_else(|| method.to_owned(), |case| format!("{case}: {method}"));
             run(name, "the periodic regime is wanted: J w dw/dq + J' w^2/2 = Q + M over one cycle", method)
         }
     }
