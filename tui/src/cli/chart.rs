@@ -119,9 +119,9 @@ fn written(charts: &[(&PathBuf, ChartData)], format: Form, style: Style) -> Resu
     let mut text = String::new();
     for (path, data) in charts {
         text += &match format {
-            Form::Text => style.text(&chart::text(data, style.ascii)).into_owned(),
+            Form::Text => style.text(&chart::text(data, style.ascii, chart::WIDTH)).into_owned(),
             Form::Json => data.to_json().map_err(Fault::other)?,
-            Form::Csv => chart::csv(data),
+            Form::Csv => chart::csv(data).map_err(Fault::other)?,
             Form::Markdown => chart::markdown(data, &path.display().to_string()),
         };
     }

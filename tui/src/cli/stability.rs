@@ -18,7 +18,7 @@ pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let found = found.map_err(|error| scene::in_file(path, &error.to_string()))?;
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,
-        Format::Csv => found.to_csv(),
+        Format::Csv => found.to_csv().map_err(Fault::other)?,
         Format::Text => style.text(&found.to_text()).into_owned(),
     };
     output::print_or_write(&text, args.output.as_deref())?;

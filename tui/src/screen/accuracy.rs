@@ -41,7 +41,7 @@ impl Measured {
     /// The report in so many columns: what follows from it, speed against accuracy, stability.
     pub(crate) fn text(&self, ascii: bool, width: usize) -> String {
         let chart = match &self.chart {
-            Ok(data) => chart::text_in(data, ascii, width.saturating_sub(BEYOND)),
+            Ok(data) => chart::text(data, ascii, width.saturating_sub(BEYOND)),
             Err(error) => format!("{error}\n"),
         };
         match &self.stability {

@@ -2,21 +2,38 @@
 
 use super::{ChartData, Row, Value};
 
-const HEADER: &str =
-    "stage,method,setting,value,seconds_s,unit,evaluations,error,at_most,ok,front,auto,reason";
+const HEADER: [&str; 13] = [
+    "stage",
+    "method",
+    "setting",
+    "value",
+    "seconds_s",
+    "unit",
+    "evaluations",
+    "error",
+    "at_most",
+    "ok",
+    "front",
+    "auto",
+    "reason",
+];
 
 /// All rows, comma separated, full precision; an empty field where nothing is known.
-pub fn csv(data: &ChartData) -> String {
-    let mut text = String::from(HEADER);
-    text.push('\n');
+///
+/// # Errors
+///
+/// Of the writer; there is no value here that it refuses.
+pub fn csv(data: &ChartData) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(HEADER)?;
     for row in &data.rows {
-        text += &line(row);
-        text.push('\n');
+        writer.write_record(fields(row))?;
     }
-    text
+    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-fn line(row: &Row) -> String {
+fn fields(row: &Row) -> [String; 13] {
     let (names, values): (Vec<&str>, Vec<String>) = row
         .setting
         .0
@@ -29,27 +46,17 @@ fn line(row: &Row) -> String {
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
     [
         row.stage.name().to_owned(),
-        quoted(&row.method),
+        row.method.clone(),
         names.join(" "),
         values.join(" "),
         number(row.seconds),
-        row.unit.name().to_owned(),
+        row.unit.to_owned(),
         row.evaluations.map_or_else(String::new, |count| count.to_string()),
         number(row.error),
         row.at_most.to_string(),
         row.ok.to_string(),
         row.front.to_string(),
         row.auto.to_string(),
-        quoted(row.reason.as_deref().unwrap_or_default()),
+        row.reason.clone().unwrap_or_default(),
     ]
-    .join(",")
-}
-
-/// A field as RFC 4180 wants it.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }

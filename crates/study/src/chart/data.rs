@@ -62,31 +62,11 @@ impl Stage {
         }
     }
 
-    /// What an evaluation is.
-    pub fn evaluation(self) -> &'static str {
+    /// What one unit of work is, in JSON: one position of the mechanism, or one whole run.
+    pub fn unit(self) -> &'static str {
         match self {
-            Self::Kinematics | Self::Forces => "group solutions",
-            Self::Motion | Self::Flywheel | Self::Steady => "evaluations of the equation of motion",
-        }
-    }
-}
-
-/// What one time is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Unit {
-    /// One position of the mechanism.
-    Position,
-    /// One whole run.
-    Run,
-}
-
-impl Unit {
-    /// The name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Run => "run",
+            Self::Kinematics | Self::Forces => "position",
+            Self::Motion | Self::Flywheel | Self::Steady => "run",
         }
     }
 }
@@ -160,9 +140,9 @@ pub struct Row {
     pub setting: Setting,
     /// Median time of one unit of work, s; `None` where it was not measured.
     pub seconds: Option<f64>,
-    /// What one unit is.
-    pub unit: Unit,
-    /// Evaluations in one unit: see [`Stage::evaluation`].
+    /// What one unit is: see [`Stage::unit`].
+    pub unit: &'static str,
+    /// Evaluations in one unit: group solutions in a position, evaluations of the equation of motion in a run.
     pub evaluations: Option<u64>,
     /// Largest relative deviation from the reference.
     pub error: Option<f64>,
@@ -180,13 +160,13 @@ pub struct Row {
 
 impl Row {
     /// A row without figures yet.
-    pub(crate) fn new(stage: Stage, unit: Unit, method: &str, setting: Setting) -> Self {
+    pub(crate) fn new(stage: Stage, method: &str, setting: Setting) -> Self {
         Self {
             stage,
             method: method.to_owned(),
             setting,
             seconds: None,
-            unit,
+            unit: stage.unit(),
             evaluations: None,
             error: None,
             at_most: false,

@@ -1,14 +1,7 @@
 //! What takes part in a stage.
 
+use super::ruler::greater;
 use super::{Reference, Row};
-
-/// A method at a setting that can do the work of its stage again and again.
-pub(crate) trait Contestant {
-    /// The work, to be timed: nothing is compared.
-    fn run(&mut self);
-    /// The same work once, compared with the reference.
-    fn judge(&mut self) -> Verdict;
-}
 
 /// What a run gave.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,30 +15,82 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
-    /// Nothing came out.
-    pub(crate) fn failed(why: &impl ToString) -> Self {
-        Self { failure: Some(why.to_string()), ..Self::default() }
+    /// The verdict on a run over positions: the largest of their errors, and what failed.
+    pub(crate) fn of_positions(
+        evaluations: u64,
+        errors: impl ExactSizeIterator<Item = Result<f64, String>>,
+    ) -> Self {
+        let count = errors.len();
+        let (mut worst, mut failures, mut first) = (None, 0, None);
+        for error in errors {
+            match error {
+                Ok(error) => worst = Some(greater(worst.unwrap_or(0.0), error)),
+                Err(why) => {
+                    failures += 1;
+                    first.get_or_insert(why);
+                }
+            }
+        }
+        let failure = first.map(|first| {
+            if failures == count {
+                return first;
+            }
+            format!(
+                "no answer at {failures} of {count} positions (figures are for the others), first: {first}"
+            )
+        });
+        Self { evaluations: Some(evaluations), error: worst, failure }
+    }
+
+    /// The verdict on a run that gives one number: that number and its evaluations, or why there is none.
+    pub(crate) fn of_number(solved: Result<(f64, usize), String>, truth: f64) -> Self {
+        match solved {
+            Ok((found, count)) => {
+                let error = ((found - truth) / truth).abs();
+                Self { evaluations: Some(count as u64), error: Some(error), failure: None }
+            }
+            Err(why) => Self { failure: Some(why), ..Self::default() },
+        }
     }
 }
 
-/// A row in the making; without a contestant its reason stands already.
+/// The work of a method at a setting, done once. With `true` it is compared with the reference; with `false` it is timed, and
+/// what it returns is not looked at.
+type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
+
+/// A row in the making; without work its reason stands already.
 pub(crate) struct Entry<'a> {
     pub(crate) row: Row,
     /// Units of work in one run.
     pub(crate) units: f64,
-    pub(crate) contestant: Option<Box<dyn Contestant + 'a>>,
+    pub(crate) work: Option<Work<'a>>,
 }
 
 impl<'a> Entry<'a> {
-    /// A method that takes part.
-    pub(crate) fn new(row: Row, units: usize, contestant: impl Contestant + 'a) -> Self {
-        Self { row, units: units.max(1) as f64, contestant: Some(Box::new(contestant)) }
+    /// A method whose run is one unit of work.
+    pub(crate) fn run(row: Row, work: impl FnMut(bool) -> Verdict + 'a) -> Self {
+        Self { row, units: 1.0, work: Some(Box::new(work)) }
+    }
+
+    /// A method that solves `count` positions in a run. `solve` is given the index of a position and whether its error is
+    /// wanted; `evaluations`: group solutions in one position.
+    pub(crate) fn positions(
+        row: Row,
+        count: usize,
+        evaluations: u64,
+        mut solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
+    ) -> Self {
+        let run = move |judged: bool| {
+            let errors = (0..count).map(|index| std::hint::black_box(solve(index, judged)));
+            Verdict::of_positions(evaluations, errors)
+        };
+        Self { units: count.max(1) as f64, ..Self::run(row, run) }
     }
 
     /// A method that can't take part.
-    pub(crate) fn refused(mut row: Row, why: &(impl ToString + ?Sized)) -> Self {
-        row.reason = Some(why.to_string());
-        Self { row, units: 1.0, contestant: None }
+    pub(crate) fn refused(mut row: Row, why: impl Into<String>) -> Self {
+        row.reason = Some(why.into());
+        Self { row, units: 1.0, work: None }
     }
 }
 

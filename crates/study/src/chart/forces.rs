@@ -1,19 +1,17 @@
 //! Forces: every registered analyzer, and the groups in other forms and numbers.
 
-use std::hint::black_box;
-
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, UnitBalance, analyzers};
-use assur_group::{AssurGroup, Body, GroupError, Number, Wrench};
-use assur_kinematics::{Chain, Linkage, Position};
+use assur_group::{Body, Number, Wrench};
+use assur_kinematics::{Chain, Position};
 use assur_mechanism::{Mechanism, Motion};
 use assur_number::{Dd, Real};
 
 use super::data::GIVES;
-use super::entry::{Contestant, Entry, Field, Verdict};
+use super::entry::{Entry, Field};
 use super::reaction::{Answer, Forms};
-use super::ruler::greater;
-use super::work::{Work, partial, positions};
-use super::{ChartError, Reference, Row, Setting, Stage, Unit, Value};
+use super::ruler::{difference, greater};
+use super::work::{Work, positions};
+use super::{ChartError, Reference, Row, Setting, Stage, Value};
 
 /// The positions with their loads, and the true reactions.
 pub(crate) struct Loaded<'a> {
@@ -94,13 +92,8 @@ impl<'a> Loaded<'a> {
             other.push(solve(Forms::Closed)?);
         }
         self.sizes = sizes(&self.truth, linkage.structure.scale);
-        let errors = other.iter().enumerate().map(|(i, other)| {
-            self.deviation(
-                i,
-                Some(other.pairs.iter().map(|pair| [pair.fx, pair.fy, pair.m])),
-                other.balancing,
-            )
-        });
+        let errors =
+            other.iter().enumerate().map(|(i, other)| self.deviation(i, &other.pairs, other.balancing));
         let error = errors.fold(Dd::EPSILON, greater);
         let how = "loads as the program finds them; reactions by the transposed linear system of each group in double-double \
                    arithmetic (about 32 digits); own error by the closed forms of the groups in the same arithmetic";
@@ -108,33 +101,17 @@ impl<'a> Loaded<'a> {
         Ok(())
     }
 
-    /// Largest relative deviation of one position.
-    fn deviation(&self, index: usize, pairs: Option<impl Iterator<Item = [Dd; 3]>>, balancing: Dd) -> f64 {
+    /// Largest relative deviation of one position; without pairs, of the balancing load alone.
+    fn deviation<T: Real>(&self, index: usize, pairs: &[Wrench<T>], balancing: T) -> f64 {
         let truth = &self.truth[index];
         let [force, moment, balance] = self.sizes;
-        let mut worst = (balancing - truth.balancing).to_f64().abs() / balance;
-        for (right, got) in truth.pairs.iter().zip(pairs.into_iter().flatten()) {
-            worst = greater(worst, (got[0] - right.fx).to_f64().abs() / force);
-            worst = greater(worst, (got[1] - right.fy).to_f64().abs() / force);
-            worst = greater(worst, (got[2] - right.m).to_f64().abs() / moment);
+        let mut worst = difference(balancing, truth.balancing).abs() / balance;
+        for (right, found) in truth.pairs.iter().zip(pairs) {
+            worst = greater(worst, difference(found.fx, right.fx).abs() / force);
+            worst = greater(worst, difference(found.fy, right.fy).abs() / force);
+            worst = greater(worst, difference(found.m, right.m).abs() / moment);
         }
         worst
-    }
-
-    /// Judges a method over all positions.
-    fn verdict(&self, evaluations: u64, mut solve: impl FnMut(usize) -> Result<f64, String>) -> Verdict {
-        let (mut worst, mut failures, mut first) = (None, 0, None);
-        for index in 0..self.positions.len() {
-            match solve(index) {
-                Ok(error) => worst = Some(greater(worst.unwrap_or(0.0), error)),
-                Err(why) => {
-                    failures += 1;
-                    first.get_or_insert(why);
-                }
-            }
-        }
-        let failure = partial(failures, self.positions.len(), first);
-        Verdict { evaluations: Some(evaluations), error: worst, failure }
     }
 }
 
@@ -160,113 +137,61 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
             row.setting.0.push((GIVES, Value::Word("balancing load only")));
         }
         entries.push(match plugin.instance.supports(linkage) {
-            Ok(()) => Entry::new(row, loaded.positions.len(), Registered::new(loaded, plugin)),
-            Err(why) => Entry::refused(row, &why),
+            Ok(()) => of_positions(loaded, row, registered(loaded, plugin)),
+            Err(why) => Entry::refused(row, why),
         });
     }
-    let single = ByGroups::<f32>::new(loaded, Forms::Closed)?;
-    let by_groups = all.iter().find(|plugin| plugin.by_groups).map_or("by groups", |plugin| plugin.name);
-    entries.push(Entry::new(row(by_groups, "f32"), loaded.positions.len(), single));
-    let general = ByGroups::<f64>::new(loaded, Forms::General)?;
-    entries.push(Entry::new(row("groups-general", "f64"), loaded.positions.len(), general));
+    let name = all.iter().find(|plugin| plugin.by_groups).map_or("by groups", |plugin| plugin.name);
+    entries.push(of_positions(loaded, row(name, "f32"), by_groups::<f32>(loaded, Forms::Closed)?));
+    let general = by_groups::<f64>(loaded, Forms::General)?;
+    entries.push(of_positions(loaded, row("groups-general", "f64"), general));
     Ok(Field { reference: loaded.reference.clone(), entries })
 }
 
+fn of_positions<'a>(
+    loaded: &Loaded<'_>,
+    row: Row,
+    solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
+) -> Entry<'a> {
+    let groups = loaded.work.linkage.groups().len() as u64;
+    Entry::positions(row, loaded.positions.len(), groups, solve)
+}
+
 fn row(method: &str, number: &'static str) -> Row {
-    Row::new(Stage::Forces, Unit::Position, method, Setting::word("number", number))
+    Row::new(Stage::Forces, method, Setting::word("number", number))
 }
 
 /// A registered analyzer.
-struct Registered<'a> {
+fn registered<'a>(
     loaded: &'a Loaded<'a>,
     plugin: &'static AnalyzerPlugin,
-    loads: Vec<Wrench<f64>>,
-    out: Reactions,
-}
-
-impl<'a> Registered<'a> {
-    fn new(loaded: &'a Loaded<'a>, plugin: &'static AnalyzerPlugin) -> Self {
-        let linkage = loaded.work.linkage;
-        Self {
-            loaded,
-            plugin,
-            loads: vec![Wrench::ZERO; linkage.structure.links],
-            out: Reactions::new(linkage),
-        }
+) -> impl FnMut(usize, bool) -> Result<f64, String> + 'a {
+    let linkage = loaded.work.linkage;
+    let mut loads = vec![Wrench::ZERO; linkage.structure.links];
+    let mut out = Reactions::new(linkage);
+    move |index, judged| {
+        loads.copy_from_slice(&loaded.loads[index]);
+        let solved = plugin.instance.solve(linkage, &loaded.positions[index], &mut loads, &mut out);
+        solved.map_err(|error| error.to_string())?;
+        let pairs = if plugin.gives_reactions { &out.pairs[..] } else { &[] };
+        Ok(if judged { loaded.deviation(index, pairs, out.balancing) } else { 0.0 })
     }
-
-    fn solve(&mut self, index: usize) -> Result<(), assur_force::ForceError> {
-        self.loads.copy_from_slice(&self.loaded.loads[index]);
-        let (linkage, position) = (self.loaded.work.linkage, &self.loaded.positions[index]);
-        self.plugin.instance.solve(linkage, position, &mut self.loads, &mut self.out)
-    }
-}
-
-impl Contestant for Registered<'_> {
-    fn run(&mut self) {
-        for index in 0..self.loaded.positions.len() {
-            let _ = black_box(self.solve(index));
-        }
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let loaded = self.loaded;
-        let groups = loaded.work.linkage.groups().len() as u64;
-        loaded.verdict(groups, |index| {
-            self.solve(index).map_err(|error| error.to_string())?;
-            let pairs = self.plugin.gives_reactions.then(|| self.out.pairs.iter().map(exact));
-            Ok(loaded.deviation(index, pairs, Dd::from_f64(self.out.balancing)))
-        })
-    }
-}
-
-fn exact<T: Real>(wrench: &Wrench<T>) -> [Dd; 3] {
-    [wrench.fx, wrench.fy, wrench.m].map(|x| Dd::from_f64(x.to_f64()))
 }
 
 /// Group by group in another number or form.
-struct ByGroups<'a, T: Number> {
+fn by_groups<'a, T: Number>(
     loaded: &'a Loaded<'a>,
-    groups: Vec<Box<dyn AssurGroup<T>>>,
-    bodies: Vec<Vec<Body<T>>>,
     forms: Forms,
-    answer: Answer<T>,
-}
-
-impl<'a, T: Number> ByGroups<'a, T> {
-    fn new(loaded: &'a Loaded<'a>, forms: Forms) -> Result<Self, ChartError> {
-        let linkage = loaded.work.linkage;
-        let chain = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?;
-        let bodies =
-            loaded.positions.iter().map(|position| position.bodies.iter().map(to).collect()).collect();
-        Ok(Self { loaded, groups: chain.groups, bodies, forms, answer: Answer::new(linkage) })
-    }
-
-    fn solve(&mut self, index: usize) -> Result<(), GroupError> {
-        let linkage: &Linkage = self.loaded.work.linkage;
-        let (loads, unit) = (&self.loaded.loads[index], self.loaded.units[index]);
-        self.answer.solve(linkage, &self.groups, &self.bodies[index], loads, unit, self.forms)
-    }
-}
-
-/// A body in another number.
-fn to<T: Real>(body: &Body<f64>) -> Body<T> {
-    body.map(T::from_f64)
-}
-
-impl<T: Number> Contestant for ByGroups<'_, T> {
-    fn run(&mut self) {
-        for index in 0..self.loaded.positions.len() {
-            let _ = black_box(self.solve(index));
-        }
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let loaded = self.loaded;
-        loaded.verdict(self.groups.len() as u64, |index| {
-            self.solve(index).map_err(|error| error.to_string())?;
-            let pairs = Some(self.answer.pairs.iter().map(exact));
-            Ok(loaded.deviation(index, pairs, Dd::from_f64(self.answer.balancing.to_f64())))
-        })
-    }
+) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
+    let linkage = loaded.work.linkage;
+    let groups = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?.groups;
+    let of = |position: &Position| position.bodies.iter().map(|body| body.map(T::from_f64)).collect();
+    let bodies: Vec<Vec<Body<T>>> = loaded.positions.iter().map(of).collect();
+    let mut answer = Answer::new(linkage);
+    Ok(move |index: usize, judged| {
+        let (loads, unit) = (&loaded.loads[index], loaded.units[index]);
+        let solved = answer.solve(linkage, &groups, &bodies[index], loads, unit, forms);
+        solved.map_err(|error| error.to_string())?;
+        Ok(if judged { loaded.deviation(index, &answer.pairs, answer.balancing) } else { 0.0 })
+    })
 }

@@ -1,124 +1,84 @@
 //! Transfer functions: closed forms in several numbers, the general solution, numerical differentiation.
 
 pub(crate) mod differences;
+mod general;
 mod lanes;
-mod newton;
 
-use std::hint::black_box;
+use assur_group::{Number, Order};
+use assur_kinematics::{Chain, Linkage};
 
-use assur_group::{Body, Number, Order};
-use assur_kinematics::{Chain, Linkage, Position};
-use assur_number::{Dd, F64x4, Real};
-
-use super::entry::{Contestant, Entry, Field, Verdict};
+use super::entry::{Entry, Field};
 use super::work::Work;
-use super::{ChartError, Options, Row, Setting, Stage, Unit};
+use super::{ChartError, Options, Row, Setting, Stage};
 
-use differences::{Differences, Stencil};
-use lanes::InLanes;
-use newton::{General, Places};
+use differences::{Differentiator, Stencil};
+use general::{Places, general};
 
 /// All that can give transfer functions.
 pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a>, ChartError> {
-    let (mechanism, structure) = (&work.linkage.mechanism, &work.linkage.structure);
-    let single = Chain::<f32>::compile(mechanism, structure)?;
-    let lanes = Chain::<F64x4>::compile(mechanism, structure)?;
-    let row = |method: &str, setting| Row::new(Stage::Kinematics, Unit::Position, method, setting);
-    let number = |name| Setting::word("number", name);
+    let number = |method: &str, name| row(method, Setting::word("number", name));
     let mut entries = vec![
-        Entry::new(row("closed-form", number("f64")), work.len(), Closed::new(work)),
-        Entry::new(row("closed-form", number("f32")), work.len(), Plain::new(work, single)),
-        Entry::new(row("closed-form", number("f64x4")), work.len(), InLanes::new(work, lanes)),
+        of_positions(work, number("closed-form", "f64"), 1, own(work)),
+        of_positions(work, number("closed-form", "f32"), 1, closed::<f32>(work)?),
+        lanes::entry(work, number("closed-form", "f64x4"))?,
     ];
     for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
-        let double = Chain::<f64>::compile(mechanism, structure)?;
-        entries.push(Entry::new(row(name, number("f64")), work.len(), General::new(work, double, places)));
-        let single = Chain::<f32>::compile(mechanism, structure)?;
-        entries.push(Entry::new(row(name, number("f32")), work.len(), General::new(work, single, places)));
+        entries.push(of_positions(work, number(name, "f64"), 1, general::<f64>(work, places)?));
+        entries.push(of_positions(work, number(name, "f32"), 1, general::<f32>(work, places)?));
     }
     for stencil in Stencil::ALL {
         for step in options.decades(-1, -10) {
+            let mut differentiator = Differentiator::new(work.linkage, stencil, step);
+            let points = differentiator.points();
+            let solve = move |index: usize, judged: bool| {
+                let middle = differentiator.solve(work.coordinates[index])?;
+                Ok(if judged { work.deviation(index, &middle.bodies) } else { 0.0 })
+            };
             let row = row(stencil.name, Setting::number("step", step));
-            entries.push(Entry::new(row, work.len(), Differences::new(work, stencil, step)));
+            entries.push(of_positions(work, row, points, solve));
         }
     }
     Ok(Field { reference: work.reference.clone(), entries })
 }
 
-/// Group solutions in one position.
-fn groups_of(linkage: &Linkage) -> u64 {
-    linkage.groups().len() as u64
+fn row(method: &str, setting: Setting) -> Row {
+    Row::new(Stage::Kinematics, method, setting)
 }
 
-/// The ten numbers of each body, exactly, in extended precision.
-fn extended<T: Real>(bodies: &[Body<T>]) -> Vec<[Dd; 10]> {
-    bodies.iter().map(|body| body.numbers().map(|x| Dd::from_f64(x.to_f64()))).collect()
+/// A method over all positions that solves the whole mechanism so many times in each.
+fn of_positions<'a>(
+    work: &Work<'_>,
+    row: Row,
+    times: usize,
+    solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
+) -> Entry<'a> {
+    let solutions = work.linkage.groups().len() * times;
+    Entry::positions(row, work.coordinates.len(), solutions as u64, solve)
 }
 
 /// The program's own positions.
-struct Closed<'a> {
-    work: &'a Work<'a>,
-    position: Position,
-}
-
-impl<'a> Closed<'a> {
-    fn new(work: &'a Work<'a>) -> Self {
-        Self { work, position: work.linkage.position() }
-    }
-}
-
-impl Contestant for Closed<'_> {
-    fn run(&mut self) {
-        for q in &self.work.coordinates {
-            let _ = black_box(self.work.linkage.solve(*q, Order::Second, &mut self.position));
-        }
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let Self { work, position } = self;
-        work.verdict(groups_of(work.linkage), |_, q| {
-            work.linkage.solve(q, Order::Second, position).map_err(|error| error.to_string())?;
-            Ok(extended(&position.bodies))
-        })
+fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, String> + 'a {
+    let mut position = work.linkage.position();
+    move |index, judged| {
+        let solved = work.linkage.solve(work.coordinates[index], Order::Second, &mut position);
+        solved.map_err(|error| error.to_string())?;
+        Ok(if judged { work.deviation(index, &position.bodies) } else { 0.0 })
     }
 }
 
 /// The closed forms in another number.
-struct Plain<'a, T: Number> {
+fn closed<'a, T: Number>(
     work: &'a Work<'a>,
-    chain: Chain<T>,
-    bodies: Vec<Body<T>>,
-    health: Vec<T>,
-}
-
-impl<'a, T: Number> Plain<'a, T> {
-    fn new(work: &'a Work<'a>, chain: Chain<T>) -> Self {
-        Self { work, bodies: chain.bodies(), health: vec![T::ZERO; chain.groups.len()], chain }
-    }
-
-    fn solve(&mut self, q: f64) -> Result<(), String> {
-        let ways = self.work.linkage.ways.at(q);
-        self.chain
-            .solve(T::from_f64(q), ways, Order::Second, &mut self.bodies, &mut self.health)
-            .map_err(|error| failure(self.work.linkage, q, &error))
-    }
-}
-
-impl<T: Number> Contestant for Plain<'_, T> {
-    fn run(&mut self) {
-        let work = self.work;
-        for q in &work.coordinates {
-            let _ = black_box(self.solve(*q));
-        }
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let work = self.work;
-        work.verdict(groups_of(work.linkage), |_, q| {
-            self.solve(q)?;
-            Ok(extended(&self.bodies))
-        })
-    }
+) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
+    let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
+    let (mut bodies, mut health) = (chain.bodies(), vec![T::ZERO; chain.groups.len()]);
+    Ok(move |index: usize, judged| {
+        let q = work.coordinates[index];
+        let ways = work.linkage.ways.at(q);
+        let solved = chain.solve(T::from_f64(q), ways, Order::Second, &mut bodies, &mut health);
+        solved.map_err(|error| failure(work.linkage, q, &error))?;
+        Ok(if judged { work.deviation(index, &bodies) } else { 0.0 })
+    })
 }
 
 /// What a chain says, with group and coordinate.

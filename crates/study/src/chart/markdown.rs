@@ -26,7 +26,7 @@ pub fn markdown(data: &ChartData, file: &str) -> String {
 }
 
 /// What a stage says, in sentences: the fastest method for each accuracy, and what failed.
-pub fn words(data: &ChartData, stage: Stage) -> Vec<String> {
+fn words(data: &ChartData, stage: Stage) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     let mut last: Option<&Row> = None;
     for wanted in WANTED {

@@ -1,7 +1,6 @@
 //! Speed against accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
 //!
-//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`], [`text`], [`markdown`] and the terminal UI
-//! ([`Scatter`]).
+//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`], [`text`] and [`markdown`].
 //!
 //! * **Errors** are the largest deviation from a reference, relative to the largest value of the same quantity over the
 //!   work. The reference is better than what it judges: extended precision, a closed form, or a tight run of another
@@ -33,14 +32,12 @@ mod units;
 mod work;
 
 pub use csv::csv;
-pub use data::{ChartData, Reference, Row, Setting, Stage, Unit, Value};
-pub use markdown::{markdown, words};
+pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
+pub use markdown::markdown;
 pub use options::{Clock, Options, Progress};
-pub use pareto::front;
 pub use report::report;
 pub use run::{ChartError, chart};
-pub use scatter::{Mark, Scatter};
-pub use text::{text, text_in};
+pub use text::{WIDTH, text};
 
 #[cfg(test)]
 mod tests;

@@ -5,10 +5,10 @@ pub(in crate::chart) mod reference;
 use std::hint::black_box;
 
 use assur_dynamics::{Driven, Machine};
-use assur_integrator::{IntegratorPlugin, Knob, Motion, Request, Trajectory, integrators};
+use assur_integrator::{IntegratorPlugin, Knob, Motion, Request, integrators};
 
-use super::entry::{Contestant, Entry, Field, Verdict};
-use super::{ChartError, Options, Row, Setting, Stage, Unit};
+use super::entry::{Entry, Field, Verdict};
+use super::{ChartError, Options, Row, Setting, Stage};
 
 use reference::References;
 
@@ -25,15 +25,23 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
     let mut entries = Vec::new();
     for plugin in integrators()? {
         if let Err(why) = (plugin.suitability)(&task.motion.dependence(), task.request.tolerance) {
-            entries.push(Entry::refused(row(plugin.name, Setting::default()), &why));
+            entries.push(Entry::refused(row(plugin.name, Setting::default()), why));
             continue;
         }
         for (setting, request) in settings(plugin, task, references.duration, options) {
             let row = row(plugin.name, setting);
             entries.push(match references.judge_of(plugin.name) {
                 Some(truth) => {
-                    let motion = task.motion.clone();
-                    Entry::new(row, 1, Run { plugin, motion, request, truth, sizes: references.sizes })
+                    let (mut motion, sizes) = (task.motion.clone(), references.sizes);
+                    Entry::run(row, move |judged| match black_box(plugin.solve(&mut motion, &request)) {
+                        Ok(found) if judged => Verdict {
+                            evaluations: Some(found.statistics.evaluations as u64),
+                            error: Some(reference::deviation(&found, &truth, sizes)),
+                            failure: None,
+                        },
+                        Ok(_) => Verdict::default(),
+                        Err(why) => Verdict { failure: Some(why.to_string()), ..Verdict::default() },
+                    })
                 }
                 None => Entry::refused(
                     row,
@@ -46,7 +54,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
 }
 
 fn row(method: &str, setting: Setting) -> Row {
-    Row::new(Stage::Motion, Unit::Run, method, setting)
+    Row::new(Stage::Motion, method, setting)
 }
 
 /// The settings of a method: tolerances, or steps in parts of the whole motion, or none.
@@ -69,31 +77,5 @@ fn settings(
             .map(|step| (Setting::number("step", step), Request { fixed_step: Some(step), ..base }))
             .collect(),
         Knob::None => vec![(Setting::default(), base)],
-    }
-}
-
-/// One integrator at one setting.
-struct Run<'a> {
-    plugin: &'static IntegratorPlugin,
-    motion: Driven<Machine<'a>>,
-    request: Request,
-    truth: std::rc::Rc<Trajectory>,
-    sizes: [f64; 2],
-}
-
-impl Contestant for Run<'_> {
-    fn run(&mut self) {
-        let _ = black_box(self.plugin.solve(&mut self.motion, &self.request));
-    }
-
-    fn judge(&mut self) -> Verdict {
-        match self.plugin.solve(&mut self.motion, &self.request) {
-            Ok(found) => Verdict {
-                evaluations: Some(found.statistics.evaluations as u64),
-                error: Some(reference::deviation(&found, &self.truth, self.sizes)),
-                failure: None,
-            },
-            Err(why) => Verdict::failed(&why),
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 /// Indices of the points that no other beats in both coordinates (smaller is better), from the fastest to the most exact.
 /// Of equal points the first stands on the front.
-pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
+pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| {
         let ((xa, ya), (xb, yb)) = (points[*a], points[*b]);

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::entry::{Contestant, Entry, Field};
+use super::entry::{Entry, Field};
 use super::{Clock, Options, Progress, Row, Stage};
 
 /// Shortest stretch that is timed, s: far above the resolution of a clock.
@@ -79,13 +79,13 @@ impl Judge<'_> {
 
     /// One judged run; its time where it did anything.
     fn judge(&mut self, entry: &mut Entry<'_>, estimate: f64) -> Option<f64> {
-        let contestant = entry.contestant.as_mut()?;
+        let work = entry.work.as_mut()?;
         if self.stopped || self.out_of_time() {
             entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME }.to_owned());
             return None;
         }
         let before = self.clock.seconds();
-        let verdict = contestant.judge();
+        let verdict = work(true);
         let time = self.clock.seconds() - before;
         let row = &mut entry.row;
         row.evaluations = verdict.evaluations;
@@ -142,18 +142,14 @@ impl Judge<'_> {
 
     /// Time of one run, s, from a stretch of some.
     fn stretch(&mut self, entry: &mut Entry<'_>, runs: f64) -> f64 {
-        let Some(contestant) = entry.contestant.as_mut() else { return 0.0 };
+        let Some(work) = entry.work.as_mut() else { return 0.0 };
         let before = self.clock.seconds();
-        repeat(contestant.as_mut(), runs);
+        let mut left = runs;
+        while left > 0.0 {
+            std::hint::black_box(work(false));
+            left -= 1.0;
+        }
         (self.clock.seconds() - before) / runs
-    }
-}
-
-fn repeat(contestant: &mut dyn Contestant, runs: f64) {
-    let mut left = runs;
-    while left > 0.0 {
-        contestant.run();
-        left -= 1.0;
     }
 }
 

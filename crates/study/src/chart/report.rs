@@ -24,31 +24,8 @@ where a method comes below it. The tables here have the Pareto fronts; `assur ch
 
 ## Which method when
 
-The fastest method whose error is at most the one at the head of the column.
-";
-
-const CHOICE: &str = "
-What follows, and what the program does by default:
-
-* **Transfer functions:** the closed forms in f64: as exact as any form in f64, and the fastest for one position; four positions
-  side by side (f64x4) cost a good third less for each. Single precision saves nothing here and loses half of the digits.
-  Newton's method gives the same digits at some thirty times the cost: it is for groups without closed forms. Numerical
-  differentiation is a check and no method: at its best step it keeps 6 or 7 digits (three points) or 8 or 9 (five points), at
-  several times the cost.
-* **Forces:** `groups`. `newton-euler` builds one system for the whole mechanism: as exact, slower, and independent, so it is the
-  check. `virtual-power` is the cheapest where the balancing load alone is wanted.
-* **Motion:** `auto` takes `closed-form` where J and M are constant; `quadrature` where J is constant and M depends on
-  time alone or on the speed alone; `energy` where the moment depends on the coordinate alone, since it needs the fewest
-  evaluations and drifts least (where a position costs next to nothing, as of a crank alone, its own
-  quadrature takes up to four times as long as steps in time would); `dopri5` for tolerances looser than 1e-4, `dop853` for
-  tighter ones. `radau5` pays where a motor is steep. `uniform` and `rk4` at a fixed step are there to be compared. A
-  test holds `auto` to at most three times the evaluations of the best method that meets the tolerance; the table above has
-  its times.
-* **Flywheel:** the formulas of the textbooks cost one look at the cycle and neglect something (variable inertia, the
-  motor's reaction to the speed); the exact flywheel costs the search for the regime, still below a millisecond.
-* **Steady regime:** running until it settles is quick where the motor restores the speed within a few cycles, and its
-  error is then far below its tolerance; where the motor is weak or the flywheel heavy, what is left can be many times the last change, and
-  where nothing restores the speed it never settles. Shooting costs the same everywhere and is exact: the program shoots.
+The fastest method whose error is at most the one at the head of the column. What follows for the choice of a method is said in
+[methods.md](methods.md).
 ";
 
 /// All chapters under one head.
@@ -69,7 +46,7 @@ pub fn report(charts: &[&ChartData], chapters: &str) -> String {
         }
     }
     text += &automatic(charts);
-    format!("{text}{CHOICE}\n{chapters}")
+    format!("{text}\n{chapters}")
 }
 
 /// What `auto` takes, and its time against the fastest method that meets the tolerance.

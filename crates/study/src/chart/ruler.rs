@@ -42,15 +42,22 @@ impl Ruler {
     }
 
     /// Largest relative deviation of one position; NaN where a number is.
-    pub(crate) fn deviation(&self, reference: &[Body<Dd>], found: impl Iterator<Item = [Dd; 10]>) -> f64 {
+    pub(crate) fn deviation<T: Real>(&self, reference: &[Body<Dd>], found: &[Body<T>]) -> f64 {
         let mut worst = 0.0;
-        for (right, got) in reference.iter().zip(found) {
-            for ((a, b), quantity) in right.numbers().into_iter().zip(got).zip(QUANTITY) {
-                worst = greater(worst, (b - a).to_f64().abs() / self.sizes[quantity]);
+        for (right, found) in reference.iter().zip(found) {
+            for ((a, b), quantity) in right.numbers().into_iter().zip(found.numbers()).zip(QUANTITY) {
+                worst = greater(worst, difference(b, a).abs() / self.sizes[quantity]);
             }
         }
         worst
     }
+}
+
+/// A number less its reference, all digits of both counting.
+pub(crate) fn difference<T: Real>(found: T, reference: Dd) -> f64 {
+    let high = found.to_f64();
+    let low = (found - T::from_f64(high)).to_f64();
+    (Dd::from_f64(high) - reference + Dd::from_f64(low)).to_f64()
 }
 
 /// The greater of two; NaN wins.

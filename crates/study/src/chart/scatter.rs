@@ -4,30 +4,30 @@ use super::{ChartData, Row, Stage};
 
 /// A method at a setting, as a point of the scatter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mark {
+pub(crate) struct Mark {
     /// Time of one unit of work, s.
-    pub seconds: f64,
+    pub(crate) seconds: f64,
     /// Relative error; where it is zero, the lower end of the axis.
-    pub error: f64,
+    pub(crate) error: f64,
     /// Which method: an index into [`Scatter::methods`].
-    pub method: usize,
+    pub(crate) method: usize,
     /// On the Pareto front.
-    pub front: bool,
+    pub(crate) front: bool,
 }
 
 /// One stage, ready to draw.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scatter {
+pub(crate) struct Scatter {
     /// The stage.
-    pub stage: Stage,
+    pub(crate) stage: Stage,
     /// The methods, in the order of the rows.
-    pub methods: Vec<String>,
+    pub(crate) methods: Vec<String>,
     /// The points, in the order of the rows; those of the front, taken by time, make the joined line.
-    pub marks: Vec<Mark>,
+    pub(crate) marks: Vec<Mark>,
     /// Exponents of ten between which the times lie.
-    pub time_decades: [i32; 2],
+    pub(crate) time_decades: [i32; 2],
     /// Exponents of ten between which the errors lie.
-    pub error_decades: [i32; 2],
+    pub(crate) error_decades: [i32; 2],
 }
 
 /// The smallest error that is drawn: what lies below is drawn here.
@@ -35,7 +35,7 @@ const LEAST_ERROR: f64 = 1e-18;
 
 impl Scatter {
     /// The scatter of a stage; `None` where it has no row with time and error.
-    pub fn of(data: &ChartData, stage: Stage) -> Option<Self> {
+    pub(crate) fn of(data: &ChartData, stage: Stage) -> Option<Self> {
         let mut methods: Vec<String> = Vec::new();
         let mut marks = Vec::new();
         for row in data.of(stage) {
@@ -49,7 +49,7 @@ impl Scatter {
     }
 
     /// The marks of the front by time.
-    pub fn front(&self) -> Vec<Mark> {
+    pub(crate) fn front(&self) -> Vec<Mark> {
         let mut front: Vec<Mark> = self.marks.iter().copied().filter(|mark| mark.front).collect();
         front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
         front

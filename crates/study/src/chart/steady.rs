@@ -4,8 +4,6 @@
 mod flywheel;
 mod settling;
 
-use std::hint::black_box;
-
 use assur_dynamics::{
     CycleRequest, DriveRequest, Driven, Machine, Regime, Source, Survey, TorqueRequest, steady,
 };
@@ -14,9 +12,9 @@ use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, Request,
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
-use super::entry::{Contestant, Entry, Field, Verdict};
+use super::entry::{Entry, Field, Verdict};
 use super::motion::Task;
-use super::{Options, Reference, Row, Setting, Stage, Unit};
+use super::{Options, Reference, Row, Setting, Stage};
 
 pub(crate) use flywheel::field as flywheel_field;
 
@@ -75,101 +73,53 @@ impl<'a> Cycle<'a> {
 
 /// All that can find the regime.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: Options) -> Field<'a> {
-    let row = |method: &str, setting| Row::new(Stage::Steady, Unit::Run, method, setting);
-    let multiplier = cycle.regime.multiplier;
+    let row = |method: &str, setting| Row::new(Stage::Steady, method, setting);
     let judges = settling::Judges::find(cycle);
-    let mut entries =
-        vec![Entry::new(row("shooting", Setting::default()), 1, Shooting { cycle, truth: judges.in_time })];
-    if multiplier >= NEVER_SETTLES {
+    let (by_shooting, in_time) = (judges.shooting, judges.in_time);
+    let shooting = move |_| Verdict::of_number(shooting(cycle), in_time);
+    let mut entries = vec![Entry::run(row("shooting", Setting::default()), shooting)];
+    let settle_in_time = format!("settle-{}", judges.method.map_or("in-time", |method| method.name));
+    if cycle.regime.multiplier >= NEVER_SETTLES {
         let why = "nothing restores the speed (what a change is multiplied by over a cycle is 1), so that it never settles";
-        entries.push(Entry::refused(row("settle", Setting::default()), why));
-        entries.push(Entry::refused(row("settle-dop853", Setting::default()), why));
-    } else {
-        for tolerance in options.decades(-3, -13) {
-            let setting = Setting::number("tolerance", tolerance);
-            entries.push(Entry::new(
-                row("settle", setting),
-                1,
-                Settle { cycle, tolerance, truth: judges.in_time },
-            ));
-        }
-        for tolerance in options.decades(-3, -13) {
-            let setting = Setting::number("tolerance", tolerance);
-            let run = settling::InTime { cycle, tolerance, truth: judges.shooting, options };
-            entries.push(Entry::new(row("settle-dop853", setting), 1, run));
-        }
+        entries.extend(
+            ["settle", &settle_in_time].map(|name| Entry::refused(row(name, Setting::default()), why)),
+        );
+        return Field { reference: judges.reference, entries };
+    }
+    let setting = |tolerance| Setting::number("tolerance", tolerance);
+    entries.extend(options.decades(-3, -13).map(|tolerance| {
+        let run = move |_| Verdict::of_number(settle(cycle, tolerance), in_time);
+        Entry::run(row("settle", setting(tolerance)), run)
+    }));
+    if let Some(method) = judges.method {
+        entries.extend(options.decades(-3, -13).map(|tolerance| {
+            let run = settling::InTime { cycle, method, tolerance, options };
+            let run = move |_| Verdict::of_number(run.solve(), by_shooting);
+            Entry::run(row(&settle_in_time, setting(tolerance)), run)
+        }));
     }
     Field { reference: judges.reference, entries }
 }
 
-/// Shooting on collocation panels, with ratio and flywheel given.
-struct Shooting<'a> {
-    cycle: &'a Cycle<'a>,
-    /// Speed at the start of the cycle.
-    truth: f64,
-}
-
-impl Shooting<'_> {
-    fn solve(&self) -> Result<(f64, usize), String> {
-        let mut machine = self.cycle.machine();
-        let words = |error: assur_dynamics::DynamicsError| error.to_string();
-        let mut survey = Survey::new(&mut machine, self.cycle.request).map_err(words)?;
-        let regime = survey.solve(&self.cycle.drive()).map_err(words)?;
-        drop(survey);
-        Ok((regime.state(self.cycle.request.start).speed, machine.count))
-    }
-}
-
-impl Contestant for Shooting<'_> {
-    fn run(&mut self) {
-        let _ = black_box(self.solve());
-    }
-
-    fn judge(&mut self) -> Verdict {
-        verdict(self.solve(), self.truth)
-    }
-}
-
-/// Cycle after cycle on the same panels, from the mean speed.
-struct Settle<'a> {
-    cycle: &'a Cycle<'a>,
-    tolerance: f64,
-    truth: f64,
+/// Speed at the start of the cycle by shooting on collocation panels, with ratio and flywheel given; and evaluations.
+fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), String> {
+    let mut machine = cycle.machine();
+    let mut survey = Survey::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
+    let regime = survey.solve(&cycle.drive()).map_err(|error| error.to_string())?;
+    drop(survey);
+    Ok((regime.state(cycle.request.start).speed, machine.count))
 }
 
 /// Most cycles until a regime must have settled.
 const MOST_CYCLES: usize = 10_000;
 
-impl Settle<'_> {
-    fn solve(&self) -> Result<(f64, usize), String> {
-        let mut machine = self.cycle.machine();
-        let words = |error: assur_dynamics::DynamicsError| error.to_string();
-        let mut survey = Survey::new(&mut machine, self.cycle.request).map_err(words)?;
-        let turns = survey.settle(&self.cycle.regime, self.tolerance, MOST_CYCLES).map_err(words)?;
-        drop(survey);
-        let speed = turns.last().map_or(f64::NAN, |turn| turn.speed_end);
-        Ok((speed, machine.count))
-    }
-}
-
-impl Contestant for Settle<'_> {
-    fn run(&mut self) {
-        let _ = black_box(self.solve());
-    }
-
-    fn judge(&mut self) -> Verdict {
-        verdict(self.solve(), self.truth)
-    }
-}
-
-fn verdict(solved: Result<(f64, usize), String>, truth: f64) -> Verdict {
-    match solved {
-        Ok((speed, count)) => {
-            let error = ((speed - truth) / truth).abs();
-            Verdict { evaluations: Some(count as u64), error: Some(error), failure: None }
-        }
-        Err(why) => Verdict::failed(&why),
-    }
+/// Speed cycle after cycle on the same panels, from the mean speed, until it changes by less than the tolerance; and evaluations.
+fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), String> {
+    let mut machine = cycle.machine();
+    let mut survey = Survey::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
+    let turns = survey.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.to_string())?;
+    drop(survey);
+    Ok((turns.last().map_or(f64::NAN, |turn| turn.speed_end), machine.count))
 }
 
 /// An equation of motion that counts how often it is asked.
@@ -196,7 +146,7 @@ impl<M: Motion> Motion for Counted<M> {
 
 /// Why a stage of a steady scene has no figures.
 pub(crate) fn unfound(why: &str) -> Field<'static> {
-    let row = Row::new(Stage::Steady, Unit::Run, "shooting", Setting::default());
+    let row = Row::new(Stage::Steady, "shooting", Setting::default());
     let reference = Reference { how: "none: no regime was found".to_owned(), error: 0.0 };
     Field { reference, entries: vec![Entry::refused(row, why)] }
 }

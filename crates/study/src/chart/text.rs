@@ -2,10 +2,10 @@
 
 use super::canvas;
 use super::scatter::{Scatter, letter};
-use super::{ChartData, Row, Stage, Unit, units};
+use super::{ChartData, Row, Stage, units};
 
-/// Columns of a chart.
-const WIDTH: usize = 92;
+/// Columns of a chart where nothing else is asked for.
+pub const WIDTH: usize = 92;
 /// Lines of a scatter.
 const HEIGHT: usize = 20;
 
@@ -19,13 +19,8 @@ pub(crate) fn unit_words(stage: Stage) -> &'static str {
     }
 }
 
-/// All stages for a person.
-pub fn text(data: &ChartData, ascii: bool) -> String {
-    text_in(data, ascii, WIDTH)
-}
-
-/// The same in about so many columns; only a row of a table may be wider.
-pub fn text_in(data: &ChartData, ascii: bool, width: usize) -> String {
+/// All stages for a person, in about `width` columns; only a row of a table may be wider.
+pub fn text(data: &ChartData, ascii: bool, width: usize) -> String {
     let dash = if ascii { "-" } else { "—" };
     let mut text = format!("Speed against accuracy {dash} {}\n", data.title);
     if !data.complete {
@@ -70,9 +65,8 @@ fn table(
     ascii: bool,
     wanted: fn(&Row) -> bool,
 ) -> String {
-    let unit = data.of(stage).next().map_or(Unit::Run, |row| row.unit);
     let mut rows = vec![
-        ["", "method", "setting", &format!("time/{}", unit.name()), "evaluations", "error", ""]
+        ["", "method", "setting", &format!("time/{}", stage.unit()), "evaluations", "error", ""]
             .map(str::to_owned)
             .to_vec(),
     ];

@@ -6,7 +6,6 @@ use assur_group::{Body, Order, derive_generally, place_by_newton};
 use assur_kinematics::{Chain, Linkage, Position};
 use assur_number::{Dd, Real};
 
-use super::entry::Verdict;
 use super::ruler::{Ruler, greater};
 use super::{ChartError, Reference};
 
@@ -71,7 +70,7 @@ impl<'a> Work<'a> {
         for truth in &self.truth {
             match newton_from(&self.extended, truth) {
                 Some(bodies) => {
-                    error = greater(error, self.ruler.deviation(truth, bodies.iter().map(Body::numbers)));
+                    error = greater(error, self.ruler.deviation(truth, &bodies));
                 }
                 None => missing += 1,
             }
@@ -92,41 +91,10 @@ impl<'a> Work<'a> {
         Reference { how, error: greater(error, Dd::EPSILON) }
     }
 
-    /// Judges what a method finds at each position; `solve` leaves the bodies of position `index` in the iterator it returns.
-    pub(crate) fn verdict(
-        &self,
-        evaluations: u64,
-        mut solve: impl FnMut(usize, f64) -> Result<Vec<[Dd; 10]>, String>,
-    ) -> Verdict {
-        let (mut worst, mut failures, mut first) = (None, 0_usize, None);
-        for (index, q) in self.coordinates.iter().enumerate() {
-            match solve(index, *q) {
-                Ok(found) => {
-                    let error = self.ruler.deviation(&self.truth[index], found.into_iter());
-                    worst = Some(greater(worst.unwrap_or(0.0), error));
-                }
-                Err(why) => {
-                    failures += 1;
-                    first.get_or_insert(why);
-                }
-            }
-        }
-        Verdict {
-            evaluations: Some(evaluations),
-            error: worst,
-            failure: partial(failures, self.len(), first),
-        }
+    /// Largest relative deviation of bodies from those of position `index`.
+    pub(crate) fn deviation<T: Real>(&self, index: usize, bodies: &[Body<T>]) -> f64 {
+        self.ruler.deviation(&self.truth[index], bodies)
     }
-}
-
-/// What is said where some positions fail.
-pub(crate) fn partial(failures: usize, all: usize, first: Option<String>) -> Option<String> {
-    let first = first?;
-    Some(if failures < all {
-        format!("no answer at {failures} of {all} positions (figures are for the others), first: {first}")
-    } else {
-        first
-    })
 }
 
 /// Whether a coordinate lies next to a change point.

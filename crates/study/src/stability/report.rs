@@ -1,6 +1,5 @@
 //! The stability of a scene's mechanism, as data, JSON and CSV.
 
-use std::fmt::Write;
 use std::ops::ControlFlow;
 
 use assur_kinematics::{CompileError, Linkage};
@@ -89,24 +88,16 @@ impl Stability {
     }
 
     /// All rows as a table with commas, one header row.
-    pub fn to_csv(&self) -> String {
-        let mut text = "where,method,quantity,distance,health,error,bound,ok,reason\n".to_owned();
-        let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    ///
+    /// # Errors
+    ///
+    /// Of the writer; there is no value here that it refuses.
+    pub fn to_csv(&self) -> Result<String, csv::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {
-            let error = row.error.map_or_else(String::new, |error| format!("{error:e}"));
-            let _ = writeln!(
-                text,
-                "{},{},{},{:e},{:e},{error},{:e},{},{}",
-                quoted(&row.place),
-                quoted(&row.method),
-                row.quantity,
-                row.distance,
-                row.health,
-                row.bound,
-                row.ok,
-                quoted(row.reason.as_deref().unwrap_or("")),
-            );
+            writer.serialize(row)?;
         }
-        text
+        let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 }

@@ -1,14 +1,7 @@
 //! Numerical differentiation of places: PF1 and PF2 from PF0 alone, by central differences.
 
-use std::hint::black_box;
-
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, Position};
-use assur_number::{Dd, Real};
-
-use super::groups_of;
-use crate::chart::entry::{Contestant, Verdict};
-use crate::chart::work::Work;
 
 /// Weights of f(q + k h) for k = 1, 2: the first derivative takes them odd, the second even.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,35 +79,4 @@ fn differentiate(stencil: &Stencil, step: f64, link: usize, body: &mut Body<f64>
     let [_, _, c, s] = here;
     (body.x1, body.y1, body.w1) = (first[0], first[1], c * first[3] - s * first[2]);
     (body.x2, body.y2, body.w2) = (second[0], second[1], c * second[3] - s * second[2]);
-}
-
-/// Numerical differentiation as a method of the chart.
-pub(super) struct Differences<'a> {
-    work: &'a Work<'a>,
-    differentiator: Differentiator<'a>,
-}
-
-impl<'a> Differences<'a> {
-    /// `step`: rad, or parts of the scale for a sliding input.
-    pub(super) fn new(work: &'a Work<'a>, stencil: Stencil, step: f64) -> Self {
-        Self { work, differentiator: Differentiator::new(work.linkage, stencil, step) }
-    }
-}
-
-impl Contestant for Differences<'_> {
-    fn run(&mut self) {
-        let work = self.work;
-        for q in &work.coordinates {
-            let _ = black_box(self.differentiator.solve(*q));
-        }
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let work = self.work;
-        let solutions = groups_of(work.linkage) * self.differentiator.points() as u64;
-        work.verdict(solutions, |_, q| {
-            let middle = self.differentiator.solve(q)?;
-            Ok(middle.bodies.iter().map(|body| body.numbers().map(Dd::from_f64)).collect())
-        })
-    }
 }

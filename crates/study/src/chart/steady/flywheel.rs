@@ -3,12 +3,13 @@
 use std::hint::black_box;
 
 use assur_dynamics::{Survey, steady};
-use assur_integrator::{Motion, Request, find};
+use assur_integrator::{Motion, Request};
 use assur_mechanism::{FlywheelPlace, Motion as Asked, Solve};
 
 use super::Cycle;
-use crate::chart::entry::{Contestant, Entry, Field, Verdict};
-use crate::chart::{Reference, Row, Setting, Stage, Unit};
+use super::settling::stepping;
+use crate::chart::entry::{Entry, Field, Verdict};
+use crate::chart::{Reference, Row, Setting, Stage};
 
 /// Samples over the cycle from which the extremes of the speed are read.
 const SAMPLES: usize = 4000;
@@ -24,9 +25,14 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
     }
     let (truth, reference) = truth(cycle, wanted, drive.flywheel_on == FlywheelPlace::Motor)?;
     let entries = cycle.regime.flywheel_by_method.iter().map(|found| {
-        let row = Row::new(Stage::Flywheel, Unit::Run, found.method, Setting::default());
-        let contestant = ByMethod { cycle, exact: found.method == "exact", flywheel: found.flywheel, truth };
-        Entry::new(row, 1, contestant)
+        // What each method finds is known already; a run repeats what it costs.
+        let (exact, flywheel) = (found.method == "exact", found.flywheel);
+        let run = move |_| Verdict {
+            evaluations: effort(cycle, exact).map(|count| count as u64),
+            error: Some(((flywheel - truth) / truth).abs()),
+            failure: None,
+        };
+        Entry::run(Row::new(Stage::Flywheel, found.method, Setting::default()), run)
     });
     Some(Field { reference, entries: entries.collect() })
 }
@@ -44,8 +50,9 @@ fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Referen
     let error =
         ((corrected(coarse) - truth) / truth).abs().max(((truth - flywheel) / truth).abs() * 0.1).max(1e-13);
     let how = format!(
-        "the exact flywheel, corrected to first order by the unevenness of the cycle run in time by dop853 at tolerance 1e-13, \
-         {SAMPLES} samples; own error by half as many. A textbook method takes the time of the survey of the cycle that it needs"
+        "the exact flywheel, corrected to first order by the unevenness of the cycle run in time by {} at tolerance 1e-13, \
+         {SAMPLES} samples; own error by half as many. A textbook method takes the time of the survey of the cycle that it needs",
+        stepping(&task)?.name
     );
     Some((truth, Reference { how, error }))
 }
@@ -54,8 +61,7 @@ fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Referen
 fn unevenness(cycle: &Cycle<'_>, samples: usize) -> Option<f64> {
     let task = cycle.task(samples);
     let request = Request { tolerance: 1e-13, ..task.request };
-    let plugin = find("dop853").ok()?;
-    let found = plugin.solve(&mut task.motion.clone(), &request).ok()?;
+    let found = stepping(&task)?.solve(&mut task.motion.clone(), &request).ok()?;
     let speeds: Vec<f64> = found.samples.iter().map(|sample| sample.speed.abs()).collect();
     let high = extreme(&speeds, 1.0)?;
     let low = -extreme(&speeds, -1.0)?;
@@ -73,37 +79,16 @@ fn extreme(values: &[f64], sign: f64) -> Option<f64> {
     Some(if bend < 0.0 { here - 0.5 * slope * slope / bend } else { here })
 }
 
-/// One method. What it finds is known already; a run repeats what it costs.
-struct ByMethod<'a> {
-    cycle: &'a Cycle<'a>,
-    exact: bool,
-    flywheel: f64,
-    truth: f64,
-}
-
-impl ByMethod<'_> {
-    fn effort(&self) -> Option<usize> {
-        if self.exact {
-            let found = steady(self.cycle.linkage, self.cycle.loads).ok()?;
-            return Some(found.regime.effort.evaluations);
-        }
-        let mut machine = self.cycle.machine();
-        let survey = Survey::new(&mut machine, self.cycle.request).ok()?;
-        black_box(survey.mean_resistance());
-        drop(survey);
-        Some(machine.count)
+/// Evaluations of the equation of motion that a flywheel costs: the exact one, or one survey of the cycle.
+fn effort(cycle: &Cycle<'_>, exact: bool) -> Option<usize> {
+    if exact {
+        return Some(steady(cycle.linkage, cycle.loads).ok()?.regime.effort.evaluations);
     }
-}
-
-impl Contestant for ByMethod<'_> {
-    fn run(&mut self) {
-        let _ = black_box(self.effort());
-    }
-
-    fn judge(&mut self) -> Verdict {
-        let evaluations = self.effort().map(|count| count as u64);
-        Verdict { evaluations, error: Some(((self.flywheel - self.truth) / self.truth).abs()), failure: None }
-    }
+    let mut machine = cycle.machine();
+    let survey = Survey::new(&mut machine, cycle.request).ok()?;
+    black_box(survey.mean_resistance());
+    drop(survey);
+    Some(machine.count)
 }
 
 #[cfg(test)]

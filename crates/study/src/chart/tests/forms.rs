@@ -1,7 +1,9 @@
 //! The forms of a chart: JSON, CSV, text, Markdown; rows of methods that can't.
 
 use super::scenes::charted;
-use crate::chart::{ChartData, Scatter, Stage, csv, front, markdown, report, text};
+use crate::chart::pareto::front;
+use crate::chart::scatter::Scatter;
+use crate::chart::{ChartData, Stage, WIDTH, csv, markdown, report, text};
 use proptest::prelude::*;
 
 fn json(data: &ChartData) -> serde_json::Value {
@@ -73,7 +75,7 @@ fn the_exact_flywheel_is_exact_and_the_textbooks_are_not() {
 #[test]
 fn text_csv_and_markdown() {
     let data = charted("press");
-    let plain = text(&data, true);
+    let plain = text(&data, true, WIDTH);
     assert!(plain.is_ascii(), "{plain}");
     for word in ["relative error", "time of one position", "closed-form", "Pareto front", "Reference:"] {
         assert!(plain.contains(word), "{word}\n{plain}");
@@ -82,7 +84,7 @@ fn text_csv_and_markdown() {
         plain.lines().filter(|line| line.contains(" |")).all(|line| line.chars().count() <= 92),
         "{plain}"
     );
-    let table = csv(&data);
+    let table = csv(&data).unwrap();
     assert_eq!(table.lines().count(), data.rows.len() + 1);
     let chapter = markdown(&data, "press.toml");
     assert!(chapter.contains("### Forces") && chapter.contains("is the fastest"), "{chapter}");

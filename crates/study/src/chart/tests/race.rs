@@ -4,9 +4,9 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use super::scenes::{Ticks, shipped};
-use crate::chart::entry::{Contestant, Entry, Field, Verdict};
+use crate::chart::entry::{Entry, Field, Verdict};
 use crate::chart::race::{Judge, STOPPED, median};
-use crate::chart::{Clock, Options, Progress, Reference, Row, Setting, Stage, Unit, chart};
+use crate::chart::{Clock, Options, Progress, Reference, Row, Setting, Stage, chart};
 
 /// A clock that contestants move.
 struct Moved<'a>(&'a RefCell<f64>);
@@ -18,36 +18,23 @@ impl Clock for Moved<'_> {
 }
 
 /// Takes the times of its list in turn, and notes each run.
-struct Slow<'a> {
-    name: char,
-    times: Vec<f64>,
-    next: usize,
-    now: &'a RefCell<f64>,
-    log: &'a RefCell<String>,
-}
-
-impl Contestant for Slow<'_> {
-    fn run(&mut self) {
-        *self.now.borrow_mut() += self.times[self.next % self.times.len()];
-        self.next += 1;
-        self.log.borrow_mut().push(self.name);
-    }
-
-    fn judge(&mut self) -> Verdict {
-        self.run();
+fn slow<'a>(name: char, times: Vec<f64>, now: &'a RefCell<f64>, log: &'a RefCell<String>) -> Entry<'a> {
+    let mut next = 0;
+    Entry::run(Row::new(Stage::Motion, "slow", Setting::default()), move |_| {
+        *now.borrow_mut() += times[next % times.len()];
+        next += 1;
+        log.borrow_mut().push(name);
         Verdict { evaluations: Some(7), error: Some(1e-9), failure: None }
-    }
+    })
 }
 
 #[test]
 fn methods_take_turns_and_the_median_counts() {
     let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
-    let row = || Row::new(Stage::Motion, Unit::Run, "slow", Setting::default());
-    let slow = |name, times: &[f64]| Slow { name, times: times.to_vec(), next: 0, now: &now, log: &log };
     // The first of "a" is disturbed once: the median does not see it.
     let entries = vec![
-        Entry::new(row(), 1, slow('a', &[0.9, 0.1, 0.1, 0.1, 0.1])),
-        Entry::new(row(), 2, slow('b', &[0.2])),
+        slow('a', vec![0.9, 0.1, 0.1, 0.1, 0.1], &now, &log),
+        Entry { units: 2.0, ..slow('b', vec![0.2], &now, &log) },
     ];
     let field = Field { reference: Reference { how: String::new(), error: 1e-12 }, entries };
     let options = Options { stage_seconds: 7.2, rounds: 4, ..Options::THOROUGH };
@@ -65,8 +52,7 @@ fn methods_take_turns_and_the_median_counts() {
 #[test]
 fn an_error_below_the_reference_is_told_as_its_estimate() {
     let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
-    let row = Row::new(Stage::Motion, Unit::Run, "slow", Setting::default());
-    let entry = Entry::new(row, 1, Slow { name: 'a', times: vec![0.1], next: 0, now: &now, log: &log });
+    let entry = slow('a', vec![0.1], &now, &log);
     let field = Field { reference: Reference { how: String::new(), error: 1e-6 }, entries: vec![entry] };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
     let mut clock = Moved(&now);

@@ -19,9 +19,7 @@ impl Clock for Ticks {
 
 /// A shipped scene, compiled.
 pub(super) fn shipped(name: &str) -> Linkage {
-    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(&path).unwrap();
-    Linkage::compile(assur_scene::read(&path, &text).unwrap()).unwrap()
+    Linkage::compile(assur_scene::read(name, assur_fixtures::scene(name)).unwrap()).unwrap()
 }
 
 /// Every setting, each timed a little.
@@ -29,7 +27,7 @@ pub(super) fn charted(name: &str) -> ChartData {
     charted_of(&shipped(name))
 }
 
-/// The same of any scene.
+/// The chart of a mechanism with every setting, each timed a little.
 pub(super) fn charted_of(linkage: &Linkage) -> ChartData {
     let options = Options { rounds: 1, stage_seconds: 0.0, max_steps: 20_000, ..Options::THOROUGH };
     chart(linkage, &mut Ticks(0.0), options, &mut |_| ControlFlow::Continue(())).unwrap()

@@ -27,7 +27,7 @@ use super::{Row, Stability, nearest, stability, walk};
 /// What the rows of a section are about, and what is expected of a method there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Law {
-    /// Kind of walk: `groups`, `cycle`, `passing`, `differences`, `motion`, `machines`, `scales`, `turns`.
+    /// Kind of walk, as the heading of a chapter.
     section: &'static str,
     /// What the distance is.
     along: &'static str,
@@ -36,7 +36,7 @@ struct Law {
 }
 
 /// Walks of a mechanism along its coordinate.
-static CYCLE: Law = Law { section: "cycle", along: walk::ALONG, expected: walk::EXPECTED };
+static CYCLE: Law = Law { section: "Along the cycle", along: walk::ALONG, expected: walk::EXPECTED };
 
 /// Rows with their law.
 struct Section {

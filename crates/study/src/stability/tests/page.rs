@@ -16,7 +16,7 @@ const ABOUT: &str = "\
 Made by one command from mechanisms and motions that come close to failure:
 
 ```text
-cargo test --release -p assur-study -- --ignored write_docs_stability
+cargo test -p assur-study -- --ignored write_docs_stability
 ```
 
 Each method is put at distances from a singular position and compared with a computation in about 32 digits from the same
@@ -156,7 +156,7 @@ fn page(sections: &[Section]) -> String {
 }
 
 #[test]
-#[ignore = "writes docs/stability.md; wants a release build"]
+#[ignore = "writes docs/stability.md"]
 fn write_docs_stability() {
     let mut all = vec![groups()];
     all.extend(sections(MOST_TURNS));

@@ -11,7 +11,7 @@ use crate::stability::row::{FACTOR, Row, Subject};
 use crate::stability::walk::{self, analyzers_of, growth, test_loads};
 
 pub(super) static LAW: Law = Law {
-    section: "scales",
+    section: "Scales",
     along: "factor of all lengths, or of all masses",
     expected: "nothing for a power of two, which rounds nothing; else 2 * 16 eps (1 + |q|) (longest / \
                shortest length) (groups / product of healths)^k for the rounding of the data: k = 1 for \

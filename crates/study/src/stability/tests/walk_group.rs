@@ -20,7 +20,7 @@ const JOINED: [usize; 2] = [0, 1];
 const EQUATIONS: f64 = 6.0;
 
 pub(super) static LAW: Law = Law {
-    section: "groups",
+    section: "Groups alone",
     along: "distance of the group alone from its singular position, in parts of its lengths",
     expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant \
                is linear in the data, 2 for derivatives and reactions where it is the root of a difference \

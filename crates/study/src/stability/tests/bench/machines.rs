@@ -10,7 +10,7 @@ use crate::stability::row::{DISTANCES, Row, Subject};
 use crate::stability::tests::Law;
 
 pub(super) static LAW: Law = Law {
-    section: "machines",
+    section: "Machines with a motor",
     along: "by how much the friction is greater than the moment of the motor at rest, in parts of it; -0.8 where it is less",
     expected: "start in closed form: steps * tolerance (1e-10), for a fixed step its thousandth \
                of the motion to the order of the method; stall (its steps are not known: 1000 of them) and regime: 1000 * tolerance; a stalled motor is refused with the place where it \

@@ -11,7 +11,7 @@ use crate::stability::tests::{CYCLE, Law, Section, differences, named, scales, t
 use crate::stability::walk::{Walk, test_loads};
 
 static DISPARATE: Law = Law {
-    section: "scales",
+    section: "Scales",
     along: "greatest length, or mass, over the least",
     expected: "16 eps (1 + |q|) / health^k of the largest number of its kind, however different the links \
                are",
@@ -209,7 +209,7 @@ fn parallel_guides() -> Vec<Row> {
 }
 
 static PARALLEL: Law = Law {
-    section: "cycle",
+    section: "Along the cycle",
     along: "angle between the guides, rad",
     expected: crate::stability::walk::EXPECTED,
 };

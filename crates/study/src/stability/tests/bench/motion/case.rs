@@ -7,7 +7,7 @@ use crate::stability::compare::worst;
 use crate::stability::tests::Law;
 
 pub(in super::super) static LAW: Law = Law {
-    section: "motion",
+    section: "Motions",
     along: "what the walk says: speed, margin, slope, width, or turns",
     expected: "steps * tolerance (1e-10) for methods that have one; rate^(p+1) duration step^p for those of \
                a fixed step and order p (duration / 1000; nothing where the acceleration is constant); \
