@@ -38,19 +38,20 @@ impl Calculation {
             states: self.checked_states(),
             methods: methods(&self.linkage, self.analyzer.map(|plugin| plugin.name)),
         };
-        let found = subject.checks_watched(&mut |done, total| watch(Progress::Checks { done, total }));
+        let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
     }
 
-    /// The positions; in a transient motion states of the trajectory, which alone has speeds.
-    fn checked_states(&self) -> Vec<State> {
+    /// The states of the positions with their numbers; in a transient motion samples of the trajectory, which alone has speeds.
+    fn checked_states(&self) -> Vec<(usize, State)> {
         if !matches!(self.motion, InputMotion::Transient(_)) {
             let input = &self.linkage.mechanism.input;
-            return (0..input.positions).map(|index| self.state(input.coordinate(index))).collect();
+            return (0..input.positions).map(|index| (index, self.state(input.coordinate(index)))).collect();
         }
         let states = self.states();
         let step = states.len().div_ceil(MOST_STATES).max(1);
-        states.into_iter().step_by(step).filter(|state| self.is_regular(state)).collect()
+        let each = states.into_iter().enumerate().step_by(step);
+        each.filter(|(_, state)| self.is_regular(state)).collect()
     }
 
     fn is_regular(&self, state: &State) -> bool {
@@ -68,7 +69,7 @@ impl Calculation {
         let mut reader = Reader::new(self);
         let mut compared = false;
         let (mut worst, mut at, mut largest) = (0.0_f64, None, 0.0_f64);
-        for (index, state) in self.checked_states().iter().enumerate() {
+        for (index, state) in &self.checked_states() {
             if reader.solve_second(state.coordinate).is_err() {
                 continue;
             }
@@ -82,7 +83,7 @@ impl Calculation {
             compared = true;
             // A miss that is no number must show, and a comparison with it would hide it.
             if miss > worst || miss.is_nan() {
-                (worst, at) = (miss, Some(index));
+                (worst, at) = (miss, Some(*index));
             }
         }
         compared.then_some(())?;

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use assur_group::Order;
-use assur_mechanism::Balance;
 
 use crate::progress::{Stopped, Watch, step};
 use crate::reader::Reader;
@@ -44,9 +43,7 @@ impl Calculation {
             input: InputReport {
                 link: mechanism.links[mechanism.input.link].name.clone(),
                 angular,
-                balancing_is_moment: mechanism
-                    .balance
-                    .map_or(angular, |balance| matches!(balance, Balance::Moment(_))),
+                balancing_is_moment: mechanism.balances_by_moment(),
             },
             structure: structure::report(&self.linkage, !self.plan.is_partial()),
             cycle: self.cycle(&positions.found),

@@ -1,107 +1,73 @@
 //! Agreement of the methods: every reaction and the balancing load.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State};
-use assur_group::{Order, Wrench};
+use assur_force::{AnalyzerPlugin, Reactions};
 
-use crate::forces::{NO_ANSWER, SOLUTION, largest};
-use crate::noise::{SAMPLES, SPACING, noise_of};
-use crate::subject::{Answer, Solved, Subject};
-use crate::worst::{Check, Worst};
-
-/// A measured rounding is right within a small factor.
-const SAFETY: f64 = 8.0;
+use crate::case::{Case, ROUNDINGS, largest};
+use crate::check::Collector;
+use crate::differences::SAFETY;
+use crate::rounding::{SAMPLES, SPACING, rounding_of};
 
 /// Numbers of one answer: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;
 
-pub(crate) struct Agreement<'a> {
-    subject: &'a Subject<'a>,
-    loads: &'a Loads,
-    worst: Worst,
+pub(crate) fn collector() -> Collector {
+    let reason = "every reaction and the balancing load by each method, relative to the largest reaction or load; limit: 64 \
+                  rounding units by the sum of 1/determinant over the groups, and where a method is worse conditioned \
+                  than the mechanism 8 times the rounding measured in its answers";
+    Collector::new("agreement of the methods", reason)
 }
 
-impl<'a> Agreement<'a> {
-    pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads) -> Self {
-        let reason = "every reaction and the balancing load by each method, relative to the largest reaction or load; limit: 64 \
-                      rounding units by the sum of 1/determinant over the groups, and where a method is worse conditioned \
-                      than the mechanism 8 times the rounding measured in its answers";
-        Self { subject, loads, worst: Worst::new("agreement of the methods", reason) }
-    }
-
-    pub(crate) fn leave_out(&mut self, at: usize) {
-        self.worst.leave_out(at, NO_ANSWER);
-    }
-
-    pub(crate) fn into_check(self) -> Option<Check> {
-        self.worst.into_check()
-    }
-
-    /// Compares all answers with that of the method `full`; `load`: the largest load, N.
-    pub(crate) fn add(&mut self, one: &Solved, state: &State, answers: &[Answer], full: usize, load: f64) {
-        let Some(reference) = &answers[full] else { return };
-        for (i, other) in answers.iter().enumerate().filter(|(i, _)| *i != full) {
-            if let Some(other) = other {
-                self.compare(one, state, [full, i], [reference, other], load);
-            }
+/// Compares the answers of all methods with that of the one that is checked in full.
+pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
+    for (i, other) in case.answers.iter().enumerate().filter(|(i, _)| *i != case.full) {
+        if let Some(other) = other {
+            compare_with(case, other, &case.subject.methods[i], collector);
         }
     }
+}
 
-    fn compare(
-        &mut self,
-        one: &Solved,
-        state: &State,
-        methods: [usize; 2],
-        answers: [&Reactions; 2],
-        load: f64,
-    ) {
-        let [first, second] = methods.map(|i| self.subject.methods[i]);
-        let scale = self.subject.linkage.structure.scale;
-        let units = self.units(answers[0], load);
-        let [mine, theirs] = answers.map(numbers);
-        let difference: Numbers = mine.iter().zip(&theirs).map(|(a, b)| a - b).collect();
-        let off = sizes(&difference, scale, units);
-        let usual = SOLUTION * f64::EPSILON * one.condition;
-        let shown = if second.gives_reactions { off.len() } else { 1 };
-        // A method may be worse conditioned than the mechanism (a pole near infinity); then its rounding is measured.
-        let measured = off[..shown].iter().any(|off| *off > usual).then(|| {
-            let both = [first, second].map(|method| self.rounding(one, state, &method));
-            both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))
-        });
-        for (k, off) in off[..shown].iter().enumerate() {
-            let noise = |which: usize| Some(measured.as_ref()?[which].as_ref()?[k]);
-            let limit = usual + SAFETY * (noise(0).unwrap_or(0.0) + noise(1).unwrap_or(0.0));
-            self.worst.offer(one.index, *off, limit, || self.subject.number_name(k, second.name));
-        }
+fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, collector: &mut Collector) {
+    let scale = case.subject.linkage.structure.scale;
+    let units = units(case);
+    let [mine, theirs] = [case.reactions, other].map(numbers);
+    let difference: Numbers = mine.iter().zip(&theirs).map(|(a, b)| a - b).collect();
+    let off = sizes(&difference, scale, units);
+    let usual = ROUNDINGS * f64::EPSILON * case.one.condition;
+    let shown = if method.gives_reactions { off.len() } else { 1 };
+    // A method may be worse conditioned than the mechanism (a pole near infinity); then its rounding is measured.
+    let measured = off[..shown].iter().any(|off| *off > usual).then(|| {
+        let both = [&case.subject.methods[case.full], method].map(|method| rounding(case, method));
+        both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))
+    });
+    for (k, off) in off[..shown].iter().enumerate() {
+        let rounding = |which: usize| Some(measured.as_ref()?[which].as_ref()?[k]);
+        let limit = usual + SAFETY * (rounding(0).unwrap_or(0.0) + rounding(1).unwrap_or(0.0));
+        collector.offer(case.one.index, *off, limit, || number_name(case, k, method.name));
     }
+}
 
-    /// Units of the balancing load and of the reactions. A balancing moment compares with that of the largest reaction.
-    fn units(&self, reference: &Reactions, load: f64) -> [f64; 2] {
-        let scale = self.subject.linkage.structure.scale;
-        let unit = largest(&reference.pairs, scale).max(load);
-        let moment = crate::power::balances_by_moment(&self.subject.linkage.mechanism);
-        let lever = if moment { scale } else { 1.0 };
-        [reference.balancing.abs().max(unit * lever), unit]
-    }
+/// Units of the balancing load and of the reactions. A balancing moment compares with that of the largest reaction.
+fn units(case: &Case<'_>) -> [f64; 2] {
+    let linkage = case.subject.linkage;
+    let scale = linkage.structure.scale;
+    let load = case.items.values().map(|item| item.size).fold(0.0, f64::max);
+    let unit = largest(&case.reactions.pairs, scale).max(load);
+    let lever = if linkage.mechanism.balances_by_moment() { scale } else { 1.0 };
+    [case.reactions.balancing.abs().max(unit * lever), unit]
+}
 
-    /// Deviation of the rounding of each number, from answers at closely spaced coordinates, the position among them. The
-    /// loads keep their laws; only the places move.
-    fn rounding(&self, one: &Solved, state: &State, method: &AnalyzerPlugin) -> Option<Numbers> {
-        let linkage = self.subject.linkage;
-        let mut position = linkage.position();
-        let mut reactions = Reactions::new(linkage);
-        let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        let mut rows: Vec<Numbers> = Vec::with_capacity(SAMPLES);
-        for i in 0..SAMPLES {
-            let shift = (i as f64 - 3.0) * SPACING * self.subject.linkage.coordinate_unit();
-            linkage.solve(one.position.coordinate + shift, Order::Second, &mut position).ok()?;
-            self.loads.apply(state, &position.bodies, &mut wrenches);
-            self.loads.inertia(state, &position.bodies, &mut wrenches);
-            method.instance.solve(linkage, &position, &mut wrenches, &mut reactions).ok()?;
-            rows.push(numbers(&reactions));
-        }
-        let noise = |k: usize| noise_of(&std::array::from_fn(|i| rows[i][k]));
-        Some((0..rows[0].len()).map(noise).collect())
-    }
+/// Deviation of the rounding of each number, from answers at closely spaced coordinates, the position among them. The
+/// loads keep their laws; only the places move.
+fn rounding(case: &Case<'_>, method: &AnalyzerPlugin) -> Option<Numbers> {
+    let (subject, unit) = (case.subject, case.subject.linkage.coordinate_unit());
+    let row = |i: usize| {
+        let shift = (i as f64 - 3.0) * SPACING * unit;
+        let at = subject.solve(case.one.index, case.one.position.coordinate + shift)?;
+        subject.answer(method, case.loads, case.state, &at.position).map(|answer| numbers(&answer))
+    };
+    let rows = (0..SAMPLES).map(row).collect::<Option<Vec<_>>>()?;
+    let number = |k: usize| rounding_of(&std::array::from_fn(|i| rows[i][k]));
+    Some((0..rows[0].len()).map(number).collect())
 }
 
 fn numbers(reactions: &Reactions) -> Numbers {
@@ -115,14 +81,12 @@ fn sizes(numbers: &[f64], scale: f64, units: [f64; 2]) -> Vec<f64> {
     std::iter::once(numbers[0].abs() / units[0]).chain(pairs).collect()
 }
 
-impl Subject<'_> {
-    fn number_name(&self, k: usize, method: &str) -> String {
-        match k.checked_sub(1) {
-            None => format!("balancing load by {method}"),
-            Some(pair) => {
-                let name = self.linkage.structure.pair_name(&self.linkage.mechanism, pair);
-                format!("pair {name} by {method}")
-            }
+fn number_name(case: &Case<'_>, k: usize, method: &str) -> String {
+    let linkage = case.subject.linkage;
+    match k.checked_sub(1) {
+        None => format!("balancing load by {method}"),
+        Some(pair) => {
+            format!("pair {} by {method}", linkage.structure.pair_name(&linkage.mechanism, pair))
         }
     }
 }

@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use assur_group::{Body, Pair, PairGeometry};
 
+use crate::check::{Check, Collector};
+use crate::elements::place_motion;
 use crate::subject::{Solved, Subject};
-use crate::worst::{Check, Worst};
 
 /// Roundings of one closed form, in units of the last place of the largest term: some twenty operations in each of the two
 /// bodies, the root and the division of the group that placed them.
@@ -13,8 +14,8 @@ const ROUNDINGS: f64 = 64.0;
 
 const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
 const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term in the mechanism (a slow \
-                      group carries the rounding of the fast one that drives it; a distance that of the places it is the \
-                      difference of), across a change point those of the interpolation's nodes";
+                      group carries the rounding of the fast one that drives it, and a short distance that of the \
+                      coordinates whose difference it is), across a change point those of the interpolation's nodes";
 
 /// What a pair leaves open: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
@@ -24,7 +25,7 @@ pub(crate) fn checks<B>(
     solved: &[Solved],
     step: &mut impl FnMut() -> ControlFlow<B>,
 ) -> ControlFlow<B, Vec<Check>> {
-    let mut worst = NAMES.map(|name| Worst::new(name, REASON));
+    let mut collectors = NAMES.map(|name| Collector::new(name, REASON));
     let linkage = subject.linkage;
     for one in solved {
         step()?;
@@ -34,33 +35,33 @@ pub(crate) fn checks<B>(
         for (id, gap) in gaps.iter().enumerate() {
             for (order, (open, _)) in gap.iter().enumerate() {
                 let size = sizes[order];
-                let limit = ROUNDINGS * f64::EPSILON * size * subject.bridged(one, order);
+                let limit = ROUNDINGS * f64::EPSILON * size * subject.lost_by_interpolation(one, order);
                 let unit = subject.unit(order, true);
-                worst[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
+                collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
                 });
             }
         }
-        // What is interpolated knows nothing of a determinant.
+        // The determinant does not matter for what is interpolated.
         let across = linkage.is_interpolated(one.position.coordinate);
-        let turned = subject.bridged(one, 0) / if across { 1.0 } else { one.health };
+        let turned = subject.lost_by_interpolation(one, 0) / if across { 1.0 } else { one.health };
         for (id, body) in bodies.iter().enumerate().skip(1) {
             // The direction of a link is a unit vector.
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
             let limit = ROUNDINGS * f64::EPSILON * turned;
-            worst[0].offer(one.index, off, limit, || {
+            collectors[0].offer(one.index, off, limit, || {
                 format!("direction of link {}", linkage.mechanism.links[id].name)
             });
         }
     }
-    ControlFlow::Continue(worst.into_iter().filter_map(Worst::into_check).collect())
+    ControlFlow::Continue(collectors.into_iter().filter_map(Collector::into_check).collect())
 }
 
 fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {
     let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
     match pair.geometry {
         PairGeometry::Pin { at_a, at_b } => {
-            let (one, two) = (motion(a, at_a), motion(b, at_b));
+            let (one, two) = (place_motion(a, at_a), place_motion(b, at_b));
             let sizes = [0, 1, 2].map(|order| size(a, at_a, order) + size(b, at_b, order));
             [0, 1, 2].map(|order| {
                 let open = (one[order][0] - two[order][0]).hypot(one[order][1] - two[order][1]);
@@ -69,11 +70,6 @@ fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {
         }
         PairGeometry::Slide { point, through, angle, tilt } => slide_gap(a, b, point, through, angle, tilt),
     }
-}
-
-fn motion(body: &Body<f64>, at: [f64; 2]) -> [[f64; 2]; 3] {
-    let arm = body.arm(at);
-    [[body.x + arm[0], body.y + arm[1]], body.first(arm), body.second(arm)]
 }
 
 /// Size of the terms that make the motion of a place.
@@ -91,13 +87,13 @@ fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
 ///
 /// The distance d along the guide is the difference of two places, and small against them where guide and pins nearly meet;
 /// its rounding is that of the places. It is multiplied by w in the first order and by e + w² in the second, and the rounding
-/// of d' by 2 w. So these sizes count there, and not those of d and d' themselves: near a singular position w grows with the
-/// inverse of d, and what is multiplied by it must not be taken for smaller than it was rounded from.
+/// of d' by 2 w. So the sizes of the places count there, and not those of d and d' themselves: near a singular position w grows
+/// with the inverse of d, and multiplies a rounding that does not become smaller with d.
 fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], angle: f64, tilt: f64) -> Gap {
     let (s, c) = angle.sin_cos();
     let along = [b.c * c - b.s * s, b.s * c + b.c * s];
     let across = [-along[1], along[0]];
-    let (one, two) = (motion(a, point), motion(b, through));
+    let (one, two) = (place_motion(a, point), place_motion(b, through));
     let d = [0, 1, 2].map(|k| [one[k][0] - two[k][0], one[k][1] - two[k][1]]);
     let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];
     // (n d)' = n d' - w t d;  (n d)'' = n d'' - 2 w t d' - e t d - w² n d.

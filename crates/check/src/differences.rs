@@ -1,5 +1,9 @@
 //! Numerical differentiation with an error estimate (Richardson's extrapolation, Ridders' choice of its order).
 
+/// By what estimates of errors are multiplied: they are right within a small factor only, a deviation from a few samples, an
+/// extrapolation from its neighbors.
+pub(crate) const SAFETY: f64 = 8.0;
+
 /// Halvings of the step at most.
 pub(crate) const LEVELS: usize = 9;
 
@@ -12,15 +16,15 @@ pub(crate) struct Estimate {
 
 /// Extrapolates central differences (step, difference quotient), each step half of the one before.
 ///
-/// `noise`: deviation of the rounding of the function. The error of an entry is its distance from both entries that it was made
-/// of, plus the rounding that its smallest step magnifies: of two values, 2 noise / 2h, and by at most
+/// `rounding`: deviation of the rounding of the function. The error of an entry is its distance from both entries that it was made
+/// of, plus the rounding that its smallest step magnifies: of two values, 2 rounding / 2h, and by at most
 /// (4/3)(16/15)... < 1.5 through the extrapolation. Of each row the entry of least error counts, and of all rows the best one.
 ///
 /// The least of many estimates tends to be too small: two entries agree by chance, or large steps agree on a wrong value
 /// because they all step over something narrow. So the best row must agree with its better neighbor, and with the row of the
 /// smallest step, or the error grows to the disagreement.
-pub(crate) fn extrapolated(quotients: &[(f64, f64)], noise: f64) -> Estimate {
-    let rows = best_of_rows(quotients, noise);
+pub(crate) fn extrapolated(quotients: &[(f64, f64)], rounding: f64) -> Estimate {
+    let rows = best_of_rows(quotients, rounding);
     let Some(best) = (0..rows.len()).min_by(|&i, &k| rows[i].error.total_cmp(&rows[k].error)) else {
         return Estimate { value: f64::NAN, error: f64::INFINITY };
     };
@@ -30,12 +34,12 @@ pub(crate) fn extrapolated(quotients: &[(f64, f64)], noise: f64) -> Estimate {
     let neighbor = around.into_iter().flatten().min_by(|a, b| a.error.total_cmp(&b.error)).map_or(0.0, apart);
     // What rounding can put between it and the last row is no disagreement.
     let least = quotients.last().map_or(f64::NAN, |(step, _)| *step);
-    let last = rows.last().map_or(0.0, apart) - 3.0 * noise / least;
+    let last = rows.last().map_or(0.0, apart) - 3.0 * rounding / least;
     Estimate { error: found.error.max(neighbor).max(last), ..found }
 }
 
 /// The entry of least error in each row of the extrapolation but the first, which has nothing to agree with.
-fn best_of_rows(quotients: &[(f64, f64)], noise: f64) -> Vec<Estimate> {
+fn best_of_rows(quotients: &[(f64, f64)], rounding: f64) -> Vec<Estimate> {
     let mut rows = Vec::with_capacity(LEVELS);
     let mut before: Vec<f64> = Vec::with_capacity(LEVELS);
     for (step, quotient) in quotients {
@@ -48,7 +52,7 @@ fn best_of_rows(quotients: &[(f64, f64)], noise: f64) -> Vec<Estimate> {
             let fine = row[j];
             let value = fine + (fine - coarse) / (power - 1.0);
             let apart = (value - fine).abs().max((value - coarse).abs());
-            let error = apart + 1.5 * noise / step;
+            let error = apart + 1.5 * rounding / step;
             if best.is_none_or(|best| error < best.error) {
                 best = Some(Estimate { value, error });
             }

@@ -87,9 +87,9 @@ impl Element {
         }
     }
 
-    /// The transfer functions written out once more, in any number. The place of a link is the sine of its angle from
+    /// The transfer functions written out from the bodies, in any number. The place of a link is the sine of its angle from
     /// `reference`: its derivative there is that of the angle.
-    pub(crate) fn wide_motion<T: Real>(
+    pub(crate) fn motion_of<T: Real>(
         self,
         mechanism: &Mechanism,
         bodies: &[Body<T>],
@@ -122,7 +122,8 @@ impl Element {
     }
 }
 
-fn place_motion<T: Real>(body: &Body<T>, at: [f64; 2]) -> [[T; 2]; 3] {
+/// PF0, PF1 and PF2 of a place of a body.
+pub(crate) fn place_motion<T: Real>(body: &Body<T>, at: [f64; 2]) -> [[T; 2]; 3] {
     let arm = body.arm(at.map(T::from_f64));
     [[body.x + arm[0], body.y + arm[1]], body.first(arm), body.second(arm)]
 }

@@ -8,25 +8,28 @@
 //! The limits of the element that comes closest to failing are shown; so `residual` and `limit` belong to each other.
 
 mod agreement;
-mod around;
+mod case;
+mod check;
 mod closure;
 mod differences;
+mod double_double;
 mod elements;
 mod equilibrium;
 mod forces;
 mod kinetics;
-mod noise;
+mod perturbation;
 mod power;
-mod stir;
+mod rounding;
+mod run;
+mod sample;
 mod stroke;
 mod subject;
 mod test_pf;
-mod wide;
-mod worst;
 mod written;
 
-pub use subject::{Subject, checks, methods};
-pub use worst::Check;
+pub use check::Check;
+pub use run::checks;
+pub use subject::{Subject, methods};
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use assur_force::State;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Over, Place, Range, Table, Value};
+use assur_number::search::try_least;
 
 /// Least and greatest place of a point along an axis, m.
 pub(crate) type Extremes = [f64; 2];
@@ -15,7 +16,7 @@ const GRID: usize = 720;
 const SECTIONS: usize = 40;
 
 /// An argument may be off by so much, relative: rounding of coordinates and of the extremes.
-const HAIR: f64 = 1e-11;
+const ROUNDING: f64 = 1e-11;
 
 /// Everything that the size of a load may hang on.
 pub(crate) struct At<'a> {
@@ -42,8 +43,8 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
                 Over::Time => at.state.time,
                 Over::Speed => at.state.speed,
             };
-            let hair = HAIR * x.abs().max(period.unwrap_or(0.0)).max(1e-3);
-            around(table, x, hair, period)
+            let tolerance = ROUNDING * x.abs().max(period.unwrap_or(0.0)).max(1e-3);
+            around(table, x, tolerance, period)
         }
         Value::Stroke { axis, forward, back } => on_stroke(*axis, [forward, back], at),
     }
@@ -54,8 +55,8 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     let (s, c) = axis.sin_cos();
     let share = ((c * at.point[0] + s * at.point[1] - low) / (high - low)).clamp(0.0, 1.0);
     let rate = at.sense * (c * at.pf1[0] + s * at.pf1[1]);
-    let hair = HAIR * (at.scale / (high - low)).max(1.0);
-    let (one, two) = (around(forward, share, hair, None), around(back, share, hair, None));
+    let tolerance = ROUNDING * (at.scale / (high - low)).max(1.0);
+    let (one, two) = (around(forward, share, tolerance, None), around(back, share, tolerance, None));
     // In a reversal either table may hold.
     let turning = 1e-7 * (high - low);
     if rate > turning {
@@ -67,14 +68,14 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     }
 }
 
-/// Least and greatest value of a table within a hair of an argument.
-fn around(table: &Table, x: f64, hair: f64, period: Option<f64>) -> [f64; 2] {
+/// Least and greatest value of a table where the argument may be off by a tolerance.
+fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
     let first = table.rows.first().map_or(0.0, |row| row[0]);
     let value = |x: f64| match period {
         Some(period) => table.at(first + (x - first).rem_euclid(period)),
         None => table.at(x),
     };
-    let all = [value(x - hair), value(x), value(x + hair)];
+    let all = [value(x - tolerance), value(x), value(x + tolerance)];
     [all[0].min(all[1]).min(all[2]), all[0].max(all[1]).max(all[2])]
 }
 
@@ -105,23 +106,13 @@ fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Opt
         let near = [places[i.saturating_sub(1)], places[(i + 1).min(GRID)]];
         for (k, sign) in [(0, -1.0), (1, 1.0)] {
             if near.iter().all(|other| sign * places[i] >= sign * other) {
-                let best = greatest(ends, &mut |q| along(q).map(|x| sign * x))?;
-                found[k] = if k == 0 { found[k].min(-best) } else { found[k].max(best) };
+                let (_, least) =
+                    try_least(ends[0], ends[1], SECTIONS, |q| along(q).map(|x| -sign * x).ok_or(())).ok()?;
+                // At an end of the way the extreme may lie on the grid.
+                let least = least.min(-sign * places[i]);
+                found[k] = if k == 0 { found[k].min(least) } else { found[k].max(-least) };
             }
         }
     }
     Some(found)
-}
-
-/// Golden-section search for the greatest value.
-fn greatest([mut a, mut b]: [f64; 2], f: &mut dyn FnMut(f64) -> Option<f64>) -> Option<f64> {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let mut best = f(a)?.max(f(b)?);
-    for _ in 0..SECTIONS {
-        let (x, y) = (b - ratio * (b - a), a + ratio * (b - a));
-        let (fx, fy) = (f(x)?, f(y)?);
-        best = best.max(fx).max(fy);
-        if fx >= fy { b = y } else { a = x }
-    }
-    Some(best)
 }

@@ -262,6 +262,14 @@ impl Mechanism {
         (1..self.links.len()).all(|link| self.has_constant_inertia(link))
     }
 
+    /// Whether the balancing load is a moment (N m), otherwise a force (N).
+    pub fn balances_by_moment(&self) -> bool {
+        match self.balance {
+            Some(balance) => matches!(balance, Balance::Moment(_)),
+            None => matches!(self.input.pair, InputPair::Pin(_)),
+        }
+    }
+
     /// Whether anything but the drive acts on the links.
     pub fn has_loads(&self) -> bool {
         let weights = self.gravity.is_some() && self.links.iter().skip(1).any(|link| link.mass > 0.0);

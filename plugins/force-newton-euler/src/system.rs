@@ -152,14 +152,6 @@ impl<'a> System<'a> {
         }
     }
 
-    fn balance_is_moment(&self) -> bool {
-        match self.mechanism.balance {
-            Some(Balance::Force { .. }) => false,
-            Some(Balance::Moment(_)) => true,
-            None => matches!(self.mechanism.input.pair, InputPair::Pin(_)),
-        }
-    }
-
     /// Unit vector to the left of the guide of a slide.
     fn normal(&self, slide: SlideId, bodies: &[Body<f64>]) -> [f64; 2] {
         let slide = &self.mechanism.slides[slide];
@@ -176,7 +168,7 @@ impl<'a> System<'a> {
             Wrench { fx: force * nx, fy: force * ny, m: moment }
         });
         let last = columns.last().copied().unwrap_or(f64::NAN);
-        let balancing = if self.balance_is_moment() { last * self.scale } else { last };
+        let balancing = if self.mechanism.balances_by_moment() { last * self.scale } else { last };
         Solution { slides: slides.collect(), balancing, columns: columns.to_vec() }
     }
 

@@ -1,5 +1,5 @@
 use crate::differences::extrapolated;
-use crate::noise::{SAMPLES, noise_of};
+use crate::rounding::{SAMPLES, rounding_of};
 
 fn central(f: impl Fn(f64) -> f64, x: f64, first: f64) -> Vec<(f64, f64)> {
     let step = |k: i32| first * 0.5_f64.powi(k);
@@ -41,12 +41,12 @@ fn what_all_large_steps_step_over_is_not_overlooked() {
 fn rounding_is_measured_and_smooth_functions_have_none() {
     let at = |i: usize| 0.3 + 1e-9 * i as f64;
     let smooth: [f64; SAMPLES] = std::array::from_fn(|i| 3.0 * at(i) - 0.5 * at(i) * at(i));
-    assert!(noise_of(&smooth) < 4.0 * f64::EPSILON);
+    assert!(rounding_of(&smooth) < 4.0 * f64::EPSILON);
     // A sum that loses the digits below 2^-30.
     let coarse: [f64; SAMPLES] = std::array::from_fn(|i| {
         let big = 4_194_304.0;
         (at(i) * (1.0 + 1e9 * i as f64 * 0.1)).sin() + big - big
     });
-    let noise = noise_of(&coarse);
+    let noise = rounding_of(&coarse);
     assert!(noise > 1e-10, "{noise:e}");
 }

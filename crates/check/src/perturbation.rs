@@ -3,10 +3,10 @@
 //!
 //! A backward stable calculation gives the exact answer to data that are off by a few rounding units. Its error is then
 //! (rounding units) x (amplification), whatever the mechanism, and near a singular position it grows as it must: the
-//! amplification is not a power of the determinant that somebody guessed, but what the equations themselves do. It does not
-//! look at the calculated numbers, so a mistake in these can't widen its own limit.
+//! amplification is what the equations themselves do, not a power of the determinant. It does not look at the calculated
+//! numbers, so a mistake in these can't widen its own limit.
 //!
-//! Data of a group are the places of its pairs in its links, and the motion of the bodies that it hangs on, which carry the
+//! Data of a group are the places of its pairs in its links, and the motion of the bodies that carry it, which have the
 //! rounding of whatever placed them.
 
 use assur_group::{Body, Pair, PairGeometry};
@@ -14,21 +14,18 @@ use assur_kinematics::Linkage;
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-/// Relative size of a stir: a rounding unit.
-const STIR: f64 = f64::EPSILON;
-
-/// Stirs in random directions; the greatest effect counts.
+/// Perturbations in random directions; the greatest effect counts.
 pub(crate) const TRIALS: u64 = 4;
 
-/// Off by a stir, in a random direction.
+/// Makes data off by a rounding unit, up or down at random.
 #[derive(Debug)]
-pub(crate) struct Stir {
+pub(crate) struct Perturbation {
     /// Distance of the farthest pair from the origin of each link, m: places are rounded in the sizes of these, too.
     reach: Vec<f64>,
     state: u64,
 }
 
-impl Stir {
+impl Perturbation {
     pub(crate) fn new(linkage: &Linkage) -> Self {
         let mut reach = vec![0.0_f64; linkage.structure.links];
         for named in &linkage.structure.pairs {
@@ -48,22 +45,22 @@ impl Stir {
         self.state = trial + 1;
     }
 
-    /// A stir or its opposite, the next bit of a linear congruential generator (Knuth's MMIX).
+    /// A rounding unit or its opposite, by the next bit of a linear congruential generator (Knuth's MMIX).
     fn next(&mut self) -> f64 {
         self.state =
             self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        if self.state >> 63 == 0 { STIR } else { -STIR }
+        if self.state >> 63 == 0 { f64::EPSILON } else { -f64::EPSILON }
     }
 
-    /// The lengths and angles of all groups, each off by a stir.
+    /// The structure with the lengths and angles of all groups off.
     pub(crate) fn lengths(&mut self, structure: &Structure) -> Structure {
-        let mut stirred = structure.clone();
-        for group in &mut stirred.groups {
+        let mut perturbed = structure.clone();
+        for group in &mut perturbed.groups {
             for pair in group.frame.inner.iter_mut().chain(&mut group.frame.outer) {
                 self.pair(pair);
             }
         }
-        stirred
+        perturbed
     }
 
     fn pair(&mut self, pair: &mut Pair) {
@@ -85,7 +82,7 @@ impl Stir {
         self.place(body, 0);
     }
 
-    /// Stirs a link: each of its numbers by the size of the terms that made it.
+    /// Makes each number of a link off by a rounding unit of the size of the terms that made it.
     pub(crate) fn link(&mut self, body: &mut Body<Dd>, link: usize) {
         self.place(body, link);
         let reach = self.reach[link];

@@ -1,4 +1,4 @@
-//! The largest residual of a check, measured by its limit.
+//! The result of a check, and how the residuals of all positions become one.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ pub struct Check {
     pub residual: f64,
     /// Its limit.
     pub limit: f64,
-    /// Number of the position of this residual.
+    /// Number of the position of this residual; absent where it belongs to none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<usize>,
     /// Pair, link or point of this residual.
@@ -25,14 +25,14 @@ pub struct Check {
     #[serde(skip_serializing_if = "str::is_empty")]
     pub why_left_out: &'static str,
     /// Whether it says anything: a residual exceeds its limit, or one position at least could be judged in full. Otherwise it
-    /// is neither [`ok`](Self::ok) nor failed.
+    /// is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
     pub judged: bool,
     /// Whether it says something, and every residual that could be judged keeps its limit.
     pub ok: bool,
 }
 
 impl Check {
-    /// A check of one number against its limit, which belongs to no position or to one.
+    /// A check of one number against its limit, which belongs to no position.
     pub fn of(name: &'static str, residual: f64, limit: f64, place: &str, reason: &'static str) -> Self {
         Self {
             name,
@@ -60,10 +60,9 @@ const JUDGES: f64 = 0.1;
 
 const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
 
-/// Part of its limit that a residual takes up; nothing of nothing is none.
+/// Part of its limit that a residual takes up. Of residuals that are zero, the one with the larger limit counts more, so that
+/// a report shows a limit that means something.
 fn share(residual: f64, limit: f64) -> f64 {
-    // A larger limit goes before a smaller one where both residuals are zero, so that a report shows a limit that means
-    // something.
     if residual == 0.0 { -1.0 / limit } else { residual / limit }
 }
 
@@ -78,7 +77,7 @@ struct Residual {
 
 /// Collects the residuals of one check.
 #[derive(Debug)]
-pub(crate) struct Worst {
+pub(crate) struct Collector {
     check: Check,
     offers: usize,
     /// The last position, and the last one that was left out, to count each once.
@@ -88,29 +87,19 @@ pub(crate) struct Worst {
     widest: Option<Residual>,
 }
 
-impl Worst {
+impl Collector {
     pub(crate) fn new(name: &'static str, reason: &'static str) -> Self {
-        let check = Check {
-            name,
-            residual: 0.0,
-            limit: 0.0,
-            at: None,
-            place: String::new(),
-            reason,
-            left_out: 0,
-            why_left_out: "",
-            judged: false,
-            ok: true,
-        };
+        let check = Check::of(name, 0.0, 0.0, "", reason);
         Self { check, offers: 0, last: [None; 2], positions: 0, widest: None }
     }
 
-    /// Adds a residual with its own limit, both in parts of what is compared; `place` is called for the worst so far only.
+    /// Adds a residual with its limit, both in parts of what is compared; `place` is called for the worst so far only.
     pub(crate) fn offer(&mut self, at: usize, residual: f64, limit: f64, place: impl FnOnce() -> String) {
         self.offer_of(at, residual, limit, 1.0, place);
     }
 
-    /// The same where what is compared has another size. A limit too wide for that size judges only what exceeds even it.
+    /// Adds a residual with its limit where what is compared has another `size` than 1. A limit too wide for that size judges
+    /// only what exceeds even it.
     pub(crate) fn offer_of(
         &mut self,
         at: usize,

@@ -1,0 +1,34 @@
+//! One state with everything that the checks of forces compare.
+
+use assur_force::{JointReaction, Loads, Reactions, State};
+use assur_group::Wrench;
+
+use crate::subject::{Solved, Subject};
+use crate::written::Items;
+
+/// Roundings of the solution of one group or of the system of all, and of a sum of the terms of one load, in units of the last
+/// place of the largest force, for each unit of the condition.
+pub(crate) const ROUNDINGS: f64 = 64.0;
+
+/// One state, its loads and its reactions.
+pub(crate) struct Case<'a> {
+    pub(crate) subject: &'a Subject<'a>,
+    pub(crate) loads: &'a Loads,
+    pub(crate) one: &'a Solved,
+    pub(crate) state: &'a State,
+    /// The loads, written out from the scene.
+    pub(crate) items: &'a Items,
+    /// The answer of each method; `None` where it fails.
+    pub(crate) answers: &'a [Option<Reactions>],
+    /// Index of the method that is checked in full.
+    pub(crate) full: usize,
+    /// Its answer.
+    pub(crate) reactions: &'a Reactions,
+    /// Its answer by pins and slides.
+    pub(crate) joints: Vec<JointReaction>,
+}
+
+/// The largest force of an answer, N; moments of slides count by the typical length.
+pub(crate) fn largest(reactions: &[Wrench<f64>], scale: f64) -> f64 {
+    reactions.iter().map(|r| r.fx.hypot(r.fy) + r.m.abs() / scale).fold(0.0, f64::max)
+}
