@@ -1,9 +1,7 @@
 //! Motion from an initial state: until a time, a way, or rest.
 
 use assur_force::Loads;
-use assur_integrator::{
-    Dependence, Entered, Equation, Motion, Request, Solution, State, Trajectory, Until, enter,
-};
+use assur_integrator::{Dependence, Equation, Motion, Request, Solution, State, Trajectory, Until, enter};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
 use assur_motor::Characteristic;
@@ -142,8 +140,8 @@ fn heading(initial: &State, mechanism: &Mechanism, motion: &mut dyn Motion) -> R
         return Ok(initial.speed.signum());
     }
     match enter(&mut Equation::new(motion), initial, false)? {
-        Entered::Moving(_, acceleration) => Ok(acceleration.signum()),
-        Entered::Held => Ok(mechanism.input.sign()),
+        Some((_, acceleration)) => Ok(acceleration.signum()),
+        None => Ok(mechanism.input.sign()),
     }
 }
 

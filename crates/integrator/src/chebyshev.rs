@@ -116,6 +116,37 @@ pub fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }
 
+/// The argument between `low` and `high` at which a growing function (given with its derivative) has a value: Newton's method
+/// from `start` on, kept between bounds by bisection, until a correction is at most `enough`. Near the root a correction d
+/// leaves an error of about d².
+pub fn inverse(
+    wanted: f64,
+    [mut low, mut high]: [f64; 2],
+    start: f64,
+    enough: f64,
+    function: impl Fn(f64) -> (f64, f64),
+) -> f64 {
+    /// More than bisection alone needs.
+    const MOST_STEPS: usize = 100;
+    let mut x = start;
+    for _ in 0..MOST_STEPS {
+        let (found, slope) = function(x);
+        if found < wanted {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - (found - wanted) / slope;
+        let is_inside = newton >= low && newton <= high;
+        let step = (newton - x).abs();
+        x = if is_inside { newton } else { f64::midpoint(low, high) };
+        if is_inside && step <= enough || high - low <= 2.0 * f64::EPSILON * high.abs() {
+            break;
+        }
+    }
+    x
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Series, value};

@@ -1,6 +1,6 @@
 //! The polynomial that a step leaves behind: the motion at any instant inside the step.
 
-use crate::{Node, State};
+use crate::{Curve, Node, State};
 
 /// Number of coefficients: degree 7, the dense output of dop853.
 pub const COEFFICIENTS: usize = 8;
@@ -29,7 +29,7 @@ fn nested(r: &[f64; COEFFICIENTS], theta: f64) -> f64 {
 }
 
 impl Dense {
-    /// Rest, or motion at constant speed, from `from` for `step` seconds.
+    /// Motion at constant speed from `from` for `step` seconds.
     pub fn steady(from: &State, step: f64) -> Self {
         let mut dense =
             Self { time: from.time, step, coordinate: [0.0; COEFFICIENTS], speed: [0.0; COEFFICIENTS] };
@@ -50,14 +50,27 @@ impl Dense {
         dense
     }
 
+    /// Cubic polynomials through both ends of a step of `step` seconds, in value and slope.
+    pub fn cubic(from: &Node, to: &Node, step: f64) -> Self {
+        let mut dense = Self::steady(&from.state, step);
+        let slopes = [
+            [step * from.state.speed, step * to.state.speed],
+            [step * from.acceleration, step * to.acceleration],
+        ];
+        dense.set_cubics(&from.state, &to.state, slopes);
+        dense
+    }
+
+    /// Makes both polynomials cubics with these ends; `slopes` of coordinate and speed by θ at the ends.
+    pub fn set_cubics(&mut self, from: &State, to: &State, slopes: [[f64; 2]; 2]) {
+        set_cubic(&mut self.coordinate, [from.coordinate, to.coordinate], slopes[0]);
+        set_cubic(&mut self.speed, [from.speed, to.speed], slopes[1]);
+    }
+
     /// Hermite polynomials through both ends: degree 5 for the coordinate (value, speed, acceleration), 3 for the speed.
     pub fn hermite(from: &Node, to: &Node) -> Self {
         let step = to.state.time - from.state.time;
-        let mut dense = Self::steady(&from.state, step);
-        let (q0, q1) = (from.state.coordinate, to.state.coordinate);
-        let (w0, w1) = (from.state.speed, to.state.speed);
-        cubic(&mut dense.coordinate, q0, q1, step * w0, step * w1);
-        cubic(&mut dense.speed, w0, w1, step * from.acceleration, step * to.acceleration);
+        let mut dense = Self::cubic(from, to, step);
         let half = 0.5 * step * step;
         let r = &mut dense.coordinate;
         r[4] = half * from.acceleration + r[2] - r[3];
@@ -76,13 +89,19 @@ impl Dense {
     }
 }
 
+impl Curve for Dense {
+    fn at(&self, _: &State, time: f64) -> State {
+        State { time, ..self.at(((time - self.time) / self.step).clamp(0.0, 1.0)) }
+    }
+}
+
 /// First four coefficients: values and slopes (by θ) at both ends.
-pub fn cubic(r: &mut [f64; COEFFICIENTS], from: f64, to: f64, slope_from: f64, slope_to: f64) {
+fn set_cubic(r: &mut [f64; COEFFICIENTS], [from, to]: [f64; 2], slopes: [f64; 2]) {
     let rise = to - from;
     r[0] = from;
     r[1] = rise;
-    r[2] = slope_from - rise;
-    r[3] = rise - slope_to - r[2];
+    r[2] = slopes[0] - rise;
+    r[3] = rise - slopes[1] - r[2];
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The equation with a counter in front of it: every evaluation of every method goes through here.
 
-use crate::{Motion, MotionError, Partials, Piece, State};
+use crate::{Motion, MotionError, Partials, Piece, State, Statistics};
 
 /// The equation of motion as a step sees it.
 pub struct Equation<'a> {
@@ -22,19 +22,10 @@ impl<'a> Equation<'a> {
         Self { motion, evaluations: 0, jacobians: 0, pieces: 0 }
     }
 
-    /// Evaluations so far.
-    pub fn evaluations(&self) -> usize {
-        self.evaluations
-    }
-
-    /// Jacobians so far.
-    pub fn jacobians(&self) -> usize {
-        self.jacobians
-    }
-
-    /// Pieces entered so far.
-    pub fn pieces(&self) -> usize {
-        self.pieces
+    /// A statistic with the counts of this equation.
+    pub(crate) fn counted(&self, statistics: Statistics) -> Statistics {
+        let Self { evaluations, jacobians, pieces, .. } = *self;
+        Statistics { evaluations, jacobians, pieces, ..statistics }
     }
 
     /// The moment depends on time.
@@ -52,15 +43,15 @@ impl<'a> Equation<'a> {
         self.motion.enter(state)
     }
 
-    /// Acceleration at time `t`, coordinate `q` and speed `w`.
+    /// Acceleration at a state, by the formulas of the present piece.
     ///
     /// # Errors
     ///
     /// [`MotionError`] of the equation.
     #[inline]
-    pub fn acceleration(&mut self, t: f64, q: f64, w: f64) -> Result<f64, MotionError> {
+    pub fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.evaluations += 1;
-        self.motion.acceleration(&State { time: t, coordinate: q, speed: w })
+        self.motion.acceleration(state)
     }
 
     /// J and Q at a coordinate, for the energy form; counts as one evaluation.
@@ -87,10 +78,10 @@ impl<'a> Equation<'a> {
         if let Some(partials) = self.motion.partials(state)? {
             return Ok(partials);
         }
-        let State { time: t, coordinate: q, speed: w } = *state;
+        let State { coordinate: q, speed: w, .. } = *state;
         let (dq, dw) = (increment(q), increment(w));
-        let by_coordinate = (self.acceleration(t, q + dq, w)? - acceleration) / dq;
-        let by_speed = (self.acceleration(t, q, w + dw)? - acceleration) / dw;
+        let by_coordinate = (self.acceleration(&State { coordinate: q + dq, ..*state })? - acceleration) / dq;
+        let by_speed = (self.acceleration(&State { speed: w + dw, ..*state })? - acceleration) / dw;
         Ok(Partials { by_coordinate, by_speed })
     }
 
@@ -100,7 +91,7 @@ impl<'a> Equation<'a> {
     ///
     /// [`MotionError`] of the equation.
     pub fn eigenvalue(&mut self, state: &State) -> Result<f64, MotionError> {
-        let acceleration = self.acceleration(state.time, state.coordinate, state.speed)?;
+        let acceleration = self.acceleration(state)?;
         let Partials { by_coordinate, by_speed } = self.partials(state, acceleration)?;
         let discriminant = by_speed * by_speed + 4.0 * by_coordinate;
         Ok(if discriminant < 0.0 {

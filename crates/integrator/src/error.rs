@@ -95,6 +95,11 @@ pub enum IntegrationError {
 }
 
 impl IntegrationError {
+    /// The equation has no value at a state, or near it.
+    pub fn equation(at: &State, source: MotionError) -> Self {
+        Self::Equation { at: *at, source }
+    }
+
     /// The end that `request` asks for doesn't come: the motion got to `at`, and why it goes no further.
     pub fn not_reached(request: &Request, at: State, why: &'static str) -> Self {
         let goal = match request.until {

@@ -42,7 +42,7 @@ pub(crate) fn adaptive(
     const SHORT: f64 = 0.02;
     let trial = time_for(SHORT, node).min(0.1 * longest);
     let there = node.advanced(trial);
-    let there = equation.acceleration(there.time, there.coordinate, there.speed);
+    let there = equation.acceleration(&there);
     // Out of reach of the mechanism: a short step then.
     let Ok(there) = there else { return 1e-3 * trial };
     let change = (there - node.acceleration).abs() / trial;

@@ -5,7 +5,7 @@
 //! This crate knows no mechanism, no scene and no concrete method. SI units.
 //!
 //! A method that goes in time steps implements [`Stepper`]: one step, its error and its dense output. [`drive`] does
-//! everything else. Other methods implement [`Integrator`] whole.
+//! everything else. A method that goes otherwise, in panels of the coordinate or of the speed, drives a [`Run`] itself.
 //!
 //! # Existing crates, weighed before this one was written (2026-11)
 //!
@@ -25,33 +25,33 @@
 pub mod chebyshev;
 mod choose;
 mod control;
-mod crossing;
 mod dense;
 mod driver;
-mod entry;
 mod equation;
 mod error;
+mod event_location;
 mod first_step;
 mod motion;
+mod piece_ahead;
 mod plugin;
 pub mod problems;
-mod recorder;
 mod request;
+mod run;
+mod segment;
 mod stepper;
-mod stretch;
 
 pub use assur_plugin::RegistryError;
 pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
 pub use control::{Control, Scale};
-pub use crossing::root;
-pub use dense::{COEFFICIENTS, Dense, cubic};
+pub use dense::{COEFFICIENTS, Dense};
 pub use driver::drive;
-pub use entry::{Entered, enter, stops_at_once};
 pub use equation::Equation;
 pub use error::IntegrationError;
 pub use inventory;
 pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
+pub use piece_ahead::enter;
 pub use plugin::{Cost, IntegratorPlugin, Knob, Suitability, find, integrators};
 pub use request::{Event, EventKind, Request, Sample, Statistics, Trajectory, Until};
-pub use stepper::{Attempt, Node, Pace, Stepper};
-pub use stretch::{Stretch, samples};
+pub use run::Run;
+pub use segment::Curve;
+pub use stepper::{Attempt, Node, Pace, Step, Stepper};

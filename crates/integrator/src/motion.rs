@@ -67,6 +67,13 @@ pub struct State {
     pub speed: f64,
 }
 
+impl State {
+    /// The state at a later time if the speed stays.
+    pub fn coasting_until(&self, time: f64) -> Self {
+        Self { time, coordinate: self.coordinate + self.speed * (time - self.time), ..*self }
+    }
+}
+
 impl std::fmt::Display for State {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "t = {:.9} s, q = {:.9}, w = {:.9}", self.time, self.coordinate, self.speed)

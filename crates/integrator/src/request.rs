@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{IntegrationError, State};
+use crate::{IntegrationError, Node, State};
 
 /// When the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,7 +106,13 @@ pub struct Sample {
     pub acceleration: f64,
 }
 
-/// What happened at an instant between smooth stretches.
+impl From<Node> for Sample {
+    fn from(Node { state: State { time, coordinate, speed }, acceleration }: Node) -> Self {
+        Self { time, coordinate, speed, acceleration }
+    }
+}
+
+/// What happened at an instant between smooth pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
@@ -163,7 +169,7 @@ pub struct Statistics {
     pub evaluations: usize,
     /// Jacobians of an implicit method.
     pub jacobians: usize,
-    /// Smooth pieces entered.
+    /// Smooth pieces entered, those for samples included.
     pub pieces: usize,
     /// Step times the largest eigenvalue of the equation, at the end of a run that took more than a thousand
     /// steps; an explicit method is slow by stiffness where it lies near 3 or above.

@@ -34,6 +34,19 @@ pub enum Pace {
     Unlimited,
 }
 
+/// A step to be tried.
+#[derive(Debug)]
+pub struct Step<'a, 'm> {
+    /// The equation, in the piece of the step.
+    pub equation: &'a mut Equation<'m>,
+    /// Its start.
+    pub from: Node,
+    /// Its length, s.
+    pub length: f64,
+    /// What an error is compared with.
+    pub scale: Scale,
+}
+
 /// A tried step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attempt {
@@ -47,7 +60,7 @@ pub struct Attempt {
 ///
 /// The order of calls for a step: [`attempt`](Self::attempt); if its error passes, [`finish`](Self::finish);
 /// then, only where a sample or an event needs the inside of the step, [`dense`](Self::dense).
-pub trait Stepper {
+pub trait Stepper: Default {
     /// A step is a parabola in time, and its dense output is exact at each instant.
     const PARABOLIC: bool = false;
 
@@ -60,25 +73,21 @@ pub trait Stepper {
     /// Who decides the length of a step.
     fn pace(&self) -> Pace;
 
-    /// Tries a step of `h` seconds from `from`.
+    /// Tries a step.
     ///
     /// # Errors
     ///
     /// [`MotionError`] if the equation fails at a stage; the driver tries a shorter step.
-    fn attempt(
-        &mut self,
-        equation: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        scale: &Scale,
-    ) -> Result<Attempt, MotionError>;
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError>;
 
     /// Acceleration at the end of the last attempt.
     ///
     /// # Errors
     ///
     /// [`MotionError`] if the equation fails there.
-    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError>;
+    fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
+        equation.acceleration(end)
+    }
 
     /// The inside of the last step, from `from` to `to`.
     ///

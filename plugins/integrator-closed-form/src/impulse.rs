@@ -2,7 +2,7 @@
 //! that depend on each other. Exact where M is a polynomial of degree 4 or less, as between the rows of a table over time.
 
 use assur_integrator::{
-    Attempt, COEFFICIENTS, Control, Dense, Equation, MotionError, Node, Pace, Scale, State, Stepper,
+    Attempt, COEFFICIENTS, Control, Dense, Equation, MotionError, Node, Pace, State, Step, Stepper,
 };
 
 /// Nodes of a step from 0 to 1: Lobatto's, which hold both ends.
@@ -28,15 +28,10 @@ impl Stepper for Impulse {
         Pace::Adaptive(CONTROL)
     }
 
-    fn attempt(
-        &mut self,
-        equation: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        scale: &Scale,
-    ) -> Result<Attempt, MotionError> {
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
+        let Step { equation, from, length: h, scale } = step;
         let State { time, coordinate, speed } = from.state;
-        let mut at = |part: f64| equation.acceleration(time + part * h, coordinate, speed);
+        let mut at = |part: f64| equation.acceleration(&State { time: time + part * h, ..from.state });
         let mut values = [from.acceleration; NODES.len()];
         for (value, node) in values.iter_mut().zip(NODES).skip(1) {
             *value = at(node)?;
@@ -58,7 +53,7 @@ impl Stepper for Impulse {
         Ok(Attempt { end, error })
     }
 
-    fn finish(&mut self, _: &mut Equation<'_>) -> Result<f64, MotionError> {
+    fn finish(&mut self, _: &mut Equation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.acceleration)
     }
 

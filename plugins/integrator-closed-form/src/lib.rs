@@ -2,7 +2,7 @@
 //! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t) and M(w).
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, Stepper,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
     Suitability, drive, inventory,
 };
 
@@ -36,7 +36,7 @@ pub const CLOSED_FORM: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { CLOSED_FORM }
 
-/// The last stretch; the acceleration is the same at both ends.
+/// Uniformly accelerated motion over a whole piece; the acceleration is the same at both ends.
 #[derive(Debug, Default)]
 struct Parabola {
     acceleration: f64,
@@ -49,18 +49,12 @@ impl Stepper for Parabola {
         Pace::Unlimited
     }
 
-    fn attempt(
-        &mut self,
-        _: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        _: &Scale,
-    ) -> Result<Attempt, MotionError> {
-        self.acceleration = from.acceleration;
-        Ok(Attempt { end: from.advanced(h), error: 0.0 })
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
+        self.acceleration = step.from.acceleration;
+        Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })
     }
 
-    fn finish(&mut self, _: &mut Equation<'_>) -> Result<f64, MotionError> {
+    fn finish(&mut self, _: &mut Equation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.acceleration)
     }
 

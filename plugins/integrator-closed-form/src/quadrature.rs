@@ -6,7 +6,7 @@ use assur_integrator::{
 };
 
 use crate::impulse::Impulse;
-use crate::speed::March;
+use crate::speed;
 
 /// The method.
 pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
@@ -42,7 +42,7 @@ fn suitability(dependence: &Dependence, _: f64) -> Result<Suitability, String> {
 
 fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
     if motion.dependence().moment_on_speed {
-        March::new(motion, request).run()
+        speed::run(motion, request)
     } else {
         drive::<Impulse>(motion, request)
     }

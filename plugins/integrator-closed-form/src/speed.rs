@@ -4,13 +4,11 @@
 //! needed. Where the moment vanishes at a speed, 1/e has a pole; it is divided out, so that the endless approach to that speed is
 //! one logarithm, and one panel.
 
-mod keep;
-mod landing;
 mod march;
 mod panel;
-mod stretch;
+mod passage;
 
-pub(crate) use march::March;
+pub(crate) use march::run;
 
 #[cfg(test)]
 mod tests;

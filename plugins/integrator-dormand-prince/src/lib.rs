@@ -34,7 +34,7 @@ pub const DOPRI5: IntegratorPlugin = IntegratorPlugin {
     suitability: |_, tolerance| {
         Ok(steps(tolerance > LOOSE, "a loose tolerance: cheap explicit steps of order 5 meet it"))
     },
-    run: drive::<dopri5::Stages>,
+    run: drive::<dopri5::Dopri5>,
 };
 
 /// The method of order 8(5,3).
@@ -50,7 +50,7 @@ pub const DOP853: IntegratorPlugin = IntegratorPlugin {
         let reason = "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations";
         Ok(steps(tolerance <= LOOSE, reason))
     },
-    run: drive::<dop853::Stages>,
+    run: drive::<dop853::Dop853>,
 };
 
 inventory::submit! { DOPRI5 }

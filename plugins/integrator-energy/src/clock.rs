@@ -2,8 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use assur_integrator::chebyshev::{INSIDE, NODES, Series, integral, inverse, swing, tail, value};
+
 use crate::panel::Panel;
-use assur_integrator::chebyshev::{Basis, NODES, Series, integral, swing, tail, value};
 
 /// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
 const DEPTH: u32 = 40;
@@ -65,7 +66,6 @@ impl Clock {
     /// Measures the time, to `tolerance` of the time of the panel, from `begin` on, up to x = `until` or to the time `latest`, whichever comes first.
     pub(crate) fn measure(
         panel: &Panel,
-        basis: &Basis,
         (until, rests): (f64, Rests),
         (begin, latest): (f64, f64),
         tolerance: f64,
@@ -77,7 +77,7 @@ impl Clock {
         let mut waiting = vec![(0.0, 1.0, 0)];
         let (mut now, mut whole) = (begin, 0.0);
         while let Some((from, to, depth)) = waiting.pop() {
-            let leaf = clock.leaf(panel, basis, from, to, now);
+            let leaf = clock.leaf(panel, from, to, now);
             if depth == 0 {
                 whole = leaf.0[0].abs();
             }
@@ -121,14 +121,14 @@ impl Clock {
         }
     }
 
-    fn leaf(&self, panel: &Panel, basis: &Basis, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
+    fn leaf(&self, panel: &Panel, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
         let half = 0.5 * (to - from);
         let values: [f64; NODES] = std::array::from_fn(|j| {
-            let Place { x, slope, .. } = self.place(from + half * (1.0 + basis.nodes[j]));
+            let Place { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
             // A root below zero is a rounding of a way that creeps; the tail of the fit then tells.
             panel.slowness(x) * slope / value(&self.energy, x).max(f64::MIN_POSITIVE).sqrt()
         });
-        let fit = basis.fit(&values);
+        let fit = INSIDE.fit(&values);
         let time = integral(&fit, half);
         let rate = fit.map(|c| half * c);
         (fit, Leaf { from, to, time, rate, begin, end: begin + value(&time, 1.0) })
@@ -155,31 +155,15 @@ impl Clock {
 }
 
 impl Leaf {
-    /// Place in [-1, 1] at a time since the start: the time grows all along, so that Newton's method between bounds
-    /// can't fail. The last correction d leaves an error of about d².
+    /// Place in [-1, 1] at a time since the start: the time grows all along.
     fn when(&self, time: f64, fineness: f64) -> f64 {
         let duration = self.end - self.begin;
         if time >= duration {
             return 1.0;
         }
+        // The last correction d leaves an error of about d².
         let enough = 0.1 * fineness.sqrt();
-        let (mut low, mut high) = (-1.0, 1.0);
-        let mut y = (2.0 * time / duration - 1.0).max(-1.0);
-        for _ in 0..60 {
-            let miss = value(&self.time, y) - time;
-            if miss < 0.0 {
-                low = y;
-            } else {
-                high = y;
-            }
-            let next = y - miss / value(&self.rate, y);
-            let inside = next >= low && next <= high;
-            let step = (next - y).abs();
-            y = if inside { next } else { 0.5 * (low + high) };
-            if inside && step <= enough || high - low <= f64::EPSILON {
-                break;
-            }
-        }
-        y
+        let start = (2.0 * time / duration - 1.0).max(-1.0);
+        inverse(time, [-1.0, 1.0], start, enough, |y| (value(&self.time, y), value(&self.rate, y)))
     }
 }

@@ -10,7 +10,6 @@ use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, inventory};
 mod clock;
 mod march;
 mod panel;
-mod record;
 
 /// The method.
 pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
@@ -33,7 +32,7 @@ pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
             dependence.words()
         ))
     },
-    run: |motion, request| march::March::new(motion, request).run(),
+    run: march::run,
 };
 
 inventory::submit! { ENERGY }

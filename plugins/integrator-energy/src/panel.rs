@@ -1,8 +1,8 @@
-//! A stretch of the coordinate with the polynomials of J and of the kinetic energy.
+//! A panel of the coordinate with the polynomials of J and of the kinetic energy.
 
+use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, swing, tail, value};
 use assur_integrator::{Equation, MotionError, State};
-
-use assur_integrator::chebyshev::{Basis, NODES, Series, divided, integral, swing, tail, value};
+use assur_number::search::bisect;
 
 /// J and Q at a node.
 pub(crate) type Values = (f64, f64);
@@ -28,14 +28,13 @@ impl Panel {
     /// the largest T so far: the energy is right compared to that.
     pub(crate) fn fit(
         equation: &mut Equation<'_>,
-        basis: &Basis,
         from: &State,
         length: f64,
         first: Option<Values>,
         (energy, largest): (f64, f64),
     ) -> Result<Self, MotionError> {
         let (mut inertias, mut moments) = ([0.0; NODES], [0.0; NODES]);
-        for (j, x) in basis.nodes.iter().enumerate() {
+        for (j, x) in WITH_ENDS.nodes.iter().enumerate() {
             let known = if j == 0 { first } else { None };
             let state = State { coordinate: from.coordinate + 0.5 * length * (1.0 + x), ..*from };
             (inertias[j], moments[j]) = match known {
@@ -43,7 +42,7 @@ impl Panel {
                 None => equation.work(&state)?,
             };
         }
-        let (inertia, moment) = (basis.fit(&inertias), basis.fit(&moments));
+        let (inertia, moment) = (WITH_ENDS.fit(&inertias), WITH_ENDS.fit(&moments));
         let mut work = integral(&moment, 0.5 * length);
         work[0] += energy;
         let scale = largest.max(work[0].abs()).max(swing(&work));
@@ -102,27 +101,12 @@ impl Panel {
         for k in 1..=POINTS {
             let x = -(std::f64::consts::PI * f64::from(k) / f64::from(POINTS)).cos();
             if self.energy(x) <= 0.0 {
-                return Some(self.bisect(before, x));
+                // At a start from rest the first positive energy lies inside.
+                return Some(bisect(before, x, 0.0, |x| self.energy(x) > 0.0)[1]);
             }
             before = x;
         }
         None
-    }
-
-    fn bisect(&self, mut moving: f64, mut stopped: f64) -> f64 {
-        for _ in 0..80 {
-            let middle = 0.5 * (moving + stopped);
-            if middle <= moving || middle >= stopped {
-                break;
-            }
-            // At a start from rest the first positive energy lies inside.
-            if self.energy(middle) > 0.0 {
-                moving = middle;
-            } else {
-                stopped = middle;
-            }
-        }
-        stopped
     }
 }
 

@@ -1,7 +1,7 @@
 //! One step of Radau IIA with three stages.
 
 use assur_integrator::{
-    Attempt, Control, Dense, Equation, MotionError, Node, Pace, Partials, Scale, State, Stepper, cubic,
+    Attempt, Control, Dense, Equation, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
 };
 
 use crate::linear::{Matrix, inverse, product, times};
@@ -15,25 +15,17 @@ const DIVERGED: Attempt =
     Attempt { end: State { time: 0.0, coordinate: 0.0, speed: 0.0 }, error: f64::INFINITY };
 
 /// The last step.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Collocation {
     h: f64,
-    end: State,
     /// Increments of coordinate and speed at the three nodes.
     increments: [[f64; 3]; 2],
     /// Partials at the start of the present step, with the state that they belong to.
     partials: Option<(State, Partials)>,
     /// The last good step, to start the iteration from: its end, its length and its speed increments.
     before: Option<(State, f64, [f64; 3])>,
-    /// The last attempt failed, or there was none: the error is filtered twice where it is large.
-    doubtful: bool,
-}
-
-impl Default for Collocation {
-    fn default() -> Self {
-        let increments = [[0.0; 3]; 2];
-        Self { h: 0.0, end: State::default(), increments, partials: None, before: None, doubtful: true }
-    }
+    /// The last attempt passed. If not, or if there was none, the error is filtered twice where it is large.
+    passed: bool,
 }
 
 /// Cubic through 0 at 0 and these values at the nodes, at `theta`; and its slope.
@@ -86,8 +78,11 @@ impl Collocation {
             let coordinates = self.coordinates(speed, &speeds);
             let mut accelerations = [0.0; 3];
             for i in 0..3 {
-                accelerations[i] =
-                    equation.acceleration(time + C[i] * h, coordinate + coordinates[i], speed + speeds[i])?;
+                accelerations[i] = equation.acceleration(&State {
+                    time: time + C[i] * h,
+                    coordinate: coordinate + coordinates[i],
+                    speed: speed + speeds[i],
+                })?;
             }
             let wanted = times(&A, &accelerations);
             let residual: [f64; 3] = std::array::from_fn(|i| h * wanted[i] - speeds[i]);
@@ -121,7 +116,7 @@ impl Collocation {
     fn error(
         &self,
         equation: &mut Equation<'_>,
-        from: &Node,
+        (from, end): (&Node, &State),
         partials: &Partials,
         scale: &Scale,
     ) -> Result<f64, MotionError> {
@@ -135,15 +130,15 @@ impl Collocation {
             [(b[0] * w + b[1]) / determinant, (q * b[0] + shift * b[1]) / determinant]
         };
         let [q, w] = solve([sums[0] + speed, sums[1] + from.acceleration]);
-        let error = scale.norm(&self.end, q, w);
-        if error < 1.0 || !self.doubtful {
+        let error = scale.norm(end, q, w);
+        if error < 1.0 || self.passed {
             return Ok(error);
         }
         // On the first step and after a rejection the filter is applied twice.
-        let (coordinate, faster) = (coordinate + q, speed + w);
-        let acceleration = equation.acceleration(time, coordinate, faster)?;
-        let [q, w] = solve([sums[0] + faster, sums[1] + acceleration]);
-        Ok(scale.norm(&self.end, q, w))
+        let corrected = State { time, coordinate: coordinate + q, speed: speed + w };
+        let acceleration = equation.acceleration(&corrected)?;
+        let [q, w] = solve([sums[0] + corrected.speed, sums[1] + acceleration]);
+        Ok(scale.norm(end, q, w))
     }
 
     fn partials_at(&mut self, equation: &mut Equation<'_>, from: &Node) -> Result<Partials, MotionError> {
@@ -190,41 +185,34 @@ impl Stepper for Collocation {
         })
     }
 
-    fn attempt(
-        &mut self,
-        equation: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        scale: &Scale,
-    ) -> Result<Attempt, MotionError> {
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
+        let Step { equation, from, length: h, scale } = step;
         self.h = h;
-        let scale = inner(scale);
-        let partials = self.partials_at(equation, from)?;
-        if self.solve(equation, from, &partials, &scale)?.is_none() {
-            self.doubtful = true;
+        let scale = inner(&scale);
+        let partials = self.partials_at(equation, &from)?;
+        if self.solve(equation, &from, &partials, &scale)?.is_none() {
+            self.passed = false;
             return Ok(DIVERGED);
         }
-        self.end = State {
+        let end = State {
             time: from.state.time + h,
             coordinate: from.state.coordinate + self.increments[0][2],
             speed: from.state.speed + self.increments[1][2],
         };
-        let error = self.error(equation, from, &partials, &scale)?;
-        self.doubtful = error > 1.0;
-        Ok(Attempt { end: self.end, error })
+        let error = self.error(equation, (&from, &end), &partials, &scale)?;
+        self.passed = error <= 1.0;
+        Ok(Attempt { end, error })
     }
 
-    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError> {
-        self.before = Some((self.end, self.h, self.increments[1]));
-        equation.acceleration(self.end.time, self.end.coordinate, self.end.speed)
+    fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
+        self.before = Some((*end, self.h, self.increments[1]));
+        equation.acceleration(end)
     }
 
     fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         let mut dense = Dense::steady(&from.state, self.h);
-        let slopes = self.increments.map(|z| (interpolate(&z, 0.0).1, interpolate(&z, 1.0).1));
-        let [(q0, q1), (w0, w1)] = slopes;
-        cubic(&mut dense.coordinate, from.state.coordinate, to.state.coordinate, q0, q1);
-        cubic(&mut dense.speed, from.state.speed, to.state.speed, w0, w1);
+        let slopes = self.increments.map(|z| [interpolate(&z, 0.0).1, interpolate(&z, 1.0).1]);
+        dense.set_cubics(&from.state, &to.state, slopes);
         Ok(dense)
     }
 }

@@ -1,7 +1,7 @@
 //! `rk4`: the classical Runge-Kutta method of order 4 at a fixed step, the improvement that D 3.23 names.
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, State, Stepper,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
     Suitability, drive, inventory,
 };
 
@@ -22,11 +22,9 @@ pub const RK4: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { RK4 }
 
-/// The end of the last step.
+/// The method has nothing to keep between steps.
 #[derive(Debug, Default)]
-struct Classical {
-    end: State,
-}
+struct Classical;
 
 impl Stepper for Classical {
     /// On the real axis 2.785, on the imaginary one 2.83.
@@ -36,32 +34,29 @@ impl Stepper for Classical {
         Pace::Fixed
     }
 
-    fn attempt(
-        &mut self,
-        equation: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        _: &Scale,
-    ) -> Result<Attempt, MotionError> {
-        let State { time, coordinate, speed } = from.state;
-        let half = 0.5 * h;
-        let (w1, a1) = (speed, from.acceleration);
-        let w2 = speed + half * a1;
-        let a2 = equation.acceleration(time + half, coordinate + half * w1, w2)?;
-        let w3 = speed + half * a2;
-        let a3 = equation.acceleration(time + half, coordinate + half * w2, w3)?;
-        let w4 = speed + h * a3;
-        let a4 = equation.acceleration(time + h, coordinate + h * w3, w4)?;
-        self.end = State {
-            time: time + h,
-            coordinate: coordinate + h / 6.0 * (w1 + 2.0 * (w2 + w3) + w4),
-            speed: speed + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4),
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
+        let Step { equation, from, length: h, .. } = step;
+        let start = from.state;
+        // The state that slopes at a stage lead to.
+        let after = |h: f64, w: f64, a: f64| State {
+            time: start.time + h,
+            coordinate: start.coordinate + h * w,
+            speed: start.speed + h * a,
         };
-        Ok(Attempt { end: self.end, error: 0.0 })
-    }
-
-    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError> {
-        equation.acceleration(self.end.time, self.end.coordinate, self.end.speed)
+        let half = 0.5 * h;
+        let (w1, a1) = (start.speed, from.acceleration);
+        let second = after(half, w1, a1);
+        let (w2, a2) = (second.speed, equation.acceleration(&second)?);
+        let third = after(half, w2, a2);
+        let (w3, a3) = (third.speed, equation.acceleration(&third)?);
+        let fourth = after(h, w3, a3);
+        let (w4, a4) = (fourth.speed, equation.acceleration(&fourth)?);
+        let end = State {
+            time: start.time + h,
+            coordinate: start.coordinate + h / 6.0 * (w1 + 2.0 * (w2 + w3) + w4),
+            speed: start.speed + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4),
+        };
+        Ok(Attempt { end, error: 0.0 })
     }
 
     fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {

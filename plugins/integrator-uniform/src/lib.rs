@@ -2,7 +2,7 @@
 //! with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Scale, State, Stepper,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper,
     Suitability, drive, inventory,
 };
 
@@ -26,11 +26,9 @@ pub const UNIFORM: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { UNIFORM }
 
-/// The end of the last interval.
+/// The method has nothing to keep between intervals.
 #[derive(Debug, Default)]
-struct Interval {
-    end: State,
-}
+struct Interval;
 
 impl Stepper for Interval {
     const PARABOLIC: bool = true;
@@ -42,19 +40,8 @@ impl Stepper for Interval {
         Pace::Fixed
     }
 
-    fn attempt(
-        &mut self,
-        _: &mut Equation<'_>,
-        from: &Node,
-        h: f64,
-        _: &Scale,
-    ) -> Result<Attempt, MotionError> {
-        self.end = from.advanced(h);
-        Ok(Attempt { end: self.end, error: 0.0 })
-    }
-
-    fn finish(&mut self, equation: &mut Equation<'_>) -> Result<f64, MotionError> {
-        equation.acceleration(self.end.time, self.end.coordinate, self.end.speed)
+    fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
+        Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })
     }
 
     fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {

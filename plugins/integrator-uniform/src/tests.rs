@@ -1,6 +1,6 @@
 use std::f64::consts::SQRT_2;
 
-use assur_integrator::{Request, Until, problems};
+use assur_integrator::{Request, State, Until, problems};
 
 use super::*;
 

@@ -1,7 +1,8 @@
-//! A stretch of the speed with the polynomials of time and way.
+//! A panel of the speed with the polynomials of time and way.
 
-use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, tail, value};
-use assur_integrator::{Equation, MotionError, Node, State, root};
+use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
+use assur_integrator::{Equation, MotionError, Node, State};
+use assur_number::search::root;
 
 /// A root of the moment further beyond the panel than this is not looked for (x = 1 is the end of the panel).
 const FURTHEST: f64 = 3.0;
@@ -49,11 +50,11 @@ pub(super) struct Place {
 impl Panel {
     /// Fits a panel of that length (with the sign of the acceleration) from a state on.
     pub(super) fn fit(equation: &mut Equation<'_>, from: &Node, length: f64) -> Result<Self, MotionError> {
-        let State { time, coordinate, speed: start } = from.state;
+        let start = from.state.speed;
         let half = 0.5 * length;
         let mut values = [from.acceleration; NODES];
         for (e, x) in values.iter_mut().zip(WITH_ENDS.nodes).skip(1) {
-            *e = equation.acceleration(time, coordinate, start + half * (1.0 + x))?;
+            *e = equation.acceleration(&State { speed: start + half * (1.0 + x), ..from.state })?;
         }
         let fit = WITH_ENDS.fit(&values);
         let mut panel = Self {
@@ -108,7 +109,7 @@ impl Panel {
         let x = if values[node] == 0.0 {
             nodes[node]
         } else {
-            root(&|x| value(fit, x) * self.half.signum(), nodes[node - 1], nodes[node])
+            root(nodes[node - 1], nodes[node], f64::EPSILON, |x| value(fit, x) * self.half.signum())
         };
         let h = divided(fit, x);
         let g = nodes.map(|x| self.half / value(&h, x));
@@ -223,33 +224,15 @@ fn first_change(values: &[f64; NODES], half: f64) -> Option<usize> {
     (1..NODES).find(|j| values[*j] * half.signum() <= 0.0)
 }
 
-/// The place at which a growing function (with its derivative) has a value: Newton's method between bounds.
+/// The parameter at which a growing function (given with its derivative) has a value; the last bound may be infinite.
 fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     /// A correction d leaves an error of about d².
     const ENOUGH: f64 = 3e-9;
-    /// Bounds this near are one place.
-    const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
     if high == f64::INFINITY {
         high = low + 1.0;
         while high < f64::MAX && function(high).0 < wanted {
             (low, high) = (high, 2.0 * high + 1.0);
         }
     }
-    let mut p = 0.5 * (low + high);
-    for _ in 0..100 {
-        let (found, slope) = function(p);
-        if found < wanted {
-            low = p;
-        } else {
-            high = p;
-        }
-        let next = p - (found - wanted) / slope;
-        let inside = next >= low && next <= high;
-        let step = (next - p).abs();
-        p = if inside { next } else { 0.5 * (low + high) };
-        if inside && step <= ENOUGH || high - low <= ROUNDINGS * high.abs() {
-            break;
-        }
-    }
-    p
+    inverse(wanted, [low, high], 0.5 * (low + high), ENOUGH, function)
 }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use assur_integrator::Stepper;
-use assur_integrator::{Equation, Node, Scale};
+use assur_integrator::{Equation, Motion, Node, Request, Scale, State, Step, Stepper, Until};
 use proptest::prelude::*;
 
 use super::{METHODS, assert_close, from_rest, problems};
+use crate::dop853::Dop853;
+use crate::dopri5::Dopri5;
 use crate::{DOP853, DOPRI5};
-use assur_integrator::{Motion, Request, State, Until};
 
 #[test]
 fn e1_reaches_its_speed_after_five_turns() {
@@ -50,18 +50,20 @@ fn pendulum_returns_after_its_period() {
 }
 
 /// Error of one step of length h from a state of the pendulum, against a finer solution, at the end and inside.
-fn step_errors<S: Stepper>(mut stepper: S, h: f64) -> [f64; 2] {
+fn step_errors<S: Stepper>(h: f64) -> [f64; 2] {
     let start = State { time: 0.0, coordinate: 1.0, speed: 0.5 };
     let exact = |time: f64| {
         let request = Request { tolerance: 1e-14, samples: 1, ..Request::new(start, Until::Time(time)) };
         DOP853.solve(&mut problems::pendulum(), &request).unwrap().end
     };
+    let mut stepper = S::default();
     let mut motion = problems::pendulum();
     motion.enter(&start).unwrap();
     let mut equation = Equation::new(&mut motion);
     let from = Node { state: start, acceleration: -1.0_f64.sin() };
-    let end = stepper.attempt(&mut equation, &from, h, &Scale::new(1e-3, &start)).unwrap().end;
-    let acceleration = stepper.finish(&mut equation).unwrap();
+    let scale = Scale::new(1e-3, &start);
+    let end = stepper.attempt(Step { equation: &mut equation, from, length: h, scale }).unwrap().end;
+    let acceleration = stepper.finish(&mut equation, &end).unwrap();
     let to = Node { state: end, acceleration };
     let inside = stepper.dense(&mut equation, &from, &to).unwrap().at(0.4);
     let off = |found: State| (found.speed - exact(found.time).speed).abs();
@@ -70,16 +72,10 @@ fn step_errors<S: Stepper>(mut stepper: S, h: f64) -> [f64; 2] {
 
 #[test]
 fn errors_of_a_step_fall_with_the_order() {
-    let (long, short) = (
-        step_errors(crate::dopri5::Stages::default(), 0.4),
-        step_errors(crate::dopri5::Stages::default(), 0.2),
-    );
+    let (long, short) = (step_errors::<Dopri5>(0.4), step_errors::<Dopri5>(0.2));
     let order = |i: usize| (long[i] / short[i]).log2();
     assert!(order(0) > 5.5 && order(1) > 4.5, "{} {}", order(0), order(1));
-    let (long, short) = (
-        step_errors(crate::dop853::Stages::default(), 1.6),
-        step_errors(crate::dop853::Stages::default(), 0.8),
-    );
+    let (long, short) = (step_errors::<Dop853>(1.6), step_errors::<Dop853>(0.8));
     let order = |i: usize| (long[i] / short[i]).log2();
     assert!(order(0) > 8.0 && order(1) > 7.0, "{} {}", order(0), order(1));
 }

@@ -1,4 +1,6 @@
-//! Where a step leaves the box of its piece.
+//! Event location: where a step leaves the box of states of its piece, or meets the end that was asked for.
+
+use assur_number::search::root;
 
 use crate::{Dense, Node, Piece, Request, State, Until};
 
@@ -16,28 +18,28 @@ pub(crate) const SIDES: [Side; 4] =
 
 /// The box of the piece, narrowed by the end that was asked for.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Walls {
+pub(crate) struct Bounds {
     value: [f64; 4],
     goal: [bool; 4],
 }
 
-impl Walls {
+impl Bounds {
     pub(crate) fn new(piece: &Piece, request: &Request, node: &Node) -> Self {
-        let mut walls = Self {
+        let mut bounds = Self {
             value: [piece.coordinate[0], piece.coordinate[1], piece.speed[0], piece.speed[1]],
             goal: [false; 4],
         };
         match request.until {
             Until::Time(_) => {}
-            Until::Coordinate(target) if target < node.state.coordinate => walls.aim(0, target),
-            Until::Coordinate(target) => walls.aim(1, target),
+            Until::Coordinate(target) if target < node.state.coordinate => bounds.aim(0, target),
+            Until::Coordinate(target) => bounds.aim(1, target),
             Until::Rest => {
                 // At rest itself the acceleration tells the side.
                 let forward = node.state.speed > 0.0 || (node.state.speed == 0.0 && node.acceleration > 0.0);
-                walls.aim(if forward { 2 } else { 3 }, 0.0);
+                bounds.aim(if forward { 2 } else { 3 }, 0.0);
             }
         }
-        walls
+        bounds
     }
 
     fn aim(&mut self, side: usize, value: f64) {
@@ -57,33 +59,33 @@ impl Walls {
         self.goal[side as usize]
     }
 
-    /// Distance to the wall, positive inside.
+    /// Distance to the bound, positive inside.
     #[inline]
     fn inside(&self, side: Side, state: &State) -> f64 {
-        let wall = self.value(side);
+        let bound = self.value(side);
         match side {
-            Side::CoordinateLow => state.coordinate - wall,
-            Side::CoordinateHigh => wall - state.coordinate,
-            Side::SpeedLow => state.speed - wall,
-            Side::SpeedHigh => wall - state.speed,
+            Side::CoordinateLow => state.coordinate - bound,
+            Side::CoordinateHigh => bound - state.coordinate,
+            Side::SpeedLow => state.speed - bound,
+            Side::SpeedHigh => bound - state.speed,
         }
     }
 
-    /// Time in which uniformly accelerated motion meets the wall, if it does.
+    /// Time in which uniformly accelerated motion meets the bound, if it does.
     pub(crate) fn time_to(&self, side: Side, node: &Node) -> Option<f64> {
-        let wall = self.value(side);
-        if !wall.is_finite() {
+        let bound = self.value(side);
+        if !bound.is_finite() {
             return None;
         }
         let (w, a) = (node.state.speed, node.acceleration);
         match side {
-            Side::CoordinateLow | Side::CoordinateHigh => first_root(wall - node.state.coordinate, w, a),
-            Side::SpeedLow | Side::SpeedHigh => Some((wall - w) / a).filter(|time| *time > 0.0),
+            Side::CoordinateLow | Side::CoordinateHigh => first_root(bound - node.state.coordinate, w, a),
+            Side::SpeedLow | Side::SpeedHigh => Some((bound - w) / a).filter(|time| *time > 0.0),
         }
         .filter(|time| time.is_finite())
     }
 
-    /// The state put exactly onto the wall.
+    /// The state put exactly onto the bound.
     pub(crate) fn snap(&self, side: Side, mut state: State) -> State {
         match side {
             Side::CoordinateLow | Side::CoordinateHigh => state.coordinate = self.value(side),
@@ -115,7 +117,7 @@ impl Walls {
             || (swung && near(self.value[2], self.value[3], w0, w1, reach_w))
     }
 
-    /// The wall that a step which was aimed at it has passed by a rounding: its dense output then ends on the wall itself and
+    /// The bound that a step which was aimed at it has passed by a rounding: its dense output then ends on the bound itself and
     /// shows no exit.
     pub(crate) fn passed_by_rounding(&self, from: &State, to: &State) -> Option<Side> {
         const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
@@ -126,7 +128,7 @@ impl Walls {
         })
     }
 
-    /// First instant at which the step leaves the box, as θ, and through which wall.
+    /// First instant at which the step leaves the box, as θ, and through which bound.
     pub(crate) fn first_exit(&self, dense: &Dense) -> Option<(f64, Side)> {
         let mut first: Option<(f64, Side)> = None;
         for side in SIDES {
@@ -162,7 +164,7 @@ pub(crate) fn turning(dense: &Dense) -> f64 {
     first_negative(|theta| sign * dense.at(theta).speed, 1.0).unwrap_or(1.0)
 }
 
-/// First θ up to `end` at which `g` turns negative. A zero of `g` at θ = 0 (the step starts on the wall) is no exit.
+/// First θ up to `end` at which `g` turns negative. A zero of `g` at θ = 0 (the step starts on the bound) is no exit.
 fn first_negative(g: impl Fn(f64) -> f64, end: f64) -> Option<f64> {
     const MESH: [f64; 10] = [1.0 / 64.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.0];
     let mut inside = 0.0;
@@ -172,44 +174,16 @@ fn first_negative(g: impl Fn(f64) -> f64, end: f64) -> Option<f64> {
             if inside == 0.0 && g(0.0) <= 0.0 {
                 inside = inside_near(&g, theta)?;
             }
-            return Some(root(&g, inside, theta));
+            return Some(root(inside, theta, f64::EPSILON, &g));
         }
         inside = theta;
     }
     None
 }
 
-/// A θ close to 0 where `g` is positive, for a step that starts on the wall.
+/// A θ close to 0 where `g` is positive, for a step that starts on the bound.
 fn inside_near(g: &impl Fn(f64) -> f64, outside: f64) -> Option<f64> {
     (1..40).map(|halvings| outside * 0.5_f64.powi(halvings)).find(|theta| g(*theta) > 0.0)
-}
-
-/// Root of `g` between `inside` (not negative there) and `outside` (negative), `inside` being the lesser: false position with
-/// the Illinois correction, to a rounding of 1.
-pub fn root(g: &impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
-    let (mut positive, mut negative) = (g(inside), g(outside));
-    let mut last = 0;
-    for _ in 0..100 {
-        if outside - inside <= f64::EPSILON {
-            break;
-        }
-        let middle = (inside * negative - outside * positive) / (negative - positive);
-        let middle = if middle > inside && middle < outside { middle } else { 0.5 * (inside + outside) };
-        let value = g(middle);
-        if value == 0.0 {
-            return middle;
-        }
-        if value > 0.0 {
-            (inside, positive) = (middle, value);
-            negative *= if last == 1 { 0.5 } else { 1.0 };
-            last = 1;
-        } else {
-            (outside, negative) = (middle, value);
-            positive *= if last == -1 { 0.5 } else { 1.0 };
-            last = -1;
-        }
-    }
-    outside
 }
 
 #[cfg(test)]

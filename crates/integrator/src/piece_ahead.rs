@@ -2,18 +2,11 @@
 
 use crate::{Equation, IntegrationError, Piece, State};
 
-/// How the motion goes on after an instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Entered {
-    /// In this piece, with this acceleration.
-    Moving(Piece, f64),
-    /// The speed stays: each side drives it back.
-    Held,
-}
-
-/// Enters the piece after `state`; `at_speed_bound` if the speed lies on a bound of the piece before.
+/// Enters the piece after `state`, and gives the acceleration in it; `at_speed_bound` if the speed lies on a bound of the
+/// piece before.
 ///
-/// At rest and at a bound of speed both sides are asked: a side is right if its own acceleration leads into it.
+/// At rest and at a bound of speed both sides are asked: a side is right if its own acceleration leads into it. `None`: each
+/// side drives the motion back, so that it sticks at this speed (dry friction at rest, a governor).
 ///
 /// # Errors
 ///
@@ -22,34 +15,23 @@ pub fn enter(
     equation: &mut Equation<'_>,
     state: &State,
     at_speed_bound: bool,
-) -> Result<Entered, IntegrationError> {
+) -> Result<Option<(Piece, f64)>, IntegrationError> {
     if state.speed != 0.0 && !at_speed_bound {
         let piece = piece_ahead(equation, state, 0.0)?;
-        return Ok(Entered::Moving(piece, acceleration(equation, state)?));
+        return Ok(Some((piece, acceleration(equation, state)?)));
     }
     for side in [1.0, -1.0] {
         let piece = piece_ahead(equation, state, side)?;
         let acceleration = acceleration(equation, state)?;
         if acceleration * side > 0.0 {
-            return Ok(Entered::Moving(piece, acceleration));
+            return Ok(Some((piece, acceleration)));
         }
     }
-    Ok(Entered::Held)
-}
-
-/// The motion would stop again within the roundings of its coordinate: between two pieces that drive it back and forth it
-/// has come to rest, after turning points without number in a finite time.
-pub fn stops_at_once(state: &State, acceleration: f64) -> bool {
-    /// Roundings of the coordinate.
-    const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
-    let stopping = 0.5 * state.speed * state.speed / acceleration.abs();
-    state.speed * acceleration < 0.0 && stopping < ROUNDINGS * state.coordinate.abs().max(1e-3)
+    Ok(None)
 }
 
 fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, IntegrationError> {
-    equation
-        .acceleration(state.time, state.coordinate, state.speed)
-        .map_err(|source| IntegrationError::Equation { at: *state, source })
+    equation.acceleration(state).map_err(|source| IntegrationError::equation(state, source))
 }
 
 /// Asks for the piece, each time a little further ahead, until it has states ahead of `state`: a table that counts its
@@ -60,8 +42,7 @@ fn piece_ahead(equation: &mut Equation<'_>, state: &State, side: f64) -> Result<
     for trial in -1..TRIALS {
         let roundings = if trial < 0 { 0.0 } else { f64::EPSILON * 4.0_f64.powi(trial) };
         let asked = ahead(state, side, roundings);
-        let piece =
-            equation.enter(&asked).map_err(|source| IntegrationError::Equation { at: *state, source })?;
+        let piece = equation.enter(&asked).map_err(|source| IntegrationError::equation(state, source))?;
         if has_states_ahead(&piece, state, asked.speed, side) {
             return Ok(including(piece, state));
         }

@@ -1,0 +1,242 @@
+//! A solution in progress: what every method keeps while it goes from piece to piece, to the end.
+
+use crate::segment::{Segment, instant, samples};
+use crate::{
+    Curve, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Piece, Request, State,
+    Statistics, Trajectory, Until, enter,
+};
+
+/// The motion so far. `C` is how the method describes the motion inside a segment.
+#[derive(Debug)]
+pub struct Run<'a, C> {
+    /// The equation of motion.
+    pub equation: Equation<'a>,
+    /// What is asked.
+    pub request: &'a Request,
+    /// Present state, with its acceleration by the formulas of the present piece.
+    pub node: Node,
+    /// Present smooth piece.
+    pub piece: Piece,
+    /// Cost so far; the counts of the equation are added at the end.
+    pub statistics: Statistics,
+    /// The end that was asked for is reached.
+    pub finished: bool,
+    first: Node,
+    segments: Vec<Segment<C>>,
+    events: Vec<Event>,
+    /// Index of the next sample, where the end is a time.
+    next_sample: usize,
+}
+
+impl<'a, C: Curve> Run<'a, C> {
+    /// At the initial state, before any piece is entered.
+    pub fn new(motion: &'a mut dyn Motion, request: &'a Request) -> Self {
+        let node = Node { state: request.initial, acceleration: 0.0 };
+        Self {
+            equation: Equation::new(motion),
+            request,
+            node,
+            piece: Piece::UNBOUNDED,
+            statistics: Statistics::default(),
+            finished: false,
+            first: node,
+            segments: Vec::with_capacity(64),
+            events: Vec::new(),
+            next_sample: 1,
+        }
+    }
+
+    /// Enters the first piece. `false`: the speed stays, as in [`Run::enter`].
+    ///
+    /// # Errors
+    ///
+    /// As [`enter`].
+    pub fn begin(&mut self) -> Result<bool, IntegrationError> {
+        let moving = self.enter(false)?;
+        self.first = self.node;
+        Ok(moving)
+    }
+
+    /// Enters the piece ahead; `at_speed_bound` if the speed lies on a bound of the piece before.
+    ///
+    /// `false`: the motion sticks at its speed, each side of which drives it back; the acceleration is zero then.
+    ///
+    /// # Errors
+    ///
+    /// As [`enter`].
+    pub fn enter(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
+        let entered = enter(&mut self.equation, &self.node.state, at_speed_bound)?;
+        if let Some((piece, acceleration)) = entered {
+            self.piece = piece;
+            self.node.acceleration = acceleration;
+        } else {
+            self.node.acceleration = 0.0;
+            self.event(if self.node.state.speed == 0.0 { EventKind::Rest } else { EventKind::Held });
+        }
+        Ok(entered.is_some())
+    }
+
+    /// Enters the piece after a bound of the present one. As [`Run::enter`], but a motion that would stop again within the
+    /// roundings of its coordinate stops here: between two pieces that drive it back and forth it has come to rest, after
+    /// turning points without number in a finite time.
+    ///
+    /// # Errors
+    ///
+    /// As [`enter`].
+    pub fn enter_next(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
+        /// Roundings of the coordinate.
+        const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+        let moving = self.enter(at_speed_bound)?;
+        let Node { state: State { coordinate, speed, .. }, acceleration } = self.node;
+        let stopping = 0.5 * speed * speed / acceleration.abs();
+        if moving && speed * acceleration < 0.0 && stopping < ROUNDINGS * coordinate.abs().max(1e-3) {
+            self.node.state.speed = 0.0;
+            return self.enter(true);
+        }
+        Ok(moving)
+    }
+
+    /// Something happened at the present state.
+    pub fn event(&mut self, kind: EventKind) {
+        self.event_at(self.node.state, kind);
+    }
+
+    /// Something happened at a state.
+    pub fn event_at(&mut self, state: State, kind: EventKind) {
+        self.events.push(Event { state, kind });
+    }
+
+    /// Whether a sample may lie in a step to `time`, s. Where the end is not a time, its instants are not known yet.
+    pub fn wants(&self, time: f64) -> bool {
+        let (next, count) = (self.next_sample, self.request.samples);
+        next < count
+            && match self.request.until {
+                Until::Time(end) => instant(self.first.state.time, end, next, count) <= time,
+                Until::Coordinate(_) | Until::Rest => true,
+            }
+    }
+
+    /// Remembers the motion from the present state to the time `end`, s, for its samples.
+    pub fn record(&mut self, curve: C, end: f64) {
+        self.push(Some(curve), end);
+    }
+
+    fn push(&mut self, curve: Option<C>, end: f64) {
+        if !self.wants(end) {
+            return;
+        }
+        self.segments.push(Segment { from: self.node.state, end, curve });
+        if let Until::Time(_) = self.request.until {
+            while self.wants(end) {
+                self.next_sample += 1;
+            }
+        }
+    }
+
+    /// Keeps the present speed up to the time `end`, s.
+    pub fn coast_until(&mut self, end: f64) {
+        self.push(None, end);
+        self.node = Node { state: self.node.state.coasting_until(end), acceleration: 0.0 };
+    }
+
+    /// Keeps the present speed to the end, since nothing will ever change it.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::NotReached`] where the end does not come at that speed.
+    pub fn coast_to_end(&mut self) -> Result<(), IntegrationError> {
+        let State { time, coordinate, speed } = self.node.state;
+        self.finished = true;
+        self.node.acceleration = 0.0;
+        let end = match self.request.until {
+            Until::Time(end) => end,
+            Until::Rest if speed == 0.0 => return Ok(()),
+            Until::Rest => return Err(self.not_reached("keeps its speed")),
+            Until::Coordinate(_) if speed == 0.0 => return Err(self.not_reached("rests there for good")),
+            Until::Coordinate(target) => time + (target - coordinate) / speed,
+        };
+        if end < time {
+            return Err(self.not_reached("goes away from it at a speed that stays"));
+        }
+        if end > self.request.latest() {
+            return Err(self.not_reached("the limit of time is over"));
+        }
+        self.coast_until(end);
+        if let Until::Coordinate(target) = self.request.until {
+            self.node.state.coordinate = target;
+        }
+        Ok(())
+    }
+
+    /// The coordinate ahead in that direction at which the motion ends (then `true`), or else its piece; may be infinite.
+    pub fn coordinate_ahead(&self, direction: f64) -> (f64, bool) {
+        let bound = self.piece.coordinate[usize::from(direction > 0.0)];
+        match self.request.until {
+            Until::Coordinate(target)
+                if (target - self.node.state.coordinate) * direction > 0.0
+                    && (target - bound) * direction <= 0.0 =>
+            {
+                (target, true)
+            }
+            _ => (bound, false),
+        }
+    }
+
+    /// Ends here, with the acceleration by the formulas of the present piece.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::Equation`].
+    pub fn finish(&mut self) -> Result<(), IntegrationError> {
+        let acceleration = self.equation.acceleration(&self.node.state);
+        self.node.acceleration = acceleration.map_err(|source| self.failed(source))?;
+        self.finished = true;
+        Ok(())
+    }
+
+    /// The time is over: an error unless the end that was asked for is a time.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::NotReached`].
+    pub fn time_is_over(&self) -> Result<(), IntegrationError> {
+        match self.request.until {
+            Until::Time(_) => Ok(()),
+            _ => Err(self.not_reached("the limit of time is over")),
+        }
+    }
+
+    /// All steps that were allowed are taken.
+    pub fn is_exhausted(&self) -> bool {
+        self.statistics.steps + self.statistics.rejected >= self.request.max_steps
+    }
+
+    /// The error of a run that [is exhausted](Self::is_exhausted): with its last step, s, and for an explicit method with step
+    /// times eigenvalue.
+    pub fn too_many_steps(&self, step: f64, stiffness: Option<f64>) -> IntegrationError {
+        let steps = self.statistics.steps + self.statistics.rejected;
+        IntegrationError::TooManySteps { at: self.node.state, steps, step, stiffness }
+    }
+
+    /// The equation has no value near the present state.
+    pub fn failed(&self, source: MotionError) -> IntegrationError {
+        IntegrationError::equation(&self.node.state, source)
+    }
+
+    /// The end does not come, and why.
+    pub fn not_reached(&self, why: &'static str) -> IntegrationError {
+        IntegrationError::not_reached(self.request, self.node.state, why)
+    }
+
+    /// The motion that was found.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::Equation`] where the equation fails at a sample.
+    pub fn conclude(mut self) -> Result<Trajectory, IntegrationError> {
+        let ends = [self.first, self.node];
+        let samples = samples(&mut self.equation, &self.segments, self.request.samples, ends)?;
+        let statistics = self.equation.counted(self.statistics);
+        Ok(Trajectory { samples, events: self.events, statistics, end: self.node.state })
+    }
+}
