@@ -109,7 +109,9 @@ impl Calculation {
         else {
             return rows;
         };
-        let given = |state: &State| machine.torque(state.speed) - found.shaft.inertia * state.acceleration;
+        let given = |state: &State| {
+            machine.drive().torque(state.speed) - machine.drive().inertia * state.acceleration
+        };
         let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
         rows.extend(self.drive_check(given, 1e-9, reason));
         rows.extend(self.work_check(found));
@@ -121,13 +123,13 @@ impl Calculation {
         let mut rows = Vec::new();
         let reason = "the equation of motion is met between the nodes to 2e-13 of the energy; its acceleration to some more";
         let given =
-            |state: &State| regime.state(state.coordinate).drive - regime.shaft_inertia * state.acceleration;
+            |state: &State| regime.state(state.coordinate).drive - regime.drive_inertia * state.acceleration;
         rows.extend(self.drive_check(given, 1e-8, reason));
         rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
-        // Without turns (the machine stalls in its first one from the mean speed) the cycle in time alone is told.
-        if let Some(turn) = regime.turns.last() {
-            let left = (turn.residual / turn.speed_end).abs();
+        // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
+        if let Some(last) = regime.iterations.last() {
+            let left = (last.residual / last.speed_end).abs();
             rows.push(Check::of("periodicity", left, 1e-9, "speed over a cycle", reason));
         }
         let Some(Motion::Steady { mean_speed, unevenness }) = self.linkage.mechanism.motion else {

@@ -1,7 +1,7 @@
 //! How the input moves: as the scene prescribes it, or as the equation of motion has it.
 
 use assur_dynamics::{
-    DynamicsError, Machine, Steady, Tell, Transient, equation, steady_told, transient_told,
+    DynamicsError, Machine, Method, Steady, Transient, Watcher, equation, steady, transient,
 };
 use assur_force::{Loads, State};
 use assur_integrator::{
@@ -36,12 +36,12 @@ impl InputMotion {
         let Some(loads) = loads else { return Ok(Self::Prescribed) };
         let mut counter = Counter::new(&linkage.mechanism);
         let mut stopped = false;
-        let mut tell = |state: &IntegratorState| {
+        let mut watcher = |state: &IntegratorState| {
             let flow = watch(counter.progress(state));
             stopped |= flow.is_break();
             flow
         };
-        let found = Self::found(linkage, loads, options, Some(&mut tell));
+        let found = Self::found(linkage, loads, options, Some(&mut watcher));
         // A method that is stopped may say so in other words, or go another way.
         if stopped { Err(Stopped.into()) } else { Ok(found?) }
     }
@@ -50,14 +50,14 @@ impl InputMotion {
         linkage: &Linkage,
         loads: &Loads,
         options: &Options,
-        tell: Option<&mut Tell<'_>>,
+        watcher: Option<&mut Watcher<'_>>,
     ) -> Result<Self, DynamicsError> {
         match linkage.mechanism.motion {
             Some(Motion::Transient { .. }) => {
-                let named = options.integrator.as_deref();
-                Ok(Self::Transient(Box::new(transient_told(linkage, loads, named, None, tell)?)))
+                let method = Method { integrator: options.integrator.as_deref(), tolerance: None };
+                Ok(Self::Transient(Box::new(transient(linkage, loads, &method, watcher)?)))
             }
-            Some(Motion::Steady { .. }) => Ok(Self::Steady(Box::new(steady_told(linkage, loads, tell)?))),
+            Some(Motion::Steady { .. }) => Ok(Self::Steady(Box::new(steady(linkage, loads, watcher)?))),
             Some(Motion::Prescribed { .. }) | None => Ok(Self::Prescribed),
         }
     }

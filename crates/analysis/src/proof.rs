@@ -34,7 +34,7 @@ impl Calculation {
     pub(crate) fn cycle_check(&self, found: &Steady) -> Option<Check> {
         let (loads, regime) = (self.loads.as_ref()?, &found.regime);
         let input = &self.linkage.mechanism.input;
-        let mut motion = Driven::new(Machine::new(&self.linkage, loads), regime.shaft());
+        let mut motion = Driven::new(Machine::new(&self.linkage, loads), regime.drive());
         let start = State { time: 0.0, coordinate: input.from, speed: regime.state(input.from).speed };
         let end = input.from + input.sign() * input.period()?;
         let asked =

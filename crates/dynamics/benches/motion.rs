@@ -12,9 +12,8 @@ fn main() {
 }
 
 fn compiled(name: &str) -> (Linkage, Loads) {
-    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(path).expect("fixture");
-    let linkage = Linkage::compile(assur_scene::read(name, &text).expect("scene")).expect("linkage");
+    let linkage = Linkage::compile(assur_scene::read(name, assur_fixtures::scene(name)).expect("scene"))
+        .expect("linkage");
     let loads = Loads::compile(&linkage).expect("loads");
     (linkage, loads)
 }
@@ -52,7 +51,7 @@ fn andrews(bencher: Bencher, (name, tolerance): (&str, f64)) {
 #[divan::bench]
 fn steady_regime_of_the_shaper(bencher: Bencher) {
     let (linkage, loads) = compiled("shaper-drive");
-    bencher.bench_local(|| steady(black_box(&linkage), black_box(&loads)).is_ok());
+    bencher.bench_local(|| steady(black_box(&linkage), black_box(&loads), None).is_ok());
 }
 
 #[divan::bench]

@@ -2,33 +2,31 @@
 //!
 //! * [`Machine`]: a compiled mechanism with its loads as an equation of motion; [`Driven`]: with motor, flywheel and rotor.
 //! * [`transient`]: the motion from an initial state, by a registered integrator.
-//! * [`Survey`], [`Regime`]: the steady regime, ratio and flywheel.
+//! * [`steady`]: the periodic regime of a scene with ratio and flywheel; [`RegimeSolver`] finds a [`Regime`] of any equation.
 //!
 //! Knows no scene file and no terminal. SI units; angles, speeds and moments counter-clockwise positive.
 
-mod driven;
+mod drive;
 mod error;
 mod machine;
 mod motor;
 mod point;
 mod scene;
-mod shaft;
 mod steady;
 #[cfg(test)]
 mod tests;
-mod told;
 mod transient;
+mod watched;
 
-pub use driven::Driven;
+pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
 pub use machine::Machine;
-pub use motor::DriveMotor;
+pub use motor::{DriveMotor, SteadyMotor};
 pub use point::ReductionPoint;
-pub use scene::{Steady, SteadyMotor, steady, steady_told};
-pub use shaft::{Shaft, Source};
+pub use scene::{Steady, steady};
 pub use steady::{
-    CycleRequest, DriveRequest, Effort, FlywheelByMethod, Regime, RegimeState, Survey, TorqueRequest, Trial,
-    Turn,
+    CycleRequest, DriveRequest, Effort, FlywheelByMethod, Iteration, Regime, RegimeSolver, RegimeState,
+    TorqueRequest, Trial,
 };
-pub use told::Tell;
-pub use transient::{EnergyBalance, Transient, equation, request, transient, transient_by, transient_told};
+pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};
+pub use watched::Watcher;

@@ -22,11 +22,6 @@ impl<'a> Machine<'a> {
         Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
     }
 
-    /// The mechanism.
-    pub fn linkage(&self) -> &'a Linkage {
-        self.linkage
-    }
-
     /// Potential energy of weights and springs at a coordinate, J.
     ///
     /// # Errors

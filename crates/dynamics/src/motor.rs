@@ -1,12 +1,13 @@
-//! The motor of a scene: given by its data, looked up, or chosen (S stage 5).
+//! The motor of a scene: given by its data, looked up, or chosen (S stage 5); and how it works in a steady regime.
 
-use assur_mechanism::Motor as Asked;
+use assur_mechanism::{Motor as Asked, Torque};
 use assur_motor::{
-    Candidate, CharacteristicKind, Motor, MotorFilter, RatedData, SelectionRequest, catalogues, find_motor,
-    list_motors, select,
+    Candidate, Characteristic, Motor, MotorFilter, MotorWarning, RatedData, SelectionRequest, catalogues,
+    check_breakdown, check_rms, check_rotor_inertia, check_starting, find_motor, list_motors, rms_torque,
+    select,
 };
 
-use crate::DynamicsError;
+use crate::{DynamicsError, Regime};
 
 /// The motor that drives.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,8 +16,8 @@ pub struct DriveMotor {
     pub designation: Option<String>,
     /// What the characteristic is made of.
     pub rated: RatedData,
-    /// Which characteristic.
-    pub kind: CharacteristicKind,
+    /// The mechanical characteristic.
+    pub characteristic: Characteristic,
     /// Row of the catalogue, with mass and size.
     pub row: Option<&'static Motor>,
     /// Other motors that would do, with the ratio that each would need, the best first; only where it was chosen.
@@ -28,50 +29,99 @@ impl DriveMotor {
     pub fn rotor(&self) -> f64 {
         self.rated.inertia.unwrap_or(0.0)
     }
-}
 
-/// What a scene asks of its motor.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct MotorWish<'a> {
-    pub(crate) motor: &'a Asked,
-    pub(crate) catalogue: Option<&'a str>,
-    pub(crate) max_speed: Option<f64>,
-    pub(crate) kind: CharacteristicKind,
-}
-
-impl MotorWish<'_> {
-    /// Finds the motor; power (W, at the motor shaft) and speed of the input are for choosing, `None` where that is impossible.
-    pub(crate) fn find(&self, need: Option<[f64; 2]>) -> Result<DriveMotor, DynamicsError> {
-        let kind = self.kind;
-        let row = |motor: &'static Motor, runners_up| DriveMotor {
-            designation: Some(motor.designation.clone()),
-            rated: motor.rated_data(),
-            kind,
-            row: Some(motor),
-            runners_up,
+    /// The motor that a scene asks for, if its torque is a motor's. `need` gives the power, W, at the motor shaft and the speed
+    /// of the input, rad/s, for choosing one.
+    pub(crate) fn of(
+        torque: &Torque,
+        need: impl FnOnce() -> Result<[f64; 2], DynamicsError>,
+    ) -> Result<Option<Self>, DynamicsError> {
+        let Torque::Motor { motor, catalogue, max_speed, characteristic: kind } = torque else {
+            return Ok(None);
         };
-        match self.motor {
+        let (row, runners_up) = match motor {
             Asked::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
                 let rated = RatedData { inertia, ..*rated };
-                Ok(DriveMotor { designation: None, rated, kind, row: None, runners_up: Vec::new() })
+                let characteristic = Characteristic::new(*kind, &rated)?;
+                let runners_up = Vec::new();
+                return Ok(Some(Self { designation: None, rated, characteristic, row: None, runners_up }));
             }
-            Asked::Designation(designation) => Ok(row(find_motor(self.catalogue, designation)?, Vec::new())),
+            Asked::Designation(designation) => (find_motor(catalogue.as_deref(), designation)?, Vec::new()),
             Asked::Auto => {
-                let [required_power, input_speed] =
-                    need.ok_or(DynamicsError::SteadyOnly { what: "`motor = \"auto\"`" })?;
-                let filter =
-                    MotorFilter { catalogue: self.catalogue.map(str::to_owned), ..MotorFilter::default() };
-                let motors = list_motors(&catalogues()?, &filter)?;
+                let [required_power, input_speed] = need()?;
+                let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
                 let request = SelectionRequest {
                     required_power,
                     input_speed,
-                    max_motor_speed: self.max_speed,
-                    characteristic: kind,
+                    max_motor_speed: *max_speed,
+                    characteristic: *kind,
                 };
-                let found = select(motors, &request)?;
-                Ok(row(found.chosen.motor, found.runners_up))
+                let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
+                (found.chosen.motor, found.runners_up)
             }
-        }
+        };
+        let rated = row.rated_data();
+        let characteristic = Characteristic::new(*kind, &rated)?;
+        let designation = Some(row.designation.clone());
+        Ok(Some(Self { designation, rated, characteristic, row: Some(row), runners_up }))
+    }
+}
+
+/// How the motor works in the regime. Torques and speeds of its own shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadyMotor {
+    /// The motor.
+    pub motor: DriveMotor,
+    /// Least and greatest speed of the motor, rad/s: the working section.
+    pub speed: [f64; 2],
+    /// Least and greatest torque, N m.
+    pub torque: [f64; 2],
+    /// Root mean square torque over a cycle, N m.
+    pub rms_torque: f64,
+    /// Greatest torque that the load at rest asks for in any position of the cycle, N m.
+    pub starting_load: f64,
+    /// What an engineer should know.
+    pub warnings: Vec<MotorWarning>,
+}
+
+impl SteadyMotor {
+    /// The motor in a regime. `resistance`: greatest resisting moment over the cycle, reduced to the input, N m; `efficiency`: of
+    /// the reducer.
+    pub(crate) fn new(motor: DriveMotor, regime: &Regime, resistance: f64, efficiency: f64) -> Self {
+        let (characteristic, ratio) = (motor.characteristic, regime.ratio.unwrap_or(1.0));
+        let speed = [ratio * regime.speed_min.abs(), ratio * regime.speed_max.abs()];
+        let of_nodes = regime.solution().weighted_speeds().into_iter();
+        let nodes: Vec<(f64, f64)> =
+            of_nodes.map(|(v, time)| (characteristic.torque(ratio * v), time)).collect();
+        let ends = speed.map(|speed| characteristic.torque(speed));
+        let torques = nodes.iter().map(|(torque, _)| *torque).chain(ends);
+        let torque = torques.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], torque| {
+            [low.min(torque), high.max(torque)]
+        });
+        let rms_torque = rms_torque(nodes);
+        let starting_load = (resistance / (ratio * efficiency)).max(0.0);
+        let starting_ratio = motor.row.and_then(|row| row.starting_torque_ratio);
+        let rotor = match motor.row {
+            Some(row) => check_rotor_inertia(row),
+            None => motor.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
+                designation: "the motor given by its data".to_owned(),
+            }),
+        };
+        let warnings = [
+            check_breakdown(&characteristic, speed),
+            check_starting(&characteristic, starting_ratio, starting_load),
+            check_rms(&characteristic, rms_torque),
+            rotor,
+        ];
+        let warnings = warnings.into_iter().flatten().collect();
+        Self { motor, speed, torque, rms_torque, starting_load, warnings }
+    }
+
+    /// `count` points (speed rad/s, torque N m) of the characteristic between two speeds of the motor.
+    pub fn curve(&self, [low, high]: [f64; 2], count: usize) -> Vec<[f64; 2]> {
+        let last = count.saturating_sub(1).max(1) as f64;
+        let point = |speed: f64| [speed, self.motor.characteristic.torque(speed)];
+        (0..count).map(|i| point(low + (high - low) * (i as f64) / last)).collect()
     }
 }

@@ -12,12 +12,6 @@ mod steady;
 mod transient;
 mod wishes;
 
-/// A scene of the folder of fixtures.
-pub(crate) fn fixture(name: &str) -> String {
-    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    std::fs::read_to_string(path).unwrap()
-}
-
 pub(crate) fn read(text: &str) -> Mechanism {
     assur_scene::read("test.toml", text).unwrap()
 }

@@ -3,12 +3,12 @@
 use assur_force::Loads;
 use assur_integrator::{Dependence, Equation, Motion, Request, Solution, State, Trajectory, Until, enter};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Drive, FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
-use assur_motor::Characteristic;
+use assur_mechanism::{FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
 
-use crate::motor::MotorWish;
-use crate::told::{Tell, Told};
-use crate::{DriveMotor, Driven, DynamicsError, Machine, Shaft, Source};
+use crate::drive::{Driven, InputDrive, Source};
+use crate::motor::DriveMotor;
+use crate::watched::{Watched, Watcher};
+use crate::{DynamicsError, Machine};
 
 /// A transient motion.
 #[derive(Debug, Clone)]
@@ -23,10 +23,15 @@ pub struct Transient {
     pub dependence: Dependence,
     /// Energies over the samples.
     pub energy: EnergyBalance,
-    /// What was on the input shaft.
-    pub shaft: Shaft,
-    /// The motor, if there is one.
-    pub motor: Option<DriveMotor>,
+}
+
+/// The method of a transient motion, where it is another than the scene's.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Method<'a> {
+    /// Name of the integrator; `None`: the scene's.
+    pub integrator: Option<&'a str>,
+    /// Relative tolerance; `None`: the scene's.
+    pub tolerance: Option<f64>,
 }
 
 /// Energies over the samples of a motion.
@@ -43,65 +48,32 @@ pub struct EnergyBalance {
     pub change: f64,
 }
 
-/// Solves the transient motion that a scene asks for.
-///
-/// # Errors
-///
-/// As [`transient_by`].
-pub fn transient(linkage: &Linkage, loads: &Loads) -> Result<Transient, DynamicsError> {
-    transient_by(linkage, loads, None, None)
-}
-
-/// The same by another integrator or to another tolerance than the scene's.
+/// Solves the transient motion that a scene asks for. The watcher sees every state that is evaluated and may stop the motion:
+/// then it fails.
 ///
 /// # Errors
 ///
 /// [`DynamicsError`]: no such motion in the scene, no such integrator or none that suits, a failed position, the end is
 /// never reached.
-pub fn transient_by(
+pub fn transient(
     linkage: &Linkage,
     loads: &Loads,
-    integrator: Option<&str>,
-    tolerance: Option<f64>,
+    method: &Method<'_>,
+    watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Transient, DynamicsError> {
-    transient_told(linkage, loads, integrator, tolerance, None)
-}
-
-/// The same; `tell` is told of every state that is evaluated, and may stop the motion: then it fails.
-///
-/// # Errors
-///
-/// As [`transient_by`].
-pub fn transient_told(
-    linkage: &Linkage,
-    loads: &Loads,
-    integrator: Option<&str>,
-    tolerance: Option<f64>,
-    tell: Option<&mut Tell<'_>>,
-) -> Result<Transient, DynamicsError> {
-    let Some(Asked::Transient { integrator: named, tolerance: scenes, .. }) = &linkage.mechanism.motion
-    else {
+    let mechanism = &linkage.mechanism;
+    let Some(Asked::Transient { integrator: named, tolerance, .. }) = &mechanism.motion else {
         return Err(DynamicsError::NoMotion { kind: "transient" });
     };
-    let (shaft, motor) = shaft_of(&linkage.mechanism)?;
-    let mut motion = Driven::new(Machine::new(linkage, loads), shaft);
-    let mut request = request(&linkage.mechanism, &mut motion)?;
-    request.tolerance = tolerance.unwrap_or(*scenes);
+    let mut motion = equation(linkage, loads)?;
+    let mut request = request(mechanism, &mut motion)?;
+    request.tolerance = method.tolerance.unwrap_or(*tolerance);
     let dependence = motion.dependence();
-    let mut told;
-    let equation: &mut dyn Motion = match tell {
-        Some(tell) => {
-            told = Told { motion: &mut motion, tell };
-            &mut told
-        }
-        None => &mut motion,
-    };
-    let Solution { trajectory, integrator, reason } =
-        assur_integrator::solve(integrator.unwrap_or(named), equation, &request)?;
-    let integrator = integrator.name;
-    let conservative = is_conservative(&linkage.mechanism);
-    let energy = balance(&mut motion, &trajectory, conservative)?;
-    Ok(Transient { trajectory, integrator, reason, dependence, energy, shaft, motor })
+    let mut watched = Watched { motion: &mut motion, watcher };
+    let found = assur_integrator::solve(method.integrator.unwrap_or(named), &mut watched, &request)?;
+    let Solution { trajectory, integrator, reason } = found;
+    let energy = balance(&mut motion, &trajectory, is_conservative(mechanism))?;
+    Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, energy })
 }
 
 /// The equation of motion of a scene with its drive, for a motion in time. `ratio` and `flywheel` must be given.
@@ -110,8 +82,7 @@ pub fn transient_told(
 ///
 /// [`DynamicsError::SteadyOnly`], and what is wrong with the motor.
 pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Machine<'a>>, DynamicsError> {
-    let (shaft, _) = shaft_of(&linkage.mechanism)?;
-    Ok(Driven::new(Machine::new(linkage, loads), shaft))
+    Ok(Driven::new(Machine::new(linkage, loads), input_drive(&linkage.mechanism)?))
 }
 
 /// The request for an integrator that a scene's transient motion makes.
@@ -145,46 +116,32 @@ fn heading(initial: &State, mechanism: &Mechanism, motion: &mut dyn Motion) -> R
     }
 }
 
-/// What a scene puts on the input shaft.
-fn shaft_of(mechanism: &Mechanism) -> Result<(Shaft, Option<DriveMotor>), DynamicsError> {
-    let Some(drive) = &mechanism.drive else { return Ok((Shaft::FREE, None)) };
+/// What drives the input link of a scene in time.
+fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
+    let Some(drive) = &mechanism.drive else { return Ok(InputDrive::NONE) };
     let sense = mechanism.input.sign();
+    let steady_only = |what| DynamicsError::SteadyOnly { what };
+    let given = |solve: Solve, what| match solve {
+        Solve::Given(value) => Ok(value),
+        Solve::Wanted => Err(steady_only(what)),
+    };
     let flywheel = given(drive.flywheel.unwrap_or(Solve::Given(0.0)), "`flywheel = \"solve\"`")?;
-    let (source, motor) = source_of(drive, sense)?;
-    let ratio = if let Source::Motor { ratio, .. } = source { ratio } else { 1.0 };
+    let motor = DriveMotor::of(&drive.torque, || Err(steady_only("`motor = \"auto\"`")))?;
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);
+    let (source, ratio) = match (&drive.torque, motor) {
+        (Torque::Balance, _) => return Err(steady_only("`torque = \"balance\"`")),
+        (Torque::Constant(moment), _) => (Source::Constant(sense * moment), 1.0),
+        (Torque::Motor { .. }, Some(DriveMotor { characteristic, .. })) => {
+            let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
+            (Source::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)
+        }
+        (Torque::None | Torque::Motor { .. }, _) => (Source::None, 1.0),
+    };
     let inertia = match drive.flywheel_on {
         FlywheelPlace::Crank => flywheel + ratio * ratio * rotor,
         FlywheelPlace::Motor => ratio * ratio * (rotor + flywheel),
     };
-    Ok((Shaft { source, sense, inertia }, motor))
-}
-
-fn given(solve: Solve, what: &'static str) -> Result<f64, DynamicsError> {
-    match solve {
-        Solve::Given(value) => Ok(value),
-        Solve::Wanted => Err(DynamicsError::SteadyOnly { what }),
-    }
-}
-
-fn source_of(drive: &Drive, sense: f64) -> Result<(Source, Option<DriveMotor>), DynamicsError> {
-    match &drive.torque {
-        Torque::None => Ok((Source::None, None)),
-        Torque::Balance => Err(DynamicsError::SteadyOnly { what: "`torque = \"balance\"`" }),
-        Torque::Constant(moment) => Ok((Source::Constant(sense * moment), None)),
-        Torque::Motor { motor, catalogue, max_speed, characteristic } => {
-            let wish = MotorWish {
-                motor,
-                catalogue: catalogue.as_deref(),
-                max_speed: *max_speed,
-                kind: *characteristic,
-            };
-            let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
-            let motor = wish.find(None)?;
-            let characteristic = Characteristic::new(motor.kind, &motor.rated)?;
-            Ok((Source::Motor { characteristic, ratio, efficiency: drive.efficiency }, Some(motor)))
-        }
-    }
+    Ok(InputDrive { source, sense, inertia })
 }
 
 fn is_conservative(mechanism: &Mechanism) -> bool {

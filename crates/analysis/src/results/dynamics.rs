@@ -1,6 +1,6 @@
 //! Periodic regime, drive and flywheel.
 
-use assur_dynamics::{Effort, FlywheelByMethod, Trial, Turn};
+use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
 use assur_motor::{FlywheelSize, RatedData};
 use serde::Serialize;
 
@@ -75,7 +75,7 @@ pub struct RegimeReport {
     #[serde(flatten)]
     pub effort: Effort,
     /// Iteration to the periodic regime from the mean speed (S fig. 10).
-    pub iteration: Vec<Turn>,
+    pub iteration: Vec<Iteration>,
     /// Trials of ratio and flywheel (S stage 6).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub trials: Vec<Trial>,

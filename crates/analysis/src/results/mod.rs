@@ -13,7 +13,7 @@ mod structure;
 
 pub use analysis::{Analysis, Failure, InputReport};
 pub use assur_check::Check;
-pub use assur_dynamics::{Effort, FlywheelByMethod, Trial, Turn};
+pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, Reduced, State, Statistics};
 pub use assur_kinematics::{PointMotion, ScalarMotion};
 pub use cycle::{ByCause, Cycle, PositionPlans};

@@ -1,38 +1,43 @@
 //! Radau IIA collocation of order 15: nodes, integration matrix, interpolation (Hairer & Wanner II, IV.5).
 //!
-//! A polynomial of degree 8 on [0, 1] is given by its value at 0 and at the eight nodes, the last of which is 1. The method is
+//! A polynomial of degree 8 on [0, 1] is given by its values at 0 and at the eight nodes, the last of which is 1. The method is
 //! L-stable: a steep motor characteristic on a small inertia is no obstacle.
 
 use std::sync::LazyLock;
 
-/// Number of nodes.
+use nalgebra::{SMatrix, SVector};
+
+/// Number of nodes in (0, 1].
 pub(crate) const S: usize = 8;
 
 /// One number for each node.
-pub(crate) type Nodal = [f64; S];
+type Nodal = [f64; S];
+
+/// One number for the start of a panel and one for each node.
+pub(crate) type Values = [f64; S + 1];
 
 /// Everything that a panel needs.
 #[derive(Debug)]
 pub(crate) struct Rule {
-    /// Nodes in (0, 1], ascending.
-    pub(crate) c: Nodal,
+    /// 0 and the nodes in (0, 1], ascending.
+    pub(crate) c: Values,
     /// ∫ from 0 to node i of the Lagrange polynomial of node j. The last row holds the weights.
     pub(crate) a: [Nodal; S],
     /// Where the residual is checked: the middle of the widest gap.
     pub(crate) middle: f64,
     /// Lagrange polynomials of the nodes at `middle`.
-    pub(crate) at_middle: Nodal,
+    at_middle: Nodal,
     /// Their integrals from 0 to `middle`.
-    pub(crate) to_middle: Nodal,
+    to_middle: Nodal,
     /// Barycentric weights of 0 and the nodes.
-    weights: [f64; S + 1],
+    weights: Values,
 }
 
 /// The rule, made once.
 pub(crate) static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
 
 /// Legendre polynomials P0 to P(S) at `x`.
-fn legendre(x: f64) -> [f64; S + 1] {
+fn legendre(x: f64) -> Values {
     let mut p = [1.0; S + 1];
     p[1] = x;
     for n in 1..S {
@@ -69,127 +74,73 @@ fn zeros() -> Nodal {
 impl Rule {
     fn new() -> Self {
         let x = zeros();
-        let c = x.map(|x| 0.5 * (1.0 + x));
+        let c: Values = std::array::from_fn(|k| if k == 0 { 0.0 } else { 0.5 * (1.0 + x[k - 1]) });
         // l_j(y) = sum over n of P_n(y) v[n][j], V the inverse of the matrix P_n(x_j).
-        let matrix: [Nodal; S] = std::array::from_fn(|j| std::array::from_fn(|n| legendre(x[j])[n]));
-        let lu = Lu::new(matrix);
-        let combine = |basis: &Nodal| lu.solve_transposed(basis);
-        let integral = |x: f64| combine(&legendre_integrals(x).map(|value| 0.5 * value));
-        let middle = 0.5 * (c[S / 2 - 1] + c[S / 2]);
-        let y = 2.0 * middle - 1.0;
-        let p = legendre(y);
+        let lu = SMatrix::<f64, S, S>::from_fn(|n, j| legendre(x[j])[n]).lu();
+        let combine = |basis: Nodal| -> Nodal {
+            lu.solve(&SVector::from(basis)).map_or([f64::NAN; S], |solution| solution.into())
+        };
+        let integral = |x: f64| combine(legendre_integrals(x).map(|value| 0.5 * value));
+        let middle = 0.5 * (c[S / 2] + c[S / 2 + 1]);
+        let p = legendre(2.0 * middle - 1.0);
         Self {
             a: std::array::from_fn(|i| integral(x[i])),
             middle,
-            at_middle: combine(&std::array::from_fn(|n| p[n])),
-            to_middle: integral(y),
+            at_middle: combine(std::array::from_fn(|n| p[n])),
+            to_middle: integral(2.0 * middle - 1.0),
             weights: barycentric(&c),
             c,
         }
     }
 
-    /// The polynomial with the value `start` at 0 and `values` at the nodes, at `theta`.
-    pub(crate) fn interpolate(&self, start: f64, values: &Nodal, theta: f64) -> f64 {
+    /// The polynomial with these values, at the part `theta` of the panel.
+    pub(crate) fn interpolate(&self, values: &Values, theta: f64) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
         for k in 0..=S {
-            let (node, value) = if k == 0 { (0.0, start) } else { (self.c[k - 1], values[k - 1]) };
-            let gap = theta - node;
+            let gap = theta - self.c[k];
             if gap == 0.0 {
-                return value;
+                return values[k];
             }
             let weight = self.weights[k] / gap;
-            above += weight * value;
+            above += weight * values[k];
             below += weight;
         }
         above / below
     }
+
+    /// Integral from 0 to each node, from the values at the nodes; the value at 0 is not used.
+    #[inline]
+    pub(crate) fn integrals(&self, values: &Values) -> Values {
+        std::array::from_fn(|i| if i == 0 { 0.0 } else { dot(&self.a[i - 1], values) })
+    }
+
+    /// Integral over the panel, from the values at the nodes.
+    pub(crate) fn integral(&self, values: &Values) -> f64 {
+        dot(&self.a[S - 1], values)
+    }
+
+    /// Integral from 0 to the middle, from the values at the nodes.
+    pub(crate) fn integral_to_middle(&self, values: &Values) -> f64 {
+        dot(&self.to_middle, values)
+    }
+
+    /// The polynomial of degree 7 through the values at the nodes, in the middle.
+    pub(crate) fn at_middle(&self, values: &Values) -> f64 {
+        dot(&self.at_middle, values)
+    }
 }
 
-fn barycentric(c: &Nodal) -> [f64; S + 1] {
-    let node = |k: usize| if k == 0 { 0.0 } else { c[k - 1] };
+/// Sum over the nodes.
+#[inline]
+fn dot(weights: &Nodal, values: &Values) -> f64 {
+    weights.iter().zip(&values[1..]).map(|(weight, value)| weight * value).sum()
+}
+
+fn barycentric(c: &Values) -> Values {
     std::array::from_fn(|k| {
-        let product: f64 = (0..=S).filter(|m| *m != k).map(|m| node(k) - node(m)).product();
+        let product: f64 = (0..=S).filter(|m| *m != k).map(|m| c[k] - c[m]).product();
         1.0 / product
     })
-}
-
-/// LU factors with partial pivoting.
-#[derive(Debug)]
-pub(crate) struct Lu {
-    factors: [Nodal; S],
-    order: [usize; S],
-}
-
-impl Lu {
-    /// Factors a matrix. A singular one gives infinities, which the caller sees in the solution.
-    pub(crate) fn new(mut a: [Nodal; S]) -> Self {
-        let mut order: [usize; S] = std::array::from_fn(|i| i);
-        for k in 0..S {
-            let best = (k..S).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs())).unwrap_or(k);
-            a.swap(k, best);
-            order.swap(k, best);
-            let pivot = a[k];
-            let inverse = 1.0 / pivot[k];
-            for row in &mut a[k + 1..] {
-                let factor = row[k] * inverse;
-                row[k] = factor;
-                for j in k + 1..S {
-                    row[j] -= factor * pivot[j];
-                }
-            }
-        }
-        Self { factors: a, order }
-    }
-
-    /// Solves A x = b.
-    pub(crate) fn solve(&self, b: &Nodal) -> Nodal {
-        let mut x: Nodal = std::array::from_fn(|i| b[self.order[i]]);
-        for i in 1..S {
-            for j in 0..i {
-                x[i] -= self.factors[i][j] * x[j];
-            }
-        }
-        for i in (0..S).rev() {
-            for j in i + 1..S {
-                x[i] -= self.factors[i][j] * x[j];
-            }
-            x[i] /= self.factors[i][i];
-        }
-        x
-    }
-
-    /// Solves A^T x = b.
-    fn solve_transposed(&self, b: &Nodal) -> Nodal {
-        let mut y = *b;
-        for i in 0..S {
-            for j in 0..i {
-                y[i] -= self.factors[j][i] * y[j];
-            }
-            y[i] /= self.factors[i][i];
-        }
-        for i in (0..S).rev() {
-            for j in i + 1..S {
-                y[i] -= self.factors[j][i] * y[j];
-            }
-        }
-        let mut x = [0.0; S];
-        for i in 0..S {
-            x[self.order[i]] = y[i];
-        }
-        x
-    }
-}
-
-/// Product of a matrix and a vector.
-#[inline]
-pub(crate) fn product(a: &[Nodal; S], x: &Nodal) -> Nodal {
-    std::array::from_fn(|i| dot(&a[i], x))
-}
-
-/// Product of two vectors.
-#[inline]
-pub(crate) fn dot(a: &Nodal, b: &Nodal) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

@@ -1,109 +1,125 @@
 //! One stretch of the path: Newton's method for the collocation equations, and the variational equation.
 
-use super::arc::Arc;
-use super::collocation::{Lu, Nodal, RULE, S, product};
-use super::path::{Data, Datum};
-use super::sweep::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Sweep};
+use nalgebra::{SMatrix, SVector};
+
+use super::collocation::{RULE, S, Values};
+use super::path::{Coefficients, NodalCoefficients};
+use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
 
 /// Newton steps for a panel.
 const MOST_STEPS: usize = 30;
 
 /// Newton's method did not converge on a stretch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Failure {
+pub(crate) struct Failure {
     /// The speed went to zero.
-    pub(super) stalled: bool,
+    pub(crate) stalled: bool,
 }
 
-/// Moment at a place, and its derivatives.
+/// The state at the start of a stretch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Start {
+    /// T, J.
+    pub(crate) energy: f64,
+    /// Derivatives of T by each parameter.
+    pub(crate) derivatives: [f64; PARAMETERS],
+    /// η or 1/η.
+    pub(crate) factor: f64,
+}
+
+/// Moment of loads and drive along the path, and its derivatives.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Force {
-    pub(super) value: f64,
+pub(crate) struct Moment {
+    pub(crate) value: f64,
     by_energy: f64,
+    /// By the drive's parameter, by the flywheel.
     by_parameter: [f64; 2],
 }
 
-impl Sweep<'_, '_> {
+impl Moment {
+    /// The moment at a place, at the kinetic energy there.
     #[inline]
-    pub(super) fn force(&self, datum: &Datum, energy: f64) -> Force {
-        let inertia = datum.inertia + self.setup.shaft.inertia;
+    pub(crate) fn at(setup: &Setup, factor: f64, place: &Coefficients, energy: f64) -> Self {
+        let inertia = place.inertia + setup.drive.inertia;
         let v = (2.0 * energy / inertia).sqrt();
-        let drive = self.setup.shaft.moment(self.factor, v);
-        let by_speed = drive.by_speed + datum.by_speed;
+        let drive = setup.drive.moment(factor, v);
+        let by_speed = drive.by_speed + place.by_speed;
         let by_inertia = -by_speed * v / (2.0 * inertia);
-        let [by_ratio, by_flywheel] = self.setup.inertia_by;
-        Force {
-            value: datum.moment_at(v) + drive.value,
+        let [by_ratio, by_flywheel] = setup.inertia_by;
+        Self {
+            value: place.moment_at(v) + drive.value,
             by_energy: by_speed / (inertia * v),
             by_parameter: [drive.by_parameter + by_inertia * by_ratio, by_inertia * by_flywheel],
         }
     }
+}
 
-    /// Newton's method for `T(i) = T(0) + h sum over j of a(i, j) M(x(j), T(j))`.
-    pub(super) fn solve(
-        &mut self,
-        x: f64,
-        h: f64,
-        data: &Data,
-        guess: Option<Nodal>,
-    ) -> Result<Arc, Failure> {
-        let start = self.energy;
-        let floor = 1e-9 * start;
-        let mut energy = guess.unwrap_or([start; S]);
-        let mut forces = [Force::default(); S];
-        let mut factors;
-        let mut steps = 0;
-        loop {
-            for (j, force) in forces.iter_mut().enumerate() {
-                *force = self.force(&data.nodes[j], energy[j]);
-            }
-            let integral = product(&RULE.a, &forces.map(|force| force.value));
-            let miss: Nodal = std::array::from_fn(|i| start + h * integral[i] - energy[i]);
-            factors = Lu::new(std::array::from_fn(|i| {
-                std::array::from_fn(|j| f64::from(u8::from(i == j)) - h * RULE.a[i][j] * forces[j].by_energy)
-            }));
-            let step = factors.solve(&miss);
-            let largest = step.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
-            for (t, d) in energy.iter_mut().zip(&step) {
-                *t = (*t + d).max(0.05 * *t).max(floor);
-            }
-            steps += 1;
-            let most = energy.iter().fold(start, |most, t| most.max(*t));
-            // The step is made already: what is left is its square.
-            if largest <= 1e-11 * most {
-                break;
-            }
-            if steps == MOST_STEPS || !largest.is_finite() {
-                return Err(Failure { stalled: energy.iter().any(|t| *t < 1e-2 * start) });
-            }
+/// Solves `T(i) = T(0) + h sum over j of a(i, j) M(x(j), T(j))`; `guess`: energies of a solution nearby.
+pub(crate) fn solve(
+    setup: &Setup,
+    start: &Start,
+    [x, h]: [f64; 2],
+    coefficients: &NodalCoefficients,
+    guess: Option<&Values>,
+) -> Result<Segment, Failure> {
+    let floor = 1e-9 * start.energy;
+    let mut energy = guess.copied().unwrap_or([start.energy; S + 1]);
+    energy[0] = start.energy;
+    let failure = |energy: &Values| Failure { stalled: energy.iter().any(|t| *t < 1e-2 * start.energy) };
+    let mut moments = [Moment::default(); S + 1];
+    let mut steps = 0;
+    let lu = loop {
+        for j in 1..=S {
+            moments[j] = Moment::at(setup, start.factor, &coefficients.nodes[j], energy[j]);
         }
-        if energy.iter().any(|t| *t <= 2.0 * floor) {
-            return Err(Failure { stalled: true });
+        let integrals = RULE.integrals(&moments.map(|moment| moment.value));
+        let miss = SVector::<f64, S>::from_fn(|i, _| start.energy + h * integrals[i + 1] - energy[i + 1]);
+        let lu = SMatrix::<f64, S, S>::from_fn(|i, j| {
+            f64::from(u8::from(i == j)) - h * RULE.a[i][j] * moments[j + 1].by_energy
+        })
+        .lu();
+        let step = lu.solve(&miss).unwrap_or_else(|| SVector::repeat(f64::NAN));
+        if !step.iter().all(|d| d.is_finite()) {
+            return Err(failure(&energy));
         }
-        Ok(self.arc(x, h, data, energy, &forces, &factors))
+        let largest = step.amax();
+        for (t, d) in energy[1..].iter_mut().zip(&step) {
+            *t = (*t + d).max(0.05 * *t).max(floor);
+        }
+        steps += 1;
+        let most = energy.iter().copied().fold(0.0, f64::max);
+        // The step is made already: what is left is its square.
+        if largest <= 1e-11 * most {
+            break lu;
+        }
+        if steps == MOST_STEPS {
+            return Err(failure(&energy));
+        }
+    };
+    if energy.iter().any(|t| *t <= 2.0 * floor) {
+        return Err(Failure { stalled: true });
     }
-
-    /// The arc with its derivatives: the same linear system with other right-hand sides.
-    fn arc(&self, x: f64, h: f64, data: &Data, energy: Nodal, forces: &[Force; S], factors: &Lu) -> Arc {
-        let first = self.force(&data.start, self.energy).value;
-        let mut derivatives = [[0.0; S]; PARAMETERS];
-        derivatives[BY_ENERGY] = factors.solve(&[1.0; S]).map(|d| d * self.derivatives[BY_ENERGY]);
-        for p in [BY_DRIVE, BY_FLYWHEEL] {
-            let sources = product(&RULE.a, &forces.map(|force| force.by_parameter[p - 1]));
-            let b = sources.map(|source| self.derivatives[p] + h * source);
-            derivatives[p] = factors.solve(&b);
-        }
-        Arc {
-            x,
-            h,
-            data: *data,
-            start: self.energy,
-            energy,
-            first_moment: first,
-            moment: forces.map(|force| force.value),
-            start_derivatives: self.derivatives,
-            derivatives,
-            factor: self.factor,
-        }
+    moments[0] = Moment::at(setup, start.factor, &coefficients.nodes[0], start.energy);
+    // The derivatives solve the same linear system with other right-hand sides.
+    let vary = |right: SVector<f64, S>, first: f64| -> Values {
+        let found = lu.solve(&right).unwrap_or_else(|| SVector::repeat(f64::NAN));
+        std::array::from_fn(|i| if i == 0 { first } else { found[i - 1] })
+    };
+    let mut derivatives = [[0.0; S + 1]; PARAMETERS];
+    let by_energy = start.derivatives[BY_ENERGY];
+    derivatives[BY_ENERGY] = vary(SVector::repeat(1.0), 1.0).map(|d| d * by_energy);
+    for p in [BY_DRIVE, BY_FLYWHEEL] {
+        let sources = RULE.integrals(&moments.map(|moment| moment.by_parameter[p - 1]));
+        let first = start.derivatives[p];
+        derivatives[p] = vary(SVector::from_fn(|i, _| first + h * sources[i + 1]), first);
     }
+    Ok(Segment {
+        x,
+        h,
+        coefficients: *coefficients,
+        energy,
+        moment: moments.map(|moment| moment.value),
+        derivatives,
+        factor: start.factor,
+    })
 }

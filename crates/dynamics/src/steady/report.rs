@@ -1,10 +1,10 @@
-//! What is told about the way to the regime.
+//! How a regime was found, and the flywheel by other methods.
 
 use serde::Serialize;
 
 /// One cycle of the iteration to the periodic regime (S fig. 10).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Turn {
+pub struct Iteration {
     /// Number of the cycle, from 1.
     pub number: usize,
     /// Speed at its start, rad/s, signed.
@@ -59,7 +59,7 @@ pub struct Effort {
     pub residual: f64,
 }
 
-/// A moment of the steady regime.
+/// The steady regime at one coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RegimeState {
     /// Time since the start of the cycle, s.
@@ -68,7 +68,7 @@ pub struct RegimeState {
     pub speed: f64,
     /// Acceleration, rad/s², signed.
     pub acceleration: f64,
-    /// Moment of the drive on the input shaft, N m, along the coordinate.
+    /// Moment of the drive on the input link, N m, along the coordinate.
     pub drive: f64,
     /// Reduced moment of the loads, N m, along the coordinate.
     pub load: f64,

@@ -4,12 +4,12 @@
 //! flywheel. Each trial is a closed cycle; Newton's method takes the derivatives of its least and greatest speed from the
 //! variational equation and keeps within a factor of the last trial.
 
-use super::arc::Solution;
 use super::report::Trial;
-use super::shooting::{Closing, Shooter, Swing};
-use super::sweep::Setup;
+use super::segment::Setup;
+use super::shooting::Shooting;
+use super::solution::{Closing, CycleSolution, SpeedRange};
 use crate::DynamicsError;
-use crate::shaft::{Shaft, Source};
+use crate::drive::{InputDrive, Source};
 
 /// Trials of ratio and flywheel.
 const MOST_TRIALS: usize = 60;
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 2e-12;
 
 /// What is given and what is wanted. Speeds are positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Wish {
+pub(crate) struct Target {
     /// Mean speed that the level is to give; `None`: whatever comes out.
     pub(crate) mean: Option<f64>,
     /// Unevenness that the flywheel is to give; `None`: the flywheel is given.
@@ -45,12 +45,12 @@ pub(crate) struct Unknowns {
 #[derive(Debug, Clone)]
 pub(crate) struct Tuned {
     pub(crate) unknowns: Unknowns,
-    pub(crate) solution: Solution,
-    pub(crate) swing: Swing,
+    pub(crate) solution: CycleSolution,
+    pub(crate) range: SpeedRange,
     pub(crate) trials: Vec<Trial>,
 }
 
-impl Wish {
+impl Target {
     pub(crate) fn setup(&self, unknowns: &Unknowns, sense: f64) -> Setup {
         let ratio = unknowns.ratio().unwrap_or(0.0);
         let flywheel = unknowns.flywheel;
@@ -59,17 +59,15 @@ impl Wish {
         let inertia = on_input + ratio * ratio * (self.rotor + own);
         let by_flywheel = if self.on_motor { ratio * ratio } else { 1.0 };
         let by_ratio = if unknowns.ratio().is_some() { 2.0 * ratio * (self.rotor + own) } else { 0.0 };
-        Setup {
-            shaft: Shaft { source: unknowns.source, sense, inertia },
-            inertia_by: [by_ratio, by_flywheel],
-        }
+        let drive = InputDrive { source: unknowns.source, sense, inertia };
+        Setup { drive, inertia_by: [by_ratio, by_flywheel] }
     }
 
     /// How far a cycle is from what is wanted: mean (relative), unevenness (its inverse, relative: that is nearly linear
     /// in the flywheel).
-    fn misses(&self, swing: &Swing) -> [f64; 2] {
-        let mean = self.mean.map_or(0.0, |wanted| swing.mean() / wanted - 1.0);
-        [mean, self.unevenness.map_or(0.0, |wanted| wanted / swing.unevenness() - 1.0)]
+    fn misses(&self, range: &SpeedRange) -> [f64; 2] {
+        let mean = self.mean.map_or(0.0, |wanted| range.mean() / wanted - 1.0);
+        [mean, self.unevenness.map_or(0.0, |wanted| wanted / range.unevenness() - 1.0)]
     }
 }
 
@@ -95,8 +93,8 @@ impl Unknowns {
 /// The search for one machine and one wish.
 #[derive(Debug)]
 pub(crate) struct Tuner<'s, 'a> {
-    pub(crate) shooter: &'s mut Shooter<'a>,
-    pub(crate) wish: Wish,
+    pub(crate) shooting: &'s mut Shooting<'a>,
+    pub(crate) target: Target,
     pub(crate) trials: Vec<Trial>,
 }
 
@@ -104,44 +102,49 @@ impl Tuner<'_, '_> {
     fn regime(
         &mut self,
         unknowns: &Unknowns,
-        near: Option<&Solution>,
-    ) -> Result<(Solution, Swing), DynamicsError> {
-        let setup = self.wish.setup(unknowns, self.shooter.road.way.sense);
-        self.shooter.check_inertia(&setup)?;
-        let solution =
-            self.shooter.close(setup, self.wish.closing, unknowns.energy, near.cloned(), &mut Vec::new())?;
-        let swing = solution.swing().ok_or(DynamicsError::NoCycle)?;
+        near: Option<&CycleSolution>,
+    ) -> Result<(CycleSolution, SpeedRange), DynamicsError> {
+        let setup = self.target.setup(unknowns, self.shooting.path.cycle.sense);
+        self.shooting.check_inertia(&setup)?;
+        let solution = self.shooting.close(
+            setup,
+            self.target.closing,
+            unknowns.energy,
+            near.cloned(),
+            &mut Vec::new(),
+        )?;
+        let range = solution.speed_range().ok_or(DynamicsError::NoCycle)?;
         self.trials.push(Trial {
             number: self.trials.len() + 1,
             ratio: unknowns.ratio(),
             flywheel: unknowns.flywheel,
-            mean_speed: self.shooter.road.way.sense * swing.mean(),
-            unevenness: swing.unevenness(),
+            mean_speed: self.shooting.path.cycle.sense * range.mean(),
+            unevenness: range.unevenness(),
         });
-        Ok((solution, swing))
+        Ok((solution, range))
     }
 
     /// Finds ratio (or energy) and flywheel from a first guess.
     pub(crate) fn tune(mut self, mut unknowns: Unknowns) -> Result<Tuned, DynamicsError> {
-        let (mut solution, mut swing) = self.regime(&unknowns, None)?;
+        let (mut solution, mut range) = self.regime(&unknowns, None)?;
         let mut before = f64::INFINITY;
         for _ in 0..MOST_TRIALS {
-            let misses = self.wish.misses(&swing);
+            let misses = self.target.misses(&range);
             let worst = misses[0].abs().max(misses[1].abs());
             if worst <= ROUNDING || (worst < 1e-10 && worst > 0.3 * before) {
                 unknowns.take(&solution);
-                return Ok(Tuned { unknowns, solution, swing, trials: self.trials });
+                return Ok(Tuned { unknowns, solution, range, trials: self.trials });
             }
             before = worst;
             unknowns.take(&solution);
-            let step = self.step(&solution, &swing, misses);
-            let bare = self.wish.unevenness.is_some() && unknowns.flywheel + step[1] < 0.0;
+            let step = self.step(&solution, &range, misses);
+            let bare = self.target.unevenness.is_some() && unknowns.flywheel + step[1] < 0.0;
             if bare && let Some(found) = self.without_flywheel(&unknowns) {
                 return Ok(found);
             }
-            (unknowns, solution, swing) = self.damped(&unknowns, step, misses, &solution)?;
+            (unknowns, solution, range) = self.damped(&unknowns, step, misses, &solution)?;
         }
-        let misses = self.wish.misses(&swing);
+        let misses = self.target.misses(&range);
         Err(DynamicsError::NotTuned {
             trials: self.trials.len(),
             mean_miss: misses[0],
@@ -150,15 +153,15 @@ impl Tuner<'_, '_> {
     }
 
     /// Newton's step of level and flywheel.
-    fn step(&self, solution: &Solution, swing: &Swing, misses: [f64; 2]) -> [f64; 2] {
-        let directions = solution.directions(self.wish.closing);
+    fn step(&self, solution: &CycleSolution, range: &SpeedRange, misses: [f64; 2]) -> [f64; 2] {
+        let directions = solution.directions(self.target.closing);
         let [level, flywheel] = directions.map(|direction| {
-            let [mean, unevenness] = swing.change(&direction);
-            let delta = swing.unevenness();
-            let by_mean = self.wish.mean.map_or(0.0, |wanted| mean / wanted);
-            [by_mean, self.wish.unevenness.map_or(0.0, |wanted| -unevenness * wanted / (delta * delta))]
+            let [mean, unevenness] = range.change(&direction);
+            let delta = range.unevenness();
+            let by_mean = self.target.mean.map_or(0.0, |wanted| mean / wanted);
+            [by_mean, self.target.unevenness.map_or(0.0, |wanted| -unevenness * wanted / (delta * delta))]
         });
-        match (self.wish.mean, self.wish.unevenness) {
+        match (self.target.mean, self.target.unevenness) {
             (Some(_), Some(_)) => {
                 let determinant = level[0] * flywheel[1] - flywheel[0] * level[1];
                 let a = (-misses[0] * flywheel[1] + misses[1] * flywheel[0]) / determinant;
@@ -177,8 +180,8 @@ impl Tuner<'_, '_> {
         from: &Unknowns,
         step: [f64; 2],
         misses: [f64; 2],
-        near: &Solution,
-    ) -> Result<(Unknowns, Solution, Swing), DynamicsError> {
+        near: &CycleSolution,
+    ) -> Result<(Unknowns, CycleSolution, SpeedRange), DynamicsError> {
         const SHORTEST: f64 = 1e-6;
         let norm = |misses: [f64; 2]| misses[0].hypot(misses[1]);
         let mut part = 1.0;
@@ -190,10 +193,10 @@ impl Tuner<'_, '_> {
             next.flywheel =
                 (from.flywheel + part * step[1]).clamp(0.1 * from.flywheel, 10.0 * from.flywheel.max(1e-12));
             match self.regime(&next, Some(near)) {
-                Ok((solution, swing)) => {
-                    let now = norm(self.wish.misses(&swing));
+                Ok((solution, range)) => {
+                    let now = norm(self.target.misses(&range));
                     if now < (1.0 - 0.1 * part) * norm(misses) || now < 1e-9 {
-                        return Ok((next, solution, swing));
+                        return Ok((next, solution, range));
                     }
                 }
                 Err(error @ (DynamicsError::Equation { .. } | DynamicsError::Held { .. })) => {
@@ -212,21 +215,21 @@ impl Tuner<'_, '_> {
 
     /// The regime without a flywheel, if its unevenness is within what is allowed.
     fn without_flywheel(&mut self, near: &Unknowns) -> Option<Tuned> {
-        let wanted = self.wish.unevenness?;
-        let wish = Wish { unevenness: None, ..self.wish };
-        let tuner = Tuner { shooter: &mut *self.shooter, wish, trials: self.trials.clone() };
+        let wanted = self.target.unevenness?;
+        let target = Target { unevenness: None, ..self.target };
+        let tuner = Tuner { shooting: &mut *self.shooting, target, trials: self.trials.clone() };
         let found = tuner.tune(Unknowns { flywheel: 0.0, ..*near }).ok()?;
         self.trials.clone_from(&found.trials);
-        (found.swing.unevenness() <= wanted).then_some(found)
+        (found.range.unevenness() <= wanted).then_some(found)
     }
 }
 
 impl Unknowns {
     /// What closing the cycle found: initial energy, constant moment.
-    fn take(&mut self, solution: &Solution) {
+    fn take(&mut self, solution: &CycleSolution) {
         self.energy = solution.start;
         if let Source::Constant(_) = self.source {
-            self.source = solution.setup.shaft.source;
+            self.source = solution.setup.drive.source;
         }
     }
 }

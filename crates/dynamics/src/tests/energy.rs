@@ -5,10 +5,12 @@ use assur_group::Order;
 use assur_mechanism::Place;
 use proptest::prelude::*;
 
-use super::{compiled, fixture, read};
+use assur_fixtures::scene;
+
+use super::{compiled, read};
 use crate::{
-    CycleRequest, DriveRequest, Machine, ReductionPoint, Survey, TorqueRequest, steady, transient,
-    transient_by,
+    CycleRequest, DriveRequest, Machine, Method, ReductionPoint, RegimeSolver, TorqueRequest, steady,
+    transient,
 };
 
 /// A crank and rocker with weights, a spring and a constant force on the coupler.
@@ -42,7 +44,7 @@ proptest! {
         speed in -12.0..12.0_f64,
     ) {
         let (linkage, loads) = compiled(&four_bar(lengths, masses, stiffness, force, speed));
-        let found = transient(&linkage, &loads).unwrap();
+        let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
         let mechanism = &linkage.mechanism;
         let point = mechanism.point("K").unwrap();
         let place: Place = mechanism.points[point].places[0];
@@ -65,7 +67,7 @@ proptest! {
 /// A crank with a motor whose torque falls by 1e6 N m for each rad/s, on 0.06 kg m².
 fn stiff() -> String {
     let text =
-        fixture("flywheel").replace("[motion]\nkind = \"steady\"\nmean_speed = 100\nunevenness = 0.02\n", "");
+        scene("flywheel").replace("[motion]\nkind = \"steady\"\nmean_speed = 100\nunevenness = 0.02\n", "");
     let (machine, _) = text.split_once("[drive]").unwrap();
     format!(
         "{machine}\n[motion]\nkind = \"transient\"\nspeed = 9.9\nuntil = \"1 rev\"\ntolerance = 1e-6\n[drive]\n\
@@ -76,18 +78,20 @@ fn stiff() -> String {
 #[test]
 fn a_stiff_motor_needs_the_implicit_method() {
     let (linkage, loads) = compiled(&stiff());
-    let found = transient_by(&linkage, &loads, Some("radau5"), None).unwrap();
+    let found =
+        transient(&linkage, &loads, &Method { integrator: Some("radau5"), tolerance: None }, None).unwrap();
     assert!(found.trajectory.statistics.evaluations < 500, "{:?}", found.trajectory.statistics);
     // The slope is 1e6 N m s: the speed is synchronous to 40 N m / 1e6.
     assert!((found.trajectory.end.speed - 10.0).abs() < 1e-4);
-    let error = transient_by(&linkage, &loads, Some("dop853"), None).unwrap_err();
+    let error = transient(&linkage, &loads, &Method { integrator: Some("dop853"), tolerance: None }, None)
+        .unwrap_err();
     assert!(error.to_string().contains("radau5"), "{error}");
 }
 
 #[test]
 fn settling_leads_to_the_same_regime() {
-    let (linkage, loads) = compiled(&fixture("shaper-drive"));
-    let found = steady(&linkage, &loads).unwrap();
+    let (linkage, loads) = compiled(scene("shaper-drive"));
+    let found = steady(&linkage, &loads, None).unwrap();
     let mut machine = Machine::new(&linkage, &loads);
     let request = CycleRequest {
         start: 0.0,
@@ -95,11 +99,11 @@ fn settling_leads_to_the_same_regime() {
         mean_speed: found.regime.mean_speed,
         constant_inertia: 0.04,
     };
-    let mut survey = Survey::new(&mut machine, request).unwrap();
+    let mut survey = RegimeSolver::new(&mut machine, request).unwrap();
     let motor = found.motor.as_ref().unwrap();
     let drive = DriveRequest {
         torque: TorqueRequest::Motor {
-            characteristic: motor.characteristic,
+            characteristic: motor.motor.characteristic,
             rotor: 0.0045,
             ratio: found.regime.ratio,
             efficiency: 0.95,
@@ -114,17 +118,17 @@ fn settling_leads_to_the_same_regime() {
     let (first, last) = (turns[0], turns[turns.len() - 1]);
     assert_relative_eq!(first.speed_start, regime.mean_speed, max_relative = 1e-12);
     assert_relative_eq!(last.speed_end, regime.state(0.0).speed, max_relative = 1e-10);
-    assert!(turns.len() > regime.turns.len());
+    assert!(turns.len() > regime.iterations.len());
 }
 
 #[test]
 fn the_state_of_the_regime_obeys_the_equation() {
     let (linkage, loads) =
-        compiled(&fixture("shaper-drive").replace("positions = 48", "positions = 48\ndirection = \"cw\""));
-    let regime = steady(&linkage, &loads).unwrap().regime;
+        compiled(&scene("shaper-drive").replace("positions = 48", "positions = 48\ndirection = \"cw\""));
+    let regime = steady(&linkage, &loads, None).unwrap().regime;
     for index in 0..48 {
         let state = regime.state(linkage.mechanism.input.coordinate(index) - 1e-3);
-        let inertia = state.inertia + regime.shaft_inertia;
+        let inertia = state.inertia + regime.drive_inertia;
         let sum = state.load + state.drive
             - inertia * state.acceleration
             - 0.5 * state.inertia_derivative * state.speed * state.speed;
@@ -136,11 +140,11 @@ fn the_state_of_the_regime_obeys_the_equation() {
 
 #[test]
 fn motor_and_places_of_the_flywheel() {
-    let (linkage, loads) = compiled(&fixture("shaper-drive").replace(
+    let (linkage, loads) = compiled(&scene("shaper-drive").replace(
         "motor = { power = \"1.1 kW\", synchronous_speed = \"1500 rpm\", rated_speed = \"1410 rpm\", max_torque_ratio = 2.2, inertia = \"0.0045 kg*m^2\" }",
         "motor = \"auto\"\ncatalogue = \"4A\"\nmax_motor_speed = \"1500 rpm\"",
     ));
-    let found = steady(&linkage, &loads).unwrap();
+    let found = steady(&linkage, &loads, None).unwrap();
     let motor = found.motor.unwrap();
     let row = motor.motor.row.unwrap();
     assert!(row.rated_power >= found.regime.required_power && row.synchronous_speed < 157.1);
@@ -163,7 +167,7 @@ fn motor_and_places_of_the_flywheel() {
 
 #[test]
 fn reduction_to_a_point_keeps_power_and_energy() {
-    let mechanism = read(&fixture("shaper-drive"));
+    let mechanism = read(scene("shaper-drive"));
     let point = ReductionPoint::farthest(&mechanism).unwrap();
     assert_eq!(mechanism.points[point.point].name, "A");
     // Crank 0.1 m: E eqs. 4 to 6.

@@ -4,15 +4,16 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 
-use super::{compiled, fixture};
+use assur_fixtures::scene;
+
+use super::compiled;
 use crate::steady;
 
 #[test]
 fn the_engine_of_example_2() {
-    let (linkage, loads) = compiled(&fixture("flywheel"));
-    let found = steady(&linkage, &loads).unwrap();
+    let (linkage, loads) = compiled(scene("flywheel"));
+    let found = steady(&linkage, &loads, None).unwrap();
     let regime = &found.regime;
-    eprintln!("{regime:#?}");
     // E example 2, in closed form.
     assert_relative_eq!(regime.torque.unwrap(), -20.0, max_relative = 1e-12);
     assert_relative_eq!(regime.flywheel, PI / 20.0, max_relative = 1e-11);
@@ -26,13 +27,9 @@ fn the_engine_of_example_2() {
 
 #[test]
 fn the_shaper_with_its_drive() {
-    let (linkage, loads) = compiled(&fixture("shaper-drive"));
-    let found = steady(&linkage, &loads).unwrap();
+    let (linkage, loads) = compiled(scene("shaper-drive"));
+    let found = steady(&linkage, &loads, None).unwrap();
     let regime = &found.regime;
-    eprintln!(
-        "{:?} {:?} {:?} {:?} {:?}",
-        regime.flywheel, regime.ratio, regime.effort, regime.flywheel_by_method, regime.trials
-    );
     // An independent solution.
     assert_relative_eq!(regime.flywheel, 101.9001, max_relative = 1e-6);
     assert_relative_eq!(regime.ratio.unwrap(), 24.33661, max_relative = 3e-7);

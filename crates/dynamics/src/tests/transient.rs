@@ -6,12 +6,14 @@ use approx::assert_relative_eq;
 use assur_integrator::problems::Example;
 use assur_integrator::{AUTO, Dependence, Reduced, Request, State, Until};
 
-use super::{compiled, fixture};
-use crate::{Transient, transient, transient_by};
+use assur_fixtures::scene;
+
+use super::compiled;
+use crate::{Method, Transient, transient};
 
 fn solved(name: &str) -> Transient {
-    let (linkage, loads) = compiled(&fixture(name));
-    transient(&linkage, &loads).unwrap()
+    let (linkage, loads) = compiled(scene(name));
+    transient(&linkage, &loads, &Method::default(), None).unwrap()
 }
 
 #[test]
@@ -38,7 +40,7 @@ fn a_moment_over_time_is_one_quadrature() {
         [[moment]]\nlink = \"disc\"\nvalue = { over = \"time\", table = [[0, 0], [1, 5], [3, 5], [4, 0]] }\n\
         [input]\nlink = \"disc\"\n[motion]\nkind = \"transient\"\nspeed = 0.5\nuntil = \"6 s\"\n";
     let (linkage, loads) = compiled(scene);
-    let found = transient(&linkage, &loads).unwrap();
+    let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
     // The impulse is 2.5 + 10 + 2.5 N m s: w = 0.5 + 15 / 0.5. The trapezoid turns about t = 2, so that from 0 to 4 the mean
     // speed is that of t = 2: 15.5 rad/s.
     assert_eq!(found.integrator, "quadrature");
@@ -52,7 +54,7 @@ fn a_motor_on_a_disc_is_one_quadrature_over_the_speed() {
         [[moment]]\nlink = \"disc\"\nvalue = { over = \"speed\", table = [[0, 6], [12, 0], [20, -4]] }\n\
         [input]\nlink = \"disc\"\n[motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"3 s\"\n";
     let (linkage, loads) = compiled(scene);
-    let found = transient(&linkage, &loads).unwrap();
+    let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
     assert_eq!((found.integrator, found.dependence.words().as_str()), ("quadrature", "J constant, M(w)"));
     // w' = 12 - w.
     let (end, gone) = (found.trajectory.end, -(-3.0_f64).exp_m1());
@@ -88,19 +90,18 @@ const ANDREWS: [f64; 2] = [15.810_771_195_153_71, 1_139.920_302_259_106];
 
 #[test]
 fn andrews_to_the_tolerance() {
-    let (linkage, loads) = compiled(&fixture("andrews"));
+    let (linkage, loads) = compiled(scene("andrews"));
     for (integrator, tolerance, allowed) in
         [("auto", 1e-9, 1e-8), ("auto", 1e-14, 1e-11), ("dop853", 1e-9, 1e-8), ("dop853", 1e-14, 1e-11)]
     {
-        let found = transient_by(&linkage, &loads, Some(integrator), Some(tolerance)).unwrap();
+        let found = transient(
+            &linkage,
+            &loads,
+            &Method { integrator: Some(integrator), tolerance: Some(tolerance) },
+            None,
+        )
+        .unwrap();
         let end = found.trajectory.end;
-        eprintln!(
-            "{integrator} {} {tolerance:e}: {:e} {:e} {:?}",
-            found.integrator,
-            end.coordinate / ANDREWS[0] - 1.0,
-            end.speed / ANDREWS[1] - 1.0,
-            found.trajectory.statistics
-        );
         assert_relative_eq!(end.coordinate, ANDREWS[0], max_relative = allowed);
         assert_relative_eq!(end.speed, ANDREWS[1], max_relative = 10.0 * allowed);
     }
@@ -108,10 +109,9 @@ fn andrews_to_the_tolerance() {
 
 #[test]
 fn parallelograms_keep_their_branch() {
-    let (linkage, loads) = compiled(&fixture("n-four-bar-2"));
-    let found = transient(&linkage, &loads).unwrap();
+    let (linkage, loads) = compiled(scene("n-four-bar-2"));
+    let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
     let end = found.trajectory.end;
-    eprintln!("{} {:?} {:e}", found.integrator, found.trajectory.statistics, found.energy.change);
     // A published benchmark.
     assert_relative_eq!(end.coordinate.cos(), 0.328_458_111_540_815, epsilon = 1e-6);
     assert_relative_eq!(end.coordinate.sin(), 0.944_518_538_178_601, epsilon = 1e-6);

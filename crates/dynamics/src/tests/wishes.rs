@@ -2,7 +2,9 @@
 
 use approx::assert_relative_eq;
 
-use super::{compiled, fixture};
+use assur_fixtures::scene;
+
+use super::compiled;
 use crate::steady;
 
 #[test]
@@ -13,7 +15,7 @@ fn a_grid_of_wishes_is_met() {
             for characteristic in ["kloss", "linear"] {
                 for direction in ["ccw", "cw"] {
                     for place in ["crank", "motor"] {
-                        let text = fixture("shaper-drive")
+                        let text = scene("shaper-drive")
                             .replace("60 rpm", &format!("{speed} rpm"))
                             .replace("unevenness = 0.05", &format!("unevenness = {unevenness}"))
                             .replace("\"kloss\"", &format!("\"{characteristic}\""))
@@ -23,7 +25,7 @@ fn a_grid_of_wishes_is_met() {
                             )
                             .replace("flywheel_on = \"crank\"", &format!("flywheel_on = \"{place}\""));
                         let (linkage, loads) = compiled(&text);
-                        match steady(&linkage, &loads) {
+                        match steady(&linkage, &loads, None) {
                             Ok(found) => {
                                 let regime = &found.regime;
                                 let wanted = speed * std::f64::consts::PI / 30.0;

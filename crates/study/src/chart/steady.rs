@@ -5,7 +5,7 @@ mod flywheel;
 mod settling;
 
 use assur_dynamics::{
-    CycleRequest, DriveRequest, Driven, Machine, Regime, Source, Survey, TorqueRequest, steady,
+    CycleRequest, DriveRequest, Driven, Machine, Regime, RegimeSolver, Source, TorqueRequest, steady,
 };
 use assur_force::Loads;
 use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, Request, State, Until};
@@ -40,7 +40,7 @@ impl<'a> Cycle<'a> {
         let Some(Asked::Steady { mean_speed, .. }) = linkage.mechanism.motion else { return None };
         let length = input.period()?;
         let request = CycleRequest { start: input.from, length, mean_speed, constant_inertia: 0.0 };
-        let found = steady(linkage, loads).map_err(|error| error.to_string());
+        let found = steady(linkage, loads, None).map_err(|error| error.to_string());
         Some(found.map(|found| Self { linkage, loads, regime: found.regime, request }))
     }
 
@@ -49,21 +49,21 @@ impl<'a> Cycle<'a> {
         let speed = self.regime.state(self.request.start).speed;
         let initial = State { time: 0.0, coordinate: self.request.start, speed };
         let end = self.request.start + self.request.mean_speed.signum() * self.request.length;
-        let motion = Driven::new(Machine::new(self.linkage, self.loads), self.regime.shaft());
+        let motion = Driven::new(Machine::new(self.linkage, self.loads), self.regime.drive());
         Task { motion, request: Request { samples, ..Request::new(initial, Until::Coordinate(end)) } }
     }
 
     /// The drive as it was found, so that only the regime is to be found again.
     fn drive(&self) -> DriveRequest {
-        let shaft = self.regime.shaft();
-        let torque = match shaft.source {
+        let drive = self.regime.drive();
+        let torque = match drive.source {
             Source::None => TorqueRequest::None,
             Source::Constant(_) => TorqueRequest::Balance,
             Source::Motor { characteristic, ratio, efficiency } => {
                 TorqueRequest::Motor { characteristic, rotor: 0.0, ratio: Some(ratio), efficiency }
             }
         };
-        DriveRequest { torque, flywheel: Some(shaft.inertia), flywheel_on_motor: false, unevenness: None }
+        DriveRequest { torque, flywheel: Some(drive.inertia), flywheel_on_motor: false, unevenness: None }
     }
 
     fn machine(&self) -> Counted<Machine<'a>> {
@@ -104,9 +104,9 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: Options) -> Field<'a> {
 /// Speed at the start of the cycle by shooting on collocation panels, with ratio and flywheel given; and evaluations.
 fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), String> {
     let mut machine = cycle.machine();
-    let mut survey = Survey::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
-    let regime = survey.solve(&cycle.drive()).map_err(|error| error.to_string())?;
-    drop(survey);
+    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
+    let regime = solver.solve(&cycle.drive()).map_err(|error| error.to_string())?;
+    drop(solver);
     Ok((regime.state(cycle.request.start).speed, machine.count))
 }
 
@@ -116,10 +116,11 @@ const MOST_CYCLES: usize = 10_000;
 /// Speed cycle after cycle on the same panels, from the mean speed, until it changes by less than the tolerance; and evaluations.
 fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), String> {
     let mut machine = cycle.machine();
-    let mut survey = Survey::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
-    let turns = survey.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.to_string())?;
-    drop(survey);
-    Ok((turns.last().map_or(f64::NAN, |turn| turn.speed_end), machine.count))
+    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
+    let iterations =
+        solver.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.to_string())?;
+    drop(solver);
+    Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), machine.count))
 }
 
 /// An equation of motion that counts how often it is asked.

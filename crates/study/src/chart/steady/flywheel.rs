@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use assur_dynamics::{Survey, steady};
+use assur_dynamics::{RegimeSolver, steady};
 use assur_integrator::{Motion, Request};
 use assur_mechanism::{FlywheelPlace, Motion as Asked, Solve};
 
@@ -82,12 +82,12 @@ fn extreme(values: &[f64], sign: f64) -> Option<f64> {
 /// Evaluations of the equation of motion that a flywheel costs: the exact one, or one survey of the cycle.
 fn effort(cycle: &Cycle<'_>, exact: bool) -> Option<usize> {
     if exact {
-        return Some(steady(cycle.linkage, cycle.loads).ok()?.regime.effort.evaluations);
+        return Some(steady(cycle.linkage, cycle.loads, None).ok()?.regime.effort.evaluations);
     }
     let mut machine = cycle.machine();
-    let survey = Survey::new(&mut machine, cycle.request).ok()?;
-    black_box(survey.mean_resistance());
-    drop(survey);
+    let solver = RegimeSolver::new(&mut machine, cycle.request).ok()?;
+    black_box(solver.mean_resistance());
+    drop(solver);
     Some(machine.count)
 }
 

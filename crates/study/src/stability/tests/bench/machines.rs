@@ -1,6 +1,6 @@
 //! A crank with a motor of a straight characteristic against dry friction, from the scene to the motion: start, stall, regime.
 
-use assur_dynamics::{DynamicsError, steady, transient_by};
+use assur_dynamics::{DynamicsError, Method, steady, transient};
 use assur_force::Loads;
 use assur_integrator::{IntegrationError, IntegratorPlugin, integrators};
 use assur_kinematics::Linkage;
@@ -89,13 +89,17 @@ fn bound(plugin: &IntegratorPlugin, duration: f64, steps: usize) -> f64 {
     }
 }
 
+fn method(integrator: &str) -> Method<'_> {
+    Method { integrator: Some(integrator), tolerance: Some(TOLERANCE) }
+}
+
 /// From rest: w = W (1 - exp(-t)), q = W (t - 1 + exp(-t)), with W what the motor has left.
 fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
     let ([friction, over], end) = (friction(excess), 2.0_f64);
     let text = scene(friction, "kind = \"transient\"\nspeed = 0\nuntil = 2");
     let (linkage, loads) = machine(&text)?;
     let lost = -(-end).exp_m1();
-    let found = transient_by(&linkage, &loads, Some(plugin.name), Some(TOLERANCE));
+    let found = transient(&linkage, &loads, &method(plugin.name), None);
     let count = |steps: &assur_integrator::Statistics| steps.steps + steps.rejected;
     let steps = found.as_ref().map_or(STEPS, |found| count(&found.trajectory.statistics));
     let row = row("motor from rest", (plugin.name, "end"), excess, bound(plugin, end, steps));
@@ -119,7 +123,7 @@ fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
     // A step of a fixed length is a thousandth of the time that 50 turns at the speed of the start would take.
     let bound = bound(plugin, duration.max(6.3), STEPS) + 1e3 * f64::EPSILON / excess;
     let row = row("motor stalled by friction", (plugin.name, "place of the refusal"), excess, bound);
-    Some(match transient_by(&linkage, &loads, Some(plugin.name), Some(TOLERANCE)) {
+    Some(match transient(&linkage, &loads, &method(plugin.name), None) {
         Err(DynamicsError::Integration(IntegrationError::NotReached { at, .. })) => {
             row(Ok((at.coordinate / stop - 1.0).abs().max(at.speed.abs())), false)
         }
@@ -138,7 +142,7 @@ fn regime(excess: f64) -> Row {
     let text = scene(friction, "kind = \"steady\"\nmean_speed = 80");
     let row = row("regime of the motor", ("shooting", "regime"), excess, 1e3 * TOLERANCE);
     let found = match machine(&text) {
-        Some((linkage, loads)) => steady(&linkage, &loads).map_err(|error| error.to_string()),
+        Some((linkage, loads)) => steady(&linkage, &loads, None).map_err(|error| error.to_string()),
         None => return row(Err("the scene does not compile".to_owned()), false),
     };
     match found {

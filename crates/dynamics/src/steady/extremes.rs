@@ -1,18 +1,20 @@
 //! Least and greatest values of a function that is known with its derivative at the nodes of panels.
 
-use super::collocation::{Nodal, RULE, S};
+use assur_number::search::bisect;
+
+use super::collocation::{RULE, S, Values};
 
 /// The function on one panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Piece {
+    /// Path coordinate of its start.
     pub(crate) x: f64,
+    /// Its length.
     pub(crate) h: f64,
-    /// Value at the start and at the nodes.
-    pub(crate) start: f64,
-    pub(crate) values: Nodal,
+    /// Values at the start and at the nodes.
+    pub(crate) values: Values,
     /// Derivative by x at the start and at the nodes.
-    pub(crate) start_slope: f64,
-    pub(crate) slopes: Nodal,
+    pub(crate) slopes: Values,
 }
 
 /// An extreme value and where it is.
@@ -22,7 +24,7 @@ pub(crate) struct Extreme {
     pub(crate) piece: usize,
     /// Part of the panel.
     pub(crate) theta: f64,
-    /// Place on the path.
+    /// Path coordinate.
     pub(crate) x: f64,
     pub(crate) value: f64,
 }
@@ -33,18 +35,17 @@ pub(crate) fn extremes(pieces: &[Piece]) -> Option<[Extreme; 2]> {
     for (index, piece) in pieces.iter().enumerate() {
         let at =
             |theta: f64, value: f64| Extreme { piece: index, theta, x: piece.x + theta * piece.h, value };
-        note(&mut found, at(0.0, piece.start));
-        let (mut theta, mut slope) = (0.0, piece.start_slope);
-        for (node, next) in RULE.c.iter().zip(piece.slopes) {
-            if slope * next < 0.0 {
-                let root = piece.turn([theta, *node], slope.signum());
-                note(&mut found, at(root, RULE.interpolate(piece.start, &piece.values, root)));
-            } else if next == 0.0 {
-                note(&mut found, at(*node, RULE.interpolate(piece.start, &piece.values, *node)));
+        let between = |theta: f64| at(theta, RULE.interpolate(&piece.values, theta));
+        note(&mut found, at(0.0, piece.values[0]));
+        for i in 1..=S {
+            let [before, after] = [piece.slopes[i - 1], piece.slopes[i]];
+            if before * after < 0.0 {
+                note(&mut found, between(piece.turning_point([RULE.c[i - 1], RULE.c[i]], before.signum())));
+            } else if after == 0.0 {
+                note(&mut found, between(RULE.c[i]));
             }
-            (theta, slope) = (*node, next);
         }
-        note(&mut found, at(1.0, piece.values[S - 1]));
+        note(&mut found, at(1.0, piece.values[S]));
     }
     found
 }
@@ -65,19 +66,10 @@ fn note(found: &mut Option<[Extreme; 2]>, new: Extreme) {
 }
 
 impl Piece {
-    /// Zero of the derivative between two parts, by bisection of its polynomial.
-    fn turn(&self, [mut low, mut high]: [f64; 2], sign: f64) -> f64 {
-        while high - low > 2.0 * f64::EPSILON {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if RULE.interpolate(self.start_slope, &self.slopes, middle) * sign > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
+    /// Zero of the derivative between two parts of the panel; `sign`: of the derivative at the first.
+    fn turning_point(&self, [low, high]: [f64; 2], sign: f64) -> f64 {
+        let keeps_sign = |theta: f64| RULE.interpolate(&self.slopes, theta) * sign > 0.0;
+        let [low, high] = bisect(low, high, 2.0 * f64::EPSILON, keeps_sign);
+        f64::midpoint(low, high)
     }
 }

@@ -1,24 +1,24 @@
-//! An equation of motion that tells how far its solution is, and can be stopped.
+//! An equation of motion that reports how far its solution is, and can be stopped.
 
 use std::ops::ControlFlow;
 
 use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 
-/// Is told of every state in which an equation of motion is evaluated; breaks where the solution is to be stopped.
-pub type Tell<'t> = dyn FnMut(&State) -> ControlFlow<()> + 't;
+/// Called with every state in which an equation of motion is evaluated; breaks to stop the solution.
+pub type Watcher<'w> = dyn FnMut(&State) -> ControlFlow<()> + 'w;
 
 /// Why a motion that was stopped has no solution.
 #[derive(Debug, Clone, Copy, thiserror::Error)]
 #[error("stopped on request")]
 struct Stopped;
 
-/// An equation of motion with somebody who is told.
-pub(crate) struct Told<'a, 't> {
+/// An equation of motion and who watches it, if anybody.
+pub(crate) struct Watched<'a, 'w> {
     pub(crate) motion: &'a mut dyn Motion,
-    pub(crate) tell: &'a mut Tell<'t>,
+    pub(crate) watcher: Option<&'a mut Watcher<'w>>,
 }
 
-impl Motion for Told<'_, '_> {
+impl Motion for Watched<'_, '_> {
     fn dependence(&self) -> Dependence {
         self.motion.dependence()
     }
@@ -28,10 +28,11 @@ impl Motion for Told<'_, '_> {
     }
 
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        match (self.tell)(state) {
-            ControlFlow::Continue(()) => self.motion.reduced(state),
-            ControlFlow::Break(()) => Err(MotionError::mechanism(Stopped)),
+        let flow = self.watcher.as_mut().map_or(ControlFlow::Continue(()), |watcher| watcher(state));
+        if flow.is_break() {
+            return Err(MotionError::mechanism(Stopped));
         }
+        self.motion.reduced(state)
     }
 
     fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {

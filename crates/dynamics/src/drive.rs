@@ -1,0 +1,149 @@
+//! The drive of the input link, reduced to it: torque, flywheel and rotor; and a machine with its drive as an equation of motion.
+
+use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_motor::Characteristic;
+
+/// Source of the driving torque.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// Nothing but the loads of the scene.
+    None,
+    /// A constant moment, N m, positive along the motion (not along the coordinate).
+    Constant(f64),
+    /// An asynchronous motor behind a reducer, connected so that it drives along the motion.
+    Motor {
+        /// Its characteristic.
+        characteristic: Characteristic,
+        /// Motor speed / input speed, u.
+        ratio: f64,
+        /// Efficiency η of the reducer, (0, 1].
+        efficiency: f64,
+    },
+}
+
+/// Torque and inertia of a drive, reduced to the input link. Speeds v and moments of a drive are positive along the motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputDrive {
+    /// The torque.
+    pub source: Source,
+    /// Sense of the motion: 1 along growing coordinates, -1 along falling ones.
+    pub sense: f64,
+    /// Moment of inertia of flywheel and rotor, kg m².
+    pub inertia: f64,
+}
+
+/// The driving moment, N m, and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Moment {
+    pub(crate) value: f64,
+    pub(crate) by_speed: f64,
+    /// By the ratio u, or by the constant moment.
+    pub(crate) by_parameter: f64,
+}
+
+/// Interval of the speed in which the losses of the reducer have one direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Branch {
+    /// η while the motor drives, 1/η while it brakes.
+    pub(crate) factor: f64,
+    /// Bounds of v.
+    pub(crate) speed: [f64; 2],
+}
+
+impl InputDrive {
+    /// No drive and no flywheel.
+    pub const NONE: Self = Self { source: Source::None, sense: 1.0, inertia: 0.0 };
+
+    /// The branch of the torque just above the speed `v`.
+    pub(crate) fn branch(&self, v: f64) -> Branch {
+        let everywhere = Branch { factor: 1.0, speed: [f64::NEG_INFINITY, f64::INFINITY] };
+        let Source::Motor { characteristic, ratio, efficiency } = &self.source else { return everywhere };
+        if *efficiency >= 1.0 {
+            return everywhere;
+        }
+        let synchronous = characteristic.synchronous_speed() / ratio;
+        // Motor torque times motor speed is negative above synchronous speed and where the input turns against the motor.
+        if v < 0.0 {
+            Branch { factor: 1.0 / efficiency, speed: [f64::NEG_INFINITY, 0.0] }
+        } else if v < synchronous {
+            Branch { factor: *efficiency, speed: [0.0, synchronous] }
+        } else {
+            Branch { factor: 1.0 / efficiency, speed: [synchronous, f64::INFINITY] }
+        }
+    }
+
+    /// Moment of the drive on the input link, N m, along the coordinate, at a speed of the coordinate, rad/s.
+    pub fn torque(&self, speed: f64) -> f64 {
+        let v = self.sense * speed;
+        self.sense * self.moment(self.branch(v).factor, v).value
+    }
+
+    /// Moment on the input link at the speed `v` by the formula of the branch with this factor, continued beyond the branch.
+    #[inline]
+    pub(crate) fn moment(&self, factor: f64, v: f64) -> Moment {
+        match &self.source {
+            Source::None => Moment::default(),
+            Source::Constant(value) => Moment { value: *value, by_speed: 0.0, by_parameter: 1.0 },
+            Source::Motor { characteristic, ratio, .. } => {
+                let (torque, slope) = (characteristic.torque(ratio * v), characteristic.slope(ratio * v));
+                Moment {
+                    value: ratio * factor * torque,
+                    by_speed: ratio * ratio * factor * slope,
+                    by_parameter: factor * (torque + ratio * v * slope),
+                }
+            }
+        }
+    }
+}
+
+/// The equation of motion of a machine with its drive.
+#[derive(Debug, Clone)]
+pub struct Driven<M> {
+    machine: M,
+    drive: InputDrive,
+    factor: f64,
+}
+
+impl<M: Motion> Driven<M> {
+    /// Puts a drive on the input link of a machine.
+    pub fn new(machine: M, drive: InputDrive) -> Self {
+        Self { machine, drive, factor: 1.0 }
+    }
+
+    /// The machine without its drive.
+    pub fn machine(&mut self) -> &mut M {
+        &mut self.machine
+    }
+
+    /// The drive.
+    pub fn drive(&self) -> &InputDrive {
+        &self.drive
+    }
+}
+
+impl<M: Motion> Motion for Driven<M> {
+    fn dependence(&self) -> Dependence {
+        let mut dependence = self.machine.dependence();
+        dependence.moment_on_speed |= matches!(self.drive.source, Source::Motor { .. });
+        dependence
+    }
+
+    fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
+        let mut piece = self.machine.enter(state)?;
+        let branch = self.drive.branch(self.drive.sense * state.speed);
+        self.factor = branch.factor;
+        let [low, high] = branch.speed;
+        let own = if self.drive.sense < 0.0 { [-high, -low] } else { [low, high] };
+        piece.speed = [piece.speed[0].max(own[0]), piece.speed[1].min(own[1])];
+        Ok(piece)
+    }
+
+    #[inline]
+    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        let mut reduced = self.machine.reduced(state)?;
+        let sense = self.drive.sense;
+        reduced.inertia += self.drive.inertia;
+        reduced.moment += sense * self.drive.moment(self.factor, sense * state.speed).value;
+        Ok(reduced)
+    }
+}

@@ -1,0 +1,135 @@
+//! The flywheel by the methods of the textbooks, which take the driving moment as constant over the cycle.
+//!
+//! With the work ΔA(x) of all moments from the start of the cycle, the wanted mean speed w and unevenness δ:
+//!
+//! ```text
+//! excess work         J = (max ΔA - min ΔA)/(w² δ)                                   E eq. 10
+//! less inertia        the same less constant and mean variable inertia               E eq. 9
+//! Mertsalov           J = range of (ΔA - Jv w²/2)/(w² δ), less the constant inertia
+//! Wittenbauer         J = (max(ΔA - J w₁²/2) - min(ΔA - J w₀²/2))/(w² δ), w₁,₀ = w (1 ± δ/2)
+//! ```
+//!
+//! The last one is exact where the moments depend on the coordinate alone: of all places the straight line of the
+//! greatest speed touches the energy-mass diagram from one side, that of the least from the other.
+
+use super::collocation::{RULE, S, Values};
+use super::extremes::{Piece, extremes};
+use super::path::{Coefficients, Panel};
+use super::report::FlywheelByMethod;
+use super::request::CycleRequest;
+
+/// What the methods need of a cycle: the work of all moments over the path, at the mean speed.
+#[derive(Debug, Clone)]
+pub(crate) struct WorkDiagram {
+    panels: Vec<Panel>,
+    /// Mean speed, at which moments over speed are taken, rad/s.
+    speed: f64,
+    /// Moment of the drive that makes the work of a cycle zero, N m.
+    pub(crate) mean_moment: f64,
+    /// Mean of J over the cycle, kg m².
+    pub(crate) mean_inertia: f64,
+    /// ΔA at the start and at the nodes of each panel.
+    work: Vec<Values>,
+    /// Work of the resisting moments over a cycle, J.
+    pub(crate) resistance: f64,
+}
+
+/// What the flywheel is to do, and what else is on its shaft.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FlywheelTask {
+    /// Mean speed w, rad/s.
+    pub(crate) speed: f64,
+    pub(crate) unevenness: f64,
+    /// The part of J(q) that does not vary, kg m².
+    pub(crate) constant_inertia: f64,
+    /// Rotor reduced to the input, kg m².
+    pub(crate) rotor: f64,
+    /// What an inertia reduced to the input is multiplied by for the flywheel's own shaft.
+    pub(crate) to_own_shaft: f64,
+    /// The flywheel of the exact method on its own shaft, kg m².
+    pub(crate) exact: f64,
+}
+
+impl WorkDiagram {
+    pub(crate) fn new(panels: &[Panel], request: &CycleRequest) -> Self {
+        let (length, speed) = (request.length, request.mean_speed.abs());
+        let over = |panel: &Panel, field: &dyn Fn(&Coefficients) -> f64| {
+            panel.h * RULE.integral(&panel.coefficients.values(field))
+        };
+        let total: f64 = panels.iter().map(|panel| over(panel, &|c| c.moment_at(speed))).sum();
+        let inertia: f64 = panels.iter().map(|panel| over(panel, &|c| c.inertia)).sum();
+        let mean_moment = -total / length;
+        let mut level = 0.0;
+        let work_over = |panel: &Panel| {
+            let moments = panel.coefficients.values(|c| c.moment_at(speed) + mean_moment);
+            let work = RULE.integrals(&moments).map(|done| level + panel.h * done);
+            level = work[S];
+            work
+        };
+        let work = panels.iter().map(work_over).collect();
+        let mean_inertia = inertia / length;
+        Self { panels: panels.to_vec(), speed, mean_moment, mean_inertia, work, resistance: -total }
+    }
+
+    /// Least and greatest ΔA - k J.
+    fn range(&self, k: f64) -> [f64; 2] {
+        let piece = |(panel, work): (&Panel, &Values)| {
+            let inertia = panel.coefficients.values(|c| c.inertia);
+            Piece {
+                x: panel.x,
+                h: panel.h,
+                values: std::array::from_fn(|i| work[i] - k * inertia[i]),
+                slopes: panel
+                    .coefficients
+                    .values(|c| c.moment_at(self.speed) + self.mean_moment - k * c.slope),
+            }
+        };
+        let pieces: Vec<Piece> = self.panels.iter().zip(&self.work).map(piece).collect();
+        extremes(&pieces).map_or([0.0; 2], |[least, greatest]| [least.value, greatest.value])
+    }
+
+    /// max ΔA - min ΔA, J.
+    pub(crate) fn excess_work(&self) -> f64 {
+        let [low, high] = self.range(0.0);
+        high - low
+    }
+
+    /// The flywheel by each method of the textbooks, and the exact one.
+    pub(crate) fn flywheels(&self, task: &FlywheelTask) -> Vec<FlywheelByMethod> {
+        let FlywheelTask { speed, unevenness, constant_inertia, rotor, to_own_shaft, exact } = *task;
+        let square = speed * speed;
+        let by = 1.0 / (square * unevenness);
+        let excess = self.excess_work() * by;
+        let [low, high] = self.range(0.5 * square);
+        let row = |method, formula, reduced: f64| {
+            let flywheel = reduced * to_own_shaft;
+            let difference = Some((flywheel - exact) / exact).filter(|value| value.is_finite());
+            FlywheelByMethod { method, formula, flywheel, difference }
+        };
+        let less_inertia = excess - self.mean_inertia - rotor;
+        let mertsalov = (high - low) * by - constant_inertia - rotor;
+        let wittenbauer = self.wittenbauer(speed, unevenness).0 - rotor;
+        vec![
+            row("excess-work", "J = A/(w² δ), A with a constant drive, E eq. 10", excess),
+            row("excess-work-less-inertia", "the same less other inertia, E eq. 9", less_inertia),
+            row("mertsalov", "J = range(A - Jv w²/2)/(w² δ) less constant inertia", mertsalov),
+            row("wittenbauer", "tangents of the energy-mass diagram, constant drive", wittenbauer),
+            FlywheelByMethod {
+                method: "exact",
+                formula: "periodic solution with the drive",
+                flywheel: exact,
+                difference: Some(0.0),
+            },
+        ]
+    }
+
+    /// Constant inertia beside J(q), kg m², and the energy at the start of the cycle, J.
+    pub(crate) fn wittenbauer(&self, speed: f64, unevenness: f64) -> (f64, f64) {
+        let square = |part: f64| 0.5 * (speed * (1.0 + part * 0.5 * unevenness)).powi(2);
+        let (fast, slow) = (square(1.0), square(-1.0));
+        let (high, low) = (self.range(fast)[1], self.range(slow)[0]);
+        let inertia = (high - low) / (fast - slow);
+        // The greatest speed is reached where T0 + ΔA - J fast is greatest: there it equals inertia * fast.
+        (inertia, inertia * fast - high)
+    }
+}

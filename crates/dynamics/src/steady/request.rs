@@ -1,0 +1,51 @@
+//! What is asked of a steady regime: the cycle, the drive, and which of its quantities are wanted.
+
+use assur_motor::Characteristic;
+
+/// The cycle that is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleRequest {
+    /// Coordinate at which a cycle begins, rad.
+    pub start: f64,
+    /// Its length, rad, positive.
+    pub length: f64,
+    /// Wanted mean speed with its sign, rad/s: (max + min)/2.
+    pub mean_speed: f64,
+    /// The part of J(q) that does not vary, kg m²: the input link about its pin. For the methods of the textbooks.
+    pub constant_inertia: f64,
+}
+
+/// What drives, and what of it is wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveRequest {
+    /// The torque.
+    pub torque: TorqueRequest,
+    /// Given flywheel, kg m² on its own shaft; `None`: find it from `unevenness`.
+    pub flywheel: Option<f64>,
+    /// The flywheel sits on the motor shaft.
+    pub flywheel_on_motor: bool,
+    /// Wanted unevenness; needed where the flywheel is.
+    pub unevenness: Option<f64>,
+}
+
+/// Torque of the drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TorqueRequest {
+    /// None.
+    None,
+    /// The constant moment that makes the work of a cycle zero.
+    Balance,
+    /// A constant moment along the coordinate, N m.
+    Constant(f64),
+    /// An asynchronous motor.
+    Motor {
+        /// Its characteristic.
+        characteristic: Characteristic,
+        /// Rotor, kg m² on its own shaft; 0: not modelled.
+        rotor: f64,
+        /// Given ratio; `None`: find it from the mean speed.
+        ratio: Option<f64>,
+        /// Efficiency of the reducer, (0, 1].
+        efficiency: f64,
+    },
+}

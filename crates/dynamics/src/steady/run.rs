@@ -1,0 +1,175 @@
+//! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
+//! energy by its initial value, by the drive and by the flywheel (variational equation).
+
+use super::collocation::{S, Values};
+use super::crossing::first_crossing;
+use super::newton::{Failure, Moment, Start, solve};
+use super::path::{Coefficients, NodalCoefficients, Panel, Path};
+use super::segment::{Segment, Setup};
+use super::solution::CycleSolution;
+use crate::DynamicsError;
+
+/// Panels are halved so often where Newton's method fails.
+const MOST_HALVINGS: usize = 12;
+
+/// A run along the path.
+#[derive(Debug)]
+struct Run<'r, 'a> {
+    path: &'r mut Path<'a>,
+    setup: Setup,
+    /// The state at the place reached.
+    state: Start,
+    /// Speeds between which the present formulas hold.
+    bounds: [f64; 2],
+    /// At a crossing of such a bound: 1 if upwards, -1 if downwards; else 0.
+    side: f64,
+    crossings: usize,
+    segments: Vec<Segment>,
+}
+
+/// Runs one cycle from the kinetic energy `energy`; `guess` is a run nearby.
+pub(crate) fn run_cycle(
+    path: &mut Path<'_>,
+    setup: Setup,
+    panels: &[Panel],
+    energy: f64,
+    guess: Option<&CycleSolution>,
+) -> Result<CycleSolution, DynamicsError> {
+    let cycle = path.cycle;
+    let mut run = Run {
+        path,
+        setup,
+        state: Start { energy, derivatives: [1.0, 0.0, 0.0], factor: 1.0 },
+        bounds: [0.0, f64::INFINITY],
+        side: 0.0,
+        crossings: 0,
+        segments: Vec::with_capacity(panels.len() + 8),
+    };
+    let mut near = guess.map_or(&[][..], |solution| &solution.segments);
+    for panel in panels {
+        while let [first, rest @ ..] = near
+            && first.x < panel.x
+        {
+            near = rest;
+        }
+        let start = near.first().filter(|segment| segment.is_at(panel.x, panel.h));
+        let start = start.map(|segment| &segment.energy);
+        run.advance(panel.x, panel.h, &panel.coefficients, start, 0)?;
+    }
+    let Run { state: Start { energy: end, derivatives, .. }, segments, .. } = run;
+    Ok(CycleSolution { setup, cycle, start: energy, end, derivatives, segments })
+}
+
+impl Run<'_, '_> {
+    /// The speed at a place with the present energy; at a crossing, just beyond it.
+    fn speed_beside(&self, at: &Coefficients) -> f64 {
+        /// Far above rounding, far below any width between two rows of a table.
+        const BESIDE: f64 = 1e-10;
+        let speed = (2.0 * self.state.energy / (at.inertia + self.setup.drive.inertia)).sqrt();
+        speed * (1.0 + self.side * BESIDE)
+    }
+
+    /// Chooses the branch of the drive, and the formulas of the loads if the given ones don't hold at the speed.
+    fn choose(
+        &mut self,
+        x: f64,
+        h: f64,
+        given: &NodalCoefficients,
+    ) -> Result<NodalCoefficients, DynamicsError> {
+        let v = self.speed_beside(&given.nodes[0]);
+        let branch = self.setup.drive.branch(v);
+        self.state.factor = branch.factor;
+        let [low, high] = given.speed;
+        let chosen = if v >= low && v <= high { *given } else { self.path.coefficients(x, h, v)? };
+        self.bounds = [branch.speed[0].max(chosen.speed[0]), branch.speed[1].min(chosen.speed[1])];
+        Ok(chosen)
+    }
+
+    /// Coefficients of a stretch that is no panel, near the speed at `at`.
+    fn beside(&mut self, x: f64, h: f64, at: &Coefficients) -> Result<NodalCoefficients, DynamicsError> {
+        let v = self.speed_beside(at);
+        self.path.coefficients(x, h, v)
+    }
+
+    /// Solves a stretch of the path and goes to its end; where the formulas change inside, in several segments.
+    fn advance(
+        &mut self,
+        x: f64,
+        h: f64,
+        given: &NodalCoefficients,
+        guess: Option<&Values>,
+        halvings: usize,
+    ) -> Result<(), DynamicsError> {
+        let coefficients = self.choose(x, h, given)?;
+        match solve(&self.setup, &self.state, [x, h], &coefficients, guess) {
+            Ok(segment) => match first_crossing(&segment, &self.setup, self.bounds) {
+                None => {
+                    self.keep(&segment);
+                    Ok(())
+                }
+                Some((theta, side)) => self.cross(&segment, theta, side, halvings),
+            },
+            Err(_) if halvings < MOST_HALVINGS => {
+                let half = 0.5 * h;
+                let start = coefficients.nodes[0];
+                let first = self.beside(x, half, &start)?;
+                self.advance(x, half, &first, None, halvings + 1)?;
+                let at = self.segments.last().map_or(start, |segment| segment.coefficients.nodes[S]);
+                let second = self.beside(x + half, half, &at)?;
+                self.advance(x + half, half, &second, None, halvings + 1)
+            }
+            Err(Failure { stalled }) => {
+                let coordinate = self.path.cycle.coordinate(x);
+                let stall = DynamicsError::Stalled { coordinate };
+                Err(if stalled { stall } else { DynamicsError::NoPath { coordinate } })
+            }
+        }
+    }
+
+    fn keep(&mut self, segment: &Segment) {
+        self.state.energy = segment.energy[S];
+        self.state.derivatives = segment.derivatives.map(|values| values[S]);
+        self.side = 0.0;
+        self.segments.push(*segment);
+    }
+
+    /// Goes to a crossing of the speed's bounds by the old formulas, and on by the new ones.
+    fn cross(
+        &mut self,
+        segment: &Segment,
+        theta: f64,
+        side: f64,
+        halvings: usize,
+    ) -> Result<(), DynamicsError> {
+        /// More in one cycle is no motion but chatter.
+        const MOST: usize = 1000;
+        /// A crossing so near to the start is at the start.
+        const AT_START: f64 = 1e-9;
+        let (x, h) = (segment.x + theta * segment.h, (1.0 - theta) * segment.h);
+        let coordinate = self.path.cycle.coordinate(x);
+        self.crossings += 1;
+        if self.crossings > MOST {
+            return Err(DynamicsError::NoPath { coordinate });
+        }
+        let (mut at, mut before) = (segment.coefficients.nodes[0], segment.moment[0]);
+        if theta > AT_START {
+            let stretch = [segment.x, theta * segment.h];
+            let coefficients = self.beside(stretch[0], stretch[1], &at)?;
+            let part = solve(&self.setup, &self.state, stretch, &coefficients, None)
+                .map_err(|_| DynamicsError::NoPath { coordinate })?;
+            (at, before) = (part.coefficients.nodes[S], part.moment[S]);
+            self.keep(&part);
+        }
+        self.side = side;
+        if h <= 1e-12 * self.path.cycle.length {
+            return Ok(());
+        }
+        let coefficients = self.beside(x, h, &at)?;
+        let coefficients = self.choose(x, h, &coefficients)?;
+        let after = Moment::at(&self.setup, self.state.factor, &coefficients.nodes[0], self.state.energy);
+        if !self.state.carry_over(&self.setup, &at, [before, after.value], side) {
+            return Err(DynamicsError::Held { coordinate });
+        }
+        self.advance(x, h, &coefficients, None, halvings)
+    }
+}

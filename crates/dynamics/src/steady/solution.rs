@@ -1,0 +1,182 @@
+//! A solved cycle: its extreme speeds, its times, the state at any place, and what its parameters change.
+
+use super::collocation::{RULE, S, Values};
+use super::extremes::{Extreme, Piece, extremes};
+use super::path::Cycle;
+use super::report::{Iteration, RegimeState};
+use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
+
+/// What makes the cycle close.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Closing {
+    /// The initial speed: the drive or the loads depend on the speed.
+    Speed,
+    /// The constant moment of the drive; the initial speed is free.
+    Moment,
+    /// Nothing: the work of a cycle is zero already, and the initial speed is free.
+    Free,
+}
+
+/// One cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct CycleSolution {
+    pub(crate) setup: Setup,
+    pub(crate) cycle: Cycle,
+    /// T at the start and at the end.
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+    /// Derivatives of the energy at the end.
+    pub(crate) derivatives: [f64; PARAMETERS],
+    pub(crate) segments: Vec<Segment>,
+}
+
+/// Least and greatest speed of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SpeedRange {
+    pub(crate) least: ExtremeSpeed,
+    pub(crate) greatest: ExtremeSpeed,
+}
+
+/// An extreme speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExtremeSpeed {
+    pub(crate) at: Extreme,
+    /// v, rad/s.
+    pub(crate) value: f64,
+    /// Its derivatives at a fixed place.
+    derivatives: [f64; PARAMETERS],
+}
+
+impl SpeedRange {
+    pub(crate) fn mean(&self) -> f64 {
+        0.5 * (self.least.value + self.greatest.value)
+    }
+
+    pub(crate) fn unevenness(&self) -> f64 {
+        (self.greatest.value - self.least.value) / self.mean()
+    }
+
+    /// Change of mean and unevenness along a direction of the parameters.
+    pub(crate) fn change(&self, direction: &[f64; PARAMETERS]) -> [f64; 2] {
+        let along = |speed: &ExtremeSpeed| -> f64 {
+            speed.derivatives.iter().zip(direction).map(|(a, b)| a * b).sum()
+        };
+        let (low, high) = (along(&self.least), along(&self.greatest));
+        let mean = 0.5 * (low + high);
+        [mean, ((high - low) - self.unevenness() * mean) / self.mean()]
+    }
+}
+
+impl CycleSolution {
+    /// Least and greatest speed; `None` for a cycle without segments.
+    pub(crate) fn speed_range(&self) -> Option<SpeedRange> {
+        let drive = &self.setup.drive;
+        let piece = |segment: &Segment| Piece {
+            x: segment.x,
+            h: segment.h,
+            values: segment.half_squares(drive),
+            slopes: segment.accelerations(drive),
+        };
+        let pieces: Vec<Piece> = self.segments.iter().map(piece).collect();
+        let [least, greatest] = extremes(&pieces)?;
+        Some(SpeedRange { least: self.extreme_speed(least), greatest: self.extreme_speed(greatest) })
+    }
+
+    fn extreme_speed(&self, at: Extreme) -> ExtremeSpeed {
+        let segment = &self.segments[at.piece];
+        let value = (2.0 * at.value).sqrt();
+        let inertia = segment.inertia_at(at.theta) + self.setup.drive.inertia;
+        let [by_ratio, by_flywheel] = self.setup.inertia_by;
+        let by_inertia = [0.0, by_ratio, by_flywheel];
+        let energies = segment.derivatives_at(at.theta);
+        // v²/2 = T/J
+        let derivatives =
+            std::array::from_fn(|p| (energies[p] - at.value * by_inertia[p]) / (inertia * value));
+        ExtremeSpeed { at, value, derivatives }
+    }
+
+    /// How the parameters change together so that the cycle stays closed: per unit of the level (ratio or initial energy),
+    /// and per unit of the flywheel.
+    pub(crate) fn directions(&self, closing: Closing) -> [[f64; PARAMETERS]; 2] {
+        let [m, d, f] = [BY_ENERGY, BY_DRIVE, BY_FLYWHEEL].map(|p| self.derivatives[p]);
+        match closing {
+            Closing::Speed => [[d / (1.0 - m), 1.0, 0.0], [f / (1.0 - m), 0.0, 1.0]],
+            Closing::Moment => [[1.0, (1.0 - m) / d, 0.0], [0.0, -f / d, 1.0]],
+            Closing::Free => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        }
+    }
+
+    /// dT(end)/dT(start): below 1, the regime is stable.
+    pub(crate) fn multiplier(&self) -> f64 {
+        self.derivatives[BY_ENERGY]
+    }
+
+    /// What this cycle was as the iteration of that number.
+    pub(crate) fn iteration(&self, number: usize) -> Iteration {
+        let speed = |energy: f64, segment: Option<&Segment>, node: usize| {
+            let inertia = segment.map_or(0.0, |segment| segment.coefficients.nodes[node].inertia);
+            self.cycle.sense * (2.0 * energy / (inertia + self.setup.drive.inertia)).sqrt()
+        };
+        let speed_start = speed(self.start, self.segments.first(), 0);
+        let speed_end = speed(self.end, self.segments.last(), S);
+        Iteration { number, speed_start, speed_end, residual: speed_end - speed_start }
+    }
+
+    fn index(&self, x: f64) -> usize {
+        self.segments.partition_point(|segment| segment.x <= x).saturating_sub(1)
+    }
+
+    /// Speed along the path at a place, rad/s.
+    pub(crate) fn speed_at(&self, x: f64) -> f64 {
+        self.segments.get(self.index(x)).map_or(0.0, |segment| {
+            let half_squares = segment.half_squares(&self.setup.drive);
+            (2.0 * RULE.interpolate(&half_squares, (x - segment.x) / segment.h)).sqrt()
+        })
+    }
+
+    /// Speeds at the nodes, rad/s, with the time that each stands for, s.
+    pub(crate) fn weighted_speeds(&self) -> Vec<(f64, f64)> {
+        let of = |segment: &Segment| {
+            let (h, weights) = (segment.h, RULE.a[S - 1]);
+            let speeds = segment.half_squares(&self.setup.drive).map(|half| (2.0 * half).sqrt());
+            (0..S).map(move |i| (speeds[i + 1], h * weights[i] / speeds[i + 1]))
+        };
+        self.segments.iter().flat_map(of).collect()
+    }
+
+    /// Time at the start and the nodes of each segment, and of the whole cycle: the integral of dx/v.
+    pub(crate) fn times(&self) -> (Vec<Values>, f64) {
+        let mut now = 0.0;
+        let of = |segment: &Segment| {
+            let slowness = segment.half_squares(&self.setup.drive).map(|half| 1.0 / (2.0 * half).sqrt());
+            let times = RULE.integrals(&slowness).map(|part| now + segment.h * part);
+            now = times[S];
+            times
+        };
+        let times = self.segments.iter().map(of).collect();
+        (times, now)
+    }
+
+    /// Time, speed, acceleration, moments and inertia at a path coordinate; `times` are those of [`times`](Self::times).
+    pub(crate) fn state(&self, times: &[Values], x: f64) -> RegimeState {
+        let index = self.index(x);
+        let (Some(segment), Some(times)) = (self.segments.get(index), times.get(index)) else {
+            return RegimeState::default();
+        };
+        let (sense, drive) = (self.cycle.sense, &self.setup.drive);
+        let at = |values: &Values| RULE.interpolate(values, (x - segment.x) / segment.h);
+        let half_squares = segment.half_squares(drive);
+        let driving = |half: f64| drive.moment(segment.factor, (2.0 * half).sqrt()).value;
+        let loads = std::array::from_fn(|i| segment.moment[i] - driving(half_squares[i]));
+        let half = at(&half_squares);
+        RegimeState {
+            time: at(times),
+            speed: sense * (2.0 * half).sqrt(),
+            acceleration: sense * at(&segment.accelerations(drive)),
+            drive: sense * driving(half),
+            load: sense * at(&loads),
+            inertia: at(&segment.coefficients.values(|node| node.inertia)),
+            inertia_derivative: sense * at(&segment.coefficients.values(|node| node.slope)),
+        }
+    }
+}

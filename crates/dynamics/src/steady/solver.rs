@@ -1,0 +1,290 @@
+//! From a request to a regime: first guesses, the search, refinement.
+
+use assur_integrator::Motion;
+use assur_motor::Characteristic;
+use assur_number::search::bisect;
+
+use super::diagram::{FlywheelTask, WorkDiagram};
+use super::path::{Cycle, Path};
+use super::regime::{Context, Regime};
+use super::report::{Effort, Iteration};
+use super::request::{CycleRequest, DriveRequest, TorqueRequest};
+use super::segment::Setup;
+use super::shooting::Shooting;
+use super::solution::{Closing, CycleSolution};
+use super::tuning::{Target, Tuned, Tuner, Unknowns};
+use crate::DynamicsError;
+use crate::drive::Source;
+
+/// Accuracy to which polynomials resolve the machine before the regime is known.
+const RESOLVE: f64 = 1e-9;
+
+/// The regime may miss the equation between the nodes by this part of the energy.
+const ACCURACY: f64 = 2e-13;
+
+/// Rounds of refinement.
+const MOST_ROUNDS: usize = 12;
+
+/// Finds steady regimes of one machine over one cycle.
+#[derive(Debug)]
+pub struct RegimeSolver<'a> {
+    shooting: Shooting<'a>,
+    diagram: WorkDiagram,
+    request: CycleRequest,
+}
+
+impl<'a> RegimeSolver<'a> {
+    /// Evaluates a machine (without its drive) over a cycle.
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError::OverTime`], [`DynamicsError::NoCycle`], [`DynamicsError::Equation`] where a position fails.
+    pub fn new(motion: &'a mut dyn Motion, request: CycleRequest) -> Result<Self, DynamicsError> {
+        if motion.dependence().moment_on_time {
+            return Err(DynamicsError::OverTime);
+        }
+        let usable = |value: f64| value.is_finite() && value != 0.0;
+        if !usable(request.length) || !usable(request.mean_speed) || request.length < 0.0 {
+            return Err(DynamicsError::NoCycle);
+        }
+        let CycleRequest { start, length, mean_speed, .. } = request;
+        let mut path = Path::new(motion, Cycle { start, sense: mean_speed.signum(), length });
+        let panels = path.panels(mean_speed.abs(), RESOLVE)?;
+        let diagram = WorkDiagram::new(&panels, &request);
+        Ok(Self { shooting: Shooting { path, panels, cycles: 0 }, diagram, request })
+    }
+
+    /// Mean of the reduced resisting moment over the cycle, N m, against the motion.
+    pub fn mean_resistance(&self) -> f64 {
+        self.diagram.mean_moment
+    }
+
+    /// The wanted mean speed without its sign, rad/s.
+    pub fn wanted_speed(&self) -> f64 {
+        self.request.mean_speed.abs()
+    }
+
+    /// Work of the resistance over a cycle, J; negative where the loads drive.
+    pub fn resistance_work(&self) -> f64 {
+        self.diagram.resistance
+    }
+
+    /// Power that the motor must have (S stage 5), W: mean resistance work / (time of a cycle * efficiency), at the
+    /// wanted mean speed. Negative where the loads drive; then nothing is divided by the efficiency.
+    pub fn required_power(&self, efficiency: f64) -> f64 {
+        let power = self.diagram.resistance * self.request.mean_speed.abs() / self.request.length;
+        if power > 0.0 { power / efficiency } else { power }
+    }
+
+    /// Greatest resisting moment over the cycle, N m, against the motion.
+    pub fn greatest_resistance(&self) -> f64 {
+        let nodes = self.shooting.panels.iter().flat_map(|panel| &panel.coefficients.nodes);
+        nodes.map(|node| -node.moment_at(self.wanted_speed())).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Finds the periodic regime, with ratio and flywheel where they are wanted.
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError`], with the place where the machine stalls, or what can't be met and by how much.
+    pub fn solve(&mut self, drive: &DriveRequest) -> Result<Regime, DynamicsError> {
+        let target = self.target(drive)?;
+        let mut unknowns = self.first_guess(drive, &target)?;
+        let (mut trials, mut round) = (Vec::new(), 0);
+        let (tuned, residual) = loop {
+            let tuner = Tuner { shooting: &mut self.shooting, target, trials };
+            let found = tuner.tune(unknowns)?;
+            let (residual, refined) = self.shooting.refine(&found.solution, ACCURACY)?;
+            round += 1;
+            if !refined || round == MOST_ROUNDS {
+                break (found, residual);
+            }
+            (unknowns, trials) = (found.unknowns, found.trials);
+        };
+        self.diagram = WorkDiagram::new(&self.shooting.panels, &self.request);
+        let (first, iterations) = self.iterate_from_mean_speed(&tuned, &target)?;
+        let efficiency = match drive.torque {
+            TorqueRequest::Motor { efficiency, .. } => efficiency,
+            _ => 1.0,
+        };
+        let context = Context {
+            flywheel_wanted: target.unevenness.is_some(),
+            required_power: self.required_power(efficiency),
+            flywheel_by_method: self.diagram.flywheels(&self.flywheel_task(&tuned, &target)),
+            first,
+            iterations,
+            effort: Effort {
+                cycles: self.shooting.cycles,
+                evaluations: self.shooting.path.evaluations,
+                panels: self.shooting.panels.len(),
+                residual,
+            },
+        };
+        Ok(Regime::new(tuned, context))
+    }
+
+    fn flywheel_task(&self, tuned: &Tuned, target: &Target) -> FlywheelTask {
+        let ratio = tuned.unknowns.ratio().unwrap_or(1.0);
+        FlywheelTask {
+            speed: tuned.range.mean(),
+            unevenness: target.unevenness.unwrap_or(tuned.range.unevenness()),
+            constant_inertia: self.request.constant_inertia,
+            rotor: ratio * ratio * target.rotor,
+            to_own_shaft: if target.on_motor { 1.0 / (ratio * ratio) } else { 1.0 },
+            exact: tuned.unknowns.flywheel,
+        }
+    }
+
+    /// Runs cycle after cycle from the mean speed until the speed at the start changes by less than `tolerance`
+    /// (relative): the slow method, for comparison with [`solve`](Self::solve).
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError::NotPeriodic`] after `most` cycles, and as [`solve`](Self::solve).
+    pub fn settle(
+        &mut self,
+        regime: &Regime,
+        tolerance: f64,
+        most: usize,
+    ) -> Result<Vec<Iteration>, DynamicsError> {
+        let setup = regime.solution().setup;
+        let energy = self.energy(&setup, self.request.mean_speed.abs());
+        self.shooting.settle(setup, energy, tolerance, most)
+    }
+
+    /// The first cycle from the mean speed (S fig. 9) and the iteration from there (S fig. 10).
+    fn iterate_from_mean_speed(
+        &mut self,
+        tuned: &Tuned,
+        target: &Target,
+    ) -> Result<(Option<CycleSolution>, Vec<Iteration>), DynamicsError> {
+        let setup = tuned.solution.setup;
+        let energy = self.energy(&setup, tuned.range.mean());
+        let Ok(first) = self.shooting.run(setup, energy, Some(&tuned.solution)) else {
+            return Ok((None, Vec::new()));
+        };
+        let mut iterations = Vec::new();
+        self.shooting.close(setup, target.closing, energy, Some(first.clone()), &mut iterations)?;
+        Ok((Some(first), iterations))
+    }
+
+    fn energy(&self, setup: &Setup, speed: f64) -> f64 {
+        let inertia = self.shooting.panels.first().map_or(0.0, |panel| panel.coefficients.nodes[0].inertia);
+        0.5 * (inertia + setup.drive.inertia) * speed * speed
+    }
+
+    fn target(&self, drive: &DriveRequest) -> Result<Target, DynamicsError> {
+        let mean = self.request.mean_speed.abs();
+        let unevenness = drive.unevenness.filter(|_| drive.flywheel.is_none());
+        let on_motor = drive.flywheel_on_motor;
+        let target = |closing, mean, rotor| Target { mean, unevenness, closing, on_motor, rotor };
+        Ok(match drive.torque {
+            TorqueRequest::Motor { rotor, ratio, .. } => {
+                target(Closing::Speed, if ratio.is_none() { Some(mean) } else { None }, rotor)
+            }
+            TorqueRequest::Balance => target(Closing::Moment, Some(mean), 0.0),
+            TorqueRequest::None | TorqueRequest::Constant(_) if self.shooting.path.by_speed => {
+                target(Closing::Speed, None, 0.0)
+            }
+            TorqueRequest::None | TorqueRequest::Constant(_) => {
+                self.check_work(drive.torque)?;
+                target(Closing::Free, Some(mean), 0.0)
+            }
+        })
+    }
+
+    /// A machine whose speed nothing restores needs a cycle without work.
+    fn check_work(&self, torque: TorqueRequest) -> Result<(), DynamicsError> {
+        /// Rounding of the quadrature.
+        const ZERO: f64 = 1e-9;
+        let moment = if let TorqueRequest::Constant(moment) = torque { moment } else { 0.0 };
+        let own = self.shooting.path.cycle.sense * moment * self.request.length;
+        let work = own - self.diagram.resistance;
+        let range = self.diagram.excess_work();
+        let energy = 0.5 * self.diagram.mean_inertia * self.request.mean_speed.powi(2);
+        if work.abs() > ZERO * (range + own.abs() + energy) {
+            return Err(DynamicsError::NoRegime { work, energy });
+        }
+        Ok(())
+    }
+
+    fn first_guess(&self, drive: &DriveRequest, target: &Target) -> Result<Unknowns, DynamicsError> {
+        let needed = self.diagram.mean_moment;
+        let mut speed = self.request.mean_speed.abs();
+        let source = match drive.torque {
+            TorqueRequest::None => Source::None,
+            TorqueRequest::Balance => Source::Constant(needed),
+            TorqueRequest::Constant(moment) => Source::Constant(self.shooting.path.cycle.sense * moment),
+            TorqueRequest::Motor { characteristic, ratio: Some(ratio), efficiency, .. } => {
+                let torque =
+                    if needed > 0.0 { needed / (ratio * efficiency) } else { needed * efficiency / ratio };
+                speed = working_speed(&characteristic, torque) / ratio;
+                Source::Motor { characteristic, ratio, efficiency }
+            }
+            TorqueRequest::Motor { characteristic, ratio: None, efficiency, .. } => {
+                let ratio = working_ratio(&characteristic, efficiency, needed, speed)?;
+                Source::Motor { characteristic, ratio, efficiency }
+            }
+        };
+        let mut unknowns = Unknowns { source, energy: 0.0, flywheel: drive.flywheel.unwrap_or(0.0) };
+        if let Some(unevenness) = target.unevenness {
+            unknowns.flywheel = self.guess_flywheel(target, &unknowns, speed, unevenness);
+        }
+        let setup = target.setup(&unknowns, self.shooting.path.cycle.sense);
+        unknowns.energy = self.energy(&setup, speed);
+        if let (Some(unevenness), true) = (target.unevenness, target.closing != Closing::Speed) {
+            let (_, energy) = self.diagram.wittenbauer(speed, unevenness);
+            unknowns.energy = if energy > 0.0 { energy } else { unknowns.energy };
+        }
+        Ok(unknowns)
+    }
+
+    /// From the energy-mass diagram, which takes the drive as constant.
+    fn guess_flywheel(&self, target: &Target, unknowns: &Unknowns, speed: f64, unevenness: f64) -> f64 {
+        let (total, _) = self.diagram.wittenbauer(speed, unevenness);
+        let ratio = unknowns.ratio().unwrap_or(1.0);
+        let rotor = ratio * ratio * target.rotor;
+        let least = 1e-3 * (self.diagram.mean_inertia + rotor);
+        let guess = (total - rotor).max(0.05 * total).max(least);
+        if target.on_motor { guess / (ratio * ratio) } else { guess }
+    }
+}
+
+/// Motor speed on the stable branch that gives a torque, or where the branch ends.
+fn working_speed(characteristic: &Characteristic, torque: f64) -> f64 {
+    let (slow, fast) = stable_branch(characteristic);
+    let [slow, fast] = bisect(slow, fast, 0.0, |speed| characteristic.torque(speed) > torque);
+    0.5 * (slow + fast)
+}
+
+/// Ends of the stable branch: breakdown as motor (of a straight line: a hundredth of the synchronous speed), and as brake.
+fn stable_branch(characteristic: &Characteristic) -> (f64, f64) {
+    let synchronous = characteristic.synchronous_speed();
+    let slow = characteristic.breakdown_speed().unwrap_or(0.0).max(0.01 * synchronous);
+    (slow, 2.0 * synchronous - slow)
+}
+
+/// Ratio at which the motor carries the mean moment `needed` at the input speed `speed`.
+fn working_ratio(
+    characteristic: &Characteristic,
+    efficiency: f64,
+    needed: f64,
+    speed: f64,
+) -> Result<f64, DynamicsError> {
+    let power = |motor: f64| motor * characteristic.torque(motor);
+    let wanted = if needed > 0.0 { needed * speed / efficiency } else { needed * speed * efficiency };
+    let (mut slow, fast) = stable_branch(characteristic);
+    // Of the power, the greatest lies above the breakdown speed.
+    let synchronous = characteristic.synchronous_speed();
+    for k in 0..200 {
+        let trial = slow + (synchronous - slow) * f64::from(k) / 200.0;
+        if power(trial) > power(slow) {
+            slow = trial;
+        }
+    }
+    if power(slow) < wanted {
+        return Err(DynamicsError::TooWeak { needed: wanted, most: power(slow) });
+    }
+    let [slow, fast] = bisect(slow, fast, 0.0, |motor| power(motor) > wanted);
+    Ok(0.5 * (slow + fast) / speed)
+}
