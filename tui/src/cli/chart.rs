@@ -9,9 +9,10 @@ use std::time::Instant;
 
 use assur_kinematics::Linkage;
 use assur_study::chart::{self, ChartData, ChartError, Clock, Options, Progress};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use signal_hook::consts::SIGINT;
 
+use super::args::Format;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
@@ -22,31 +23,18 @@ const INTERRUPTED: u8 = 130;
 /// Arguments of `chart`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ChartArgs {
-    /// Scene file; for `--format markdown` one or more
-    #[arg(required = true, value_name = "SCENE")]
-    scenes: Vec<PathBuf>,
+    /// Scene file
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
     /// Every second setting and few repetitions: within five seconds
     #[arg(long)]
     quick: bool,
     /// Form of the chart
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-}
-
-/// Form of a chart.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// A scatter of each stage, and a table under it
-    Text,
-    /// One JSON object
-    Json,
-    /// One row for each method and setting
-    Csv,
-    /// A report on the scenes, with what follows from the figures in words
-    Markdown,
 }
 
 /// The clock of this machine.
@@ -59,26 +47,25 @@ impl Clock for SystemClock {
 }
 
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
-    if args.scenes.len() > 1 && args.format != Form::Markdown {
-        return Err(Fault::other("several scenes make a report: add `--format markdown`, or name one scene"));
-    }
     let stop = on_interrupt()?;
-    let mut charts = Vec::with_capacity(args.scenes.len());
-    for path in &args.scenes {
-        match charted(path, args.quick, style, &stop)? {
-            Ok(data) => charts.push((path, data)),
-            Err(failure) => {
-                style.tell(&format!("error: {}: {failure}", path.display()));
-                return Ok(Status::Failed);
-            }
+    let data = match charted(&args.scene, args.quick, style, &stop)? {
+        Ok(data) => data,
+        Err(failure) => {
+            style.tell(&format!("error: {}: {failure}", args.scene.display()));
+            return Ok(Status::Failed);
         }
-        if stop.load(Ordering::Relaxed) {
-            style.tell("stopped: what had been measured follows");
-            break;
-        }
+    };
+    let stopped = stop.load(Ordering::Relaxed);
+    if stopped {
+        style.tell("stopped: what had been measured follows");
     }
-    output::print_or_write(&written(&charts, args.format, style)?, args.output.as_deref())?;
-    Ok(if stop.load(Ordering::Relaxed) { Status::Code(INTERRUPTED) } else { Status::Done })
+    let text = match args.format {
+        Format::Text => style.text(&chart::text(&data, style.ascii, chart::WIDTH)).into_owned(),
+        Format::Json => data.to_json().map_err(Fault::other)?,
+        Format::Csv => chart::csv(&data).map_err(Fault::other)?,
+    };
+    output::print_or_write(&text, args.output.as_deref())?;
+    Ok(if stopped { Status::Code(INTERRUPTED) } else { Status::Done })
 }
 
 /// Ctrl-C sets the flag; once more ends the program.
@@ -113,23 +100,6 @@ fn charted(
         }
         other => Ok(other),
     }
-}
-
-fn written(charts: &[(&PathBuf, ChartData)], format: Form, style: Style) -> Result<String, Fault> {
-    let mut text = String::new();
-    for (path, data) in charts {
-        text += &match format {
-            Form::Text => style.text(&chart::text(data, style.ascii, chart::WIDTH)).into_owned(),
-            Form::Json => data.to_json().map_err(Fault::other)?,
-            Form::Csv => chart::csv(data).map_err(Fault::other)?,
-            Form::Markdown => chart::markdown(data, &path.display().to_string()),
-        };
-    }
-    if format == Form::Markdown {
-        let data: Vec<&ChartData> = charts.iter().map(|(_, data)| data).collect();
-        text = chart::report(&data, &text);
-    }
-    Ok(text)
 }
 
 /// A bar on standard error.

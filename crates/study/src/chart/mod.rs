@@ -1,6 +1,6 @@
 //! Speed against accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
 //!
-//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`], [`text`] and [`markdown`].
+//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`] and [`text()`].
 //!
 //! * **Errors** are the largest deviation from a reference, relative to the largest value of the same quantity over the
 //!   work. The reference is better than what it judges: extended precision, a closed form, or a tight run of another
@@ -16,28 +16,24 @@ mod data;
 mod entry;
 mod forces;
 pub(crate) mod kinematics;
-mod markdown;
 mod motion;
 mod options;
 mod pareto;
 mod race;
 mod reaction;
-mod report;
 mod ruler;
 mod run;
 mod scatter;
 mod steady;
 mod text;
-mod units;
+pub mod units;
 mod work;
 
 pub use csv::csv;
 pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
-pub use markdown::markdown;
 pub use options::{Clock, Options, Progress};
-pub use report::report;
 pub use run::{ChartError, chart};
-pub use text::{WIDTH, text};
+pub use text::{WIDTH, stage_text, text, unit_words};
 
 #[cfg(test)]
 mod tests;

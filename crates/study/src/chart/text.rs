@@ -10,7 +10,7 @@ pub const WIDTH: usize = 92;
 const HEIGHT: usize = 20;
 
 /// What the times of a stage are for.
-pub(crate) fn unit_words(stage: Stage) -> &'static str {
+pub fn unit_words(stage: Stage) -> &'static str {
     match stage {
         Stage::Kinematics | Stage::Forces => "one position",
         Stage::Motion => "one run",
@@ -29,18 +29,20 @@ pub fn text(data: &ChartData, ascii: bool, width: usize) -> String {
     for stage in Stage::ALL {
         if data.of(stage).next().is_some() {
             text.push('\n');
-            text += &stage_in(data, stage, ascii, width, |_| true);
+            text += &stage_text(data, stage, ascii, width, |_| true);
         }
     }
     text
 }
 
-/// One stage; the table has the rows that are wanted.
-pub(crate) fn stage_text(data: &ChartData, stage: Stage, ascii: bool, wanted: fn(&Row) -> bool) -> String {
-    stage_in(data, stage, ascii, WIDTH, wanted)
-}
-
-fn stage_in(data: &ChartData, stage: Stage, ascii: bool, width: usize, wanted: fn(&Row) -> bool) -> String {
+/// One stage in about `width` columns; its table has the rows that are wanted.
+pub fn stage_text(
+    data: &ChartData,
+    stage: Stage,
+    ascii: bool,
+    width: usize,
+    wanted: fn(&Row) -> bool,
+) -> String {
     let mut text = format!("{}\n", stage.heading());
     if let Some(how) = data.reference.get(&stage) {
         let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);

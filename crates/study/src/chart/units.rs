@@ -1,7 +1,7 @@
 //! Numbers as a reader wants them.
 
 /// A number in few characters: `1e-6`, `3.2e-5`, `0.02`, `24`.
-pub(crate) fn short(number: f64) -> String {
+pub fn short(number: f64) -> String {
     if number == 0.0 {
         return "0".to_owned();
     }
@@ -17,7 +17,7 @@ fn trimmed(text: &str) -> String {
 }
 
 /// A time with its unit, three digits: `215 ns`, `1.20 ms`.
-pub(crate) fn time(seconds: f64, ascii: bool) -> String {
+pub fn time(seconds: f64, ascii: bool) -> String {
     let micro = if ascii { "us" } else { "µs" };
     let (value, unit) = match seconds {
         s if s < 1e-6 => (s * 1e9, "ns"),
@@ -30,7 +30,7 @@ pub(crate) fn time(seconds: f64, ascii: bool) -> String {
 }
 
 /// A power of ten of seconds with its unit: `100 ns`.
-pub(crate) fn decade(exponent: i32, ascii: bool) -> String {
+pub fn decade(exponent: i32, ascii: bool) -> String {
     let micro = if ascii { "us" } else { "µs" };
     let unit = exponent.div_euclid(3);
     let name = match unit {
@@ -44,7 +44,7 @@ pub(crate) fn decade(exponent: i32, ascii: bool) -> String {
 }
 
 /// An error: `3.1e-9`, or `<=3.1e-9`.
-pub(crate) fn error(value: f64, at_most: bool, ascii: bool) -> String {
+pub fn error(value: f64, at_most: bool, ascii: bool) -> String {
     let sign = match (at_most, ascii) {
         (false, _) => "",
         (true, true) => "<=",

@@ -1,10 +1,8 @@
-//! What motions are judged by: a closed form, or two tight runs of different methods that judge each other.
+//! What motions are judged by: two tight runs of different methods that judge each other.
 
 use std::rc::Rc;
 
-use assur_integrator::{
-    IntegratorPlugin, Motion, Piece, Request, Sample, State, Trajectory, Until, integrators,
-};
+use assur_integrator::{IntegratorPlugin, Motion, Request, Sample, Trajectory, integrators};
 
 use super::Task;
 use crate::chart::ruler::greater;
@@ -18,7 +16,7 @@ const MOST_STEPS: usize = 30_000;
 
 /// The judges of a motion.
 pub(in crate::chart) struct References {
-    /// With the method's name; a closed form of this module has none.
+    /// With the name of the method.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
     how: String,
     /// Their difference.
@@ -32,20 +30,14 @@ pub(in crate::chart) struct References {
 impl References {
     pub(in crate::chart) fn find(task: &Task<'_>) -> Result<Self, ChartError> {
         let mut runs = Vec::new();
-        let exact = uniform(task);
         for plugin in candidates(task)? {
             if runs.len() == 2 {
                 break;
             }
             runs.extend(tight(plugin, task));
         }
-        let first = exact.as_ref().or(runs.first().map(|run| &run.2)).ok_or(ChartError::NoMotion)?;
+        let first = &runs.first().ok_or(ChartError::NoMotion)?.2;
         let (sizes, duration) = (sizes(first), first.end.time - task.request.initial.time);
-        if let Some(exact) = exact {
-            let how = "closed form of uniformly accelerated motion (D 3.12, 3.13)".to_owned();
-            // A few roundings of f64.
-            return Ok(Self { judges: vec![("", Rc::new(exact))], how, error: 1e-15, sizes, duration });
-        }
         let error = match &runs[..] {
             [one, two] => deviation(&one.2, &two.2, sizes),
             _ => f64::NAN,
@@ -86,46 +78,6 @@ fn tight(plugin: &'static IntegratorPlugin, task: &Task<'_>) -> Option<(&'static
         let found = plugin.solve(&mut task.motion.clone(), &request).ok()?;
         Some((plugin.name, tolerance, found))
     })
-}
-
-/// J and M constant over one piece: q = q0 + w0 t + e t²/2, w = w0 + e t.
-fn uniform(task: &Task<'_>) -> Option<Trajectory> {
-    let mut motion = task.motion.clone();
-    let start = task.request.initial;
-    if motion.dependence().case() != 1 || start.speed == 0.0 {
-        return None;
-    }
-    let Piece { coordinate, time, .. } = motion.enter(&start).ok()?;
-    let endless = |bounds: [f64; 2]| bounds[0].is_infinite() && bounds[1].is_infinite();
-    let e = motion.acceleration(&start).ok().filter(|_| endless(coordinate) && endless(time))?;
-    let w = start.speed;
-    let duration = match task.request.until {
-        Until::Time(end) => end - start.time,
-        Until::Rest => -w / e,
-        Until::Coordinate(end) => {
-            // The root without cancellation.
-            let way = end - start.coordinate;
-            2.0 * way / (w + w.signum() * (w * w + 2.0 * e * way).sqrt())
-        }
-    };
-    // Friction would hold it after a rest.
-    let passes_rest = w * (w + e * duration) < -1e-9 * w * w;
-    if duration.is_nan() || duration <= 0.0 || passes_rest {
-        return None;
-    }
-    let samples = (0..=task.request.samples).map(|i| {
-        let t = duration * i as f64 / task.request.samples as f64;
-        Sample {
-            time: start.time + t,
-            coordinate: start.coordinate + t * (w + 0.5 * e * t),
-            speed: w + e * t,
-            acceleration: e,
-        }
-    });
-    let samples: Vec<Sample> = samples.collect();
-    let last = *samples.last()?;
-    let end = State { time: last.time, coordinate: last.coordinate, speed: last.speed };
-    Some(Trajectory { samples, end, ..Trajectory::default() })
 }
 
 /// Greatest way from the start, and greatest speed.

@@ -1,9 +1,9 @@
-//! The forms of a chart: JSON, CSV, text, Markdown; rows of methods that can't.
+//! The forms of a chart: JSON, CSV, text; rows of methods that can't.
 
 use super::scenes::charted;
 use crate::chart::pareto::front;
 use crate::chart::scatter::Scatter;
-use crate::chart::{ChartData, Stage, WIDTH, csv, markdown, report, text};
+use crate::chart::{ChartData, Stage, WIDTH, csv, text};
 use proptest::prelude::*;
 
 fn json(data: &ChartData) -> serde_json::Value {
@@ -73,7 +73,7 @@ fn the_exact_flywheel_is_exact_and_the_textbooks_are_not() {
 }
 
 #[test]
-fn text_csv_and_markdown() {
+fn text_and_csv() {
     let data = charted("press");
     let plain = text(&data, true, WIDTH);
     assert!(plain.is_ascii(), "{plain}");
@@ -86,9 +86,6 @@ fn text_csv_and_markdown() {
     );
     let table = csv(&data).unwrap();
     assert_eq!(table.lines().count(), data.rows.len() + 1);
-    let chapter = markdown(&data, "press.toml");
-    assert!(chapter.contains("### Forces") && chapter.contains("is the fastest"), "{chapter}");
-    assert!(report(&[&data], &chapter).contains("## Which method when"));
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn a_brake_is_judged_by_the_formula() {
     with_task("brake", |task| {
         let found = References::find(task).unwrap();
         // D 3.22: rest after 50 s and 2500 rad.
-        let end = found.judge_of("closed-form").unwrap().end;
+        let end = found.judge_of("rk4").unwrap().end;
         assert!((end.time - 50.0).abs() < 1e-12 && (end.coordinate - 2500.0).abs() < 1e-10, "{end}");
     });
 }

@@ -33,12 +33,8 @@ fn names() -> Vec<&'static str> {
 fn the_bench_keeps_its_bounds() {
     // Ten thousand turns take their time without optimization.
     let sections = sections(100.0);
-    for wanted in ["passing", "cycle", "differences", "turns", "scales", "motion", "machines"] {
-        assert!(
-            sections.iter().any(|found| found.law.section == wanted && !found.rows.is_empty()),
-            "{wanted}"
-        );
-    }
+    let empty = sections.iter().find(|section| section.rows.is_empty());
+    assert!(empty.is_none(), "{:?}", empty.map(|section| section.law));
     let rows: Vec<_> = sections.iter().flat_map(|section| &section.rows).collect();
     for name in names() {
         let count = rows.iter().filter(|row| row.place.starts_with(name)).count();

@@ -1,9 +1,10 @@
-//! The report on several scenes: what follows from all of them, then a chapter on each.
+//! The page on all scenes: the fastest method for each accuracy, what `auto` takes, then a chapter on each.
 
 use std::fmt::Write;
 
-use super::markdown::fastest;
-use super::{ChartData, Row, Stage, units};
+use assur_study::chart::{ChartData, Row, Stage, Value, units};
+
+use crate::chapter::fastest;
 
 /// Errors that the summary asks for.
 const WANTED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
@@ -14,7 +15,7 @@ const ABOUT: &str = "\
 Made by one command from the shipped scenes:
 
 ```text
-cargo run --release -p assur -- chart fixtures/*.toml --format markdown -o docs/accuracy.md
+cargo bench -p assur-study --bench accuracy
 ```
 
 Every method of every stage did the same work; times are medians of runs that took turns in one process, on one machine:
@@ -29,10 +30,10 @@ The fastest method whose error is at most the one at the head of the column. Wha
 ";
 
 /// All chapters under one head.
-pub fn report(charts: &[&ChartData], chapters: &str) -> String {
+pub(crate) fn summary(charts: &[ChartData], chapters: &str) -> String {
     let mut text = ABOUT.to_owned();
     for stage in Stage::ALL {
-        let with: Vec<&&ChartData> = charts.iter().filter(|data| data.of(stage).next().is_some()).collect();
+        let with: Vec<&ChartData> = charts.iter().filter(|data| data.of(stage).next().is_some()).collect();
         if with.is_empty() {
             continue;
         }
@@ -50,7 +51,7 @@ pub fn report(charts: &[&ChartData], chapters: &str) -> String {
 }
 
 /// What `auto` takes, and its time against the fastest method that meets the tolerance.
-fn automatic(charts: &[&ChartData]) -> String {
+fn automatic(charts: &[ChartData]) -> String {
     let with: Vec<_> = charts.iter().filter(|data| data.of(Stage::Motion).any(|row| row.auto)).collect();
     if with.is_empty() {
         return String::new();
@@ -65,7 +66,7 @@ fn automatic(charts: &[&ChartData]) -> String {
     for data in with {
         let _ = write!(text, "| {} |", data.title);
         for wanted in WANTED {
-            text += &super::auto::against_best(data, wanted).map_or_else(
+            text += &against_best(data, wanted).map_or_else(
                 || " none |".to_owned(),
                 |(row, ratio)| format!(" `{}`: {ratio:.2} |", row.method),
             );
@@ -89,4 +90,15 @@ fn cell(row: &Row) -> String {
     let setting = row.setting.to_string();
     let between = if setting.is_empty() { "" } else { " " };
     format!("`{}`{between}{setting}: {time}", row.method)
+}
+
+/// What `auto` takes when asked for this tolerance, and its time over that of the fastest row that meets it.
+fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Row, f64)> {
+    let is_asked = |row: &&Row| match row.setting.get("tolerance") {
+        Some(Value::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
+        _ => true,
+    };
+    let own = data.of(Stage::Motion).filter(|row| row.auto).find(is_asked)?;
+    let best = fastest(data, Stage::Motion, tolerance)?;
+    Some((own, own.seconds? / best.seconds?))
 }

@@ -1,15 +1,14 @@
-//! The chart as a chapter in Markdown, with what follows from it in words.
+//! The chart of a scene as a chapter in Markdown, with what follows from it in words.
 
 use std::fmt::Write;
 
-use super::text::{stage_text, unit_words};
-use super::{ChartData, Row, Stage, units};
+use assur_study::chart::{ChartData, Row, Stage, WIDTH, stage_text, unit_words, units};
 
 /// Errors for which the fastest method is told.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
 
 /// A chapter on one scene; its tables have the Pareto front only.
-pub fn markdown(data: &ChartData, file: &str) -> String {
+pub(crate) fn chapter(data: &ChartData, file: &str) -> String {
     let mut text = format!("## {} (`{file}`)\n", data.title);
     for stage in Stage::ALL {
         if data.of(stage).next().is_none() {
@@ -19,7 +18,7 @@ pub fn markdown(data: &ChartData, file: &str) -> String {
         for sentence in words(data, stage) {
             let _ = writeln!(text, "* {sentence}");
         }
-        let drawn = stage_text(data, stage, false, |row| row.front);
+        let drawn = stage_text(data, stage, false, WIDTH, |row| row.front);
         let _ = write!(text, "\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
     }
     text
@@ -50,7 +49,7 @@ fn words(data: &ChartData, stage: Stage) -> Vec<String> {
 }
 
 /// The fastest row of a stage with an error of at most `wanted`.
-pub(super) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
+pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
     let good = data
         .of(stage)
         .filter(|row| row.whole())
