@@ -44,7 +44,8 @@ impl Calculation {
     fn change_points(&self) -> Option<String> {
         let linkage = &self.linkage;
         let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
-        for &(coordinate, group) in linkage.change_points().iter().filter(|(at, _)| self.visits(*at)) {
+        for point in linkage.change_points().filter(|point| self.visits(point.coordinate)) {
+            let (coordinate, group) = (point.coordinate, point.group);
             match places.iter_mut().find(|(at, _)| self.are_one(*at, coordinate)) {
                 Some((_, groups)) if groups.contains(&group) => {}
                 Some((_, groups)) => groups.push(group),

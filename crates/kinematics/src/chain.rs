@@ -32,6 +32,15 @@ pub enum Input<T> {
     },
 }
 
+impl<T> Input<T> {
+    /// Index of the input link.
+    pub(crate) fn link(&self) -> usize {
+        match self {
+            Self::Crank { link, .. } | Self::Slider { link, .. } => *link,
+        }
+    }
+}
+
 /// A group that has no solution, by its index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChainError {
@@ -126,13 +135,13 @@ impl<T: Number> Chain<T> {
         bodies: &mut [Body<T>],
         health: &mut [T],
     ) -> Result<(), ChainError> {
-        self.solve_around(coordinate, ways, order, bodies, health, |_, _| None)
+        self.solve_except(coordinate, ways, order, bodies, health, |_, _| None)
     }
 
-    /// The same with other means for some groups: `instead` places the links of a group itself and answers with its health,
-    /// or with `None` where the group shall be solved.
+    /// Solves the needed groups as [`solve`](Self::solve) does, except those that `instead` places itself: it answers with
+    /// the health of a group, or with `None` where the group shall be solved.
     #[inline]
-    pub(crate) fn solve_around(
+    pub(crate) fn solve_except(
         &self,
         coordinate: T,
         ways: &[u8],

@@ -1,12 +1,10 @@
 //! The assembly of the first position.
 
 use assur_group::plane::{dot, minus, vector};
-use assur_group::{Body, Number};
+use assur_group::{AssurGroup, Body, Number};
 use assur_mechanism::Mechanism;
 use assur_number::{Dd, Real};
-use assur_structure::Structure;
 
-use crate::wide::Wide;
 use crate::{Chain, ChainError};
 
 /// Places nearer than this (in parts of the scale) are one: near a change point the wanted places decide by less than
@@ -14,55 +12,51 @@ use crate::{Chain, ChainError};
 const SAME: f64 = 1e-14;
 
 /// The way of each group, and the placed links.
-type First = (Vec<u8>, Vec<Body<f64>>);
+pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 
-/// The way of each group at the coordinate `from`, the one closest to the places of `[assembly]`; and the placed links.
+/// The way of each group at the coordinate `from`, the one closest to the places of `[assembly]`, and the placed links; where
+/// a group can't be placed, the ways so far and what it says. `scale` is a length typical of the mechanism, m.
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
-    structure: &Structure,
-    chain: &Chain<f64>,
-    wide: Option<&Wide>,
+    scale: f64,
+    (chain, extended): (&Chain<f64>, Option<&Chain<Dd>>),
     from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
     let mut bodies = guessed_bodies(mechanism, chain);
     chain.set_input(from, &mut bodies);
-    let mut extended = wide.map(|wide| wide.bodies(Dd::from_f64(from), &bodies));
+    let mut wide: Vec<_> = bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
+    if let Some(extended) = extended {
+        extended.set_input(Dd::from_f64(from), &mut wide);
+    }
     let mut ways = vec![0_u8; chain.groups.len()];
-    for (i, kernel) in chain.groups.iter().enumerate().filter(|(i, _)| chain.is_needed(*i)) {
-        let links = &structure.groups[i].frame.links;
-        let mut best: Option<(f64, u8, Vec<Body<f64>>)> = None;
+    for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.is_needed(*group)) {
+        let extended = extended.map(|chain| chain.groups[group].as_ref());
+        let links = &kernel.frame().links;
+        let mut best: Option<(f64, u8)> = None;
         let mut failure = None;
         for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
-            let mut tried = bodies.clone();
-            match kernel.place(&mut tried, usize::from(way)) {
-                Ok(_) => {
+            match miss(mechanism, kernel.as_ref(), way, &mut bodies) {
+                Ok(found) => {
                     // Twice the digits where they can be had: close to a change point the ways differ by little.
-                    let exact = wide.zip(extended.as_ref()).and_then(|(wide, extended)| {
-                        let mut tried = extended.clone();
-                        wide.kernel(i).place(&mut tried, usize::from(way)).ok()?;
-                        Some(miss(mechanism, links, &tried))
-                    });
-                    let miss = exact.unwrap_or_else(|| miss(mechanism, links, &tried));
-                    let hair = SAME * structure.scale;
-                    if best.as_ref().is_none_or(|(least, ..)| miss < *least - hair) {
-                        best = Some((miss, way, tried));
+                    let exact = extended.and_then(|kernel| miss(mechanism, kernel, way, &mut wide).ok());
+                    let found = exact.unwrap_or(found);
+                    if best.is_none_or(|(least, _)| found < least - SAME * scale) {
+                        best = Some((found, way));
                     }
                 }
-                Err(source) => failure = Some(ChainError { group: i, source }),
+                Err(source) => failure = Some(ChainError { group, source }),
             }
         }
         match (best, failure) {
-            (Some((_, way, placed)), _) => (ways[i], bodies) = (way, placed),
+            (Some((_, way)), _) => ways[group] = way,
             (None, Some(failure)) => return Err((ways, failure)),
             (None, None) => {}
         }
-        if let (Some(wide), Some(extended)) = (wide, &mut extended)
-            && wide.kernel(i).place(extended, usize::from(ways[i])).is_err()
-        {
+        // It was placed before, from the same guess.
+        let _ = kernel.place(&mut bodies, usize::from(ways[group]));
+        if extended.is_none_or(|kernel| kernel.place(&mut wide, usize::from(ways[group])).is_err()) {
             // A gap that is rounding only: the place of 16 digits must do.
-            for &link in links {
-                extended[link] = bodies[link].map(Dd::from_f64);
-            }
+            links.iter().for_each(|&link| wide[link] = bodies[link].map(Dd::from_f64));
         }
     }
     Ok((ways, bodies))
@@ -92,8 +86,17 @@ fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
     bodies
 }
 
-/// Root of the sum of squares of the distances of a group's points from their wanted places, m.
-fn miss<T: Number>(mechanism: &Mechanism, links: &[usize], bodies: &[Body<T>]) -> f64 {
+/// Root of the sum of squares of the distances of a group's points from their wanted places in a way, m. The links of the
+/// group are left as they were.
+fn miss<T: Number>(
+    mechanism: &Mechanism,
+    kernel: &dyn AssurGroup<T>,
+    way: u8,
+    bodies: &mut [Body<T>],
+) -> Result<f64, assur_group::GroupError> {
+    let links = &kernel.frame().links;
+    let before: Vec<_> = links.iter().map(|&link| bodies[link]).collect();
+    let placed = kernel.place(bodies, usize::from(way));
     let mut sum = T::ZERO;
     for (point, wanted) in &mechanism.assembly {
         let place = mechanism.points[*point].places.iter().find(|place| links.contains(&place.link));
@@ -102,5 +105,6 @@ fn miss<T: Number>(mechanism: &Mechanism, links: &[usize], bodies: &[Body<T>]) -
             sum += dot(off, off);
         }
     }
-    sum.sqrt().to_f64()
+    links.iter().zip(before).for_each(|(&link, before)| bodies[link] = before);
+    placed.map(|_| sum.sqrt().to_f64())
 }

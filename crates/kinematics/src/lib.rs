@@ -8,30 +8,33 @@
 //! coordinates are found at compile time; the way of each group is then known for every coordinate, and close to a
 //! change point, where the group's equations lose all their digits, the smooth motion is interpolated across it.
 
-mod assembly;
+mod branch;
 mod chain;
+mod dependence;
 mod error;
 mod first;
-mod leg;
+mod follow;
+mod follower;
+mod guesses;
+mod interpolant;
+mod interpolants;
 mod linkage;
 mod meeting;
-mod patch;
-mod patches;
+mod motion;
 mod poles;
 mod rank;
-mod read;
-mod seeds;
-mod walk;
+mod samples;
+mod ways;
 mod wide;
 
-pub use assembly::{Range, Ways};
 pub use chain::{Chain, ChainError, Input};
 pub use error::{CompileError, PositionError};
+pub use guesses::iterated;
+pub use interpolant::Interpolation;
 pub use linkage::{Linkage, Position};
-pub use patch::Interpolation;
+pub use motion::{PointMotion, ScalarMotion, continuous_angle};
 pub use rank::{Rank, rank_of};
-pub use read::{PointMotion, ScalarMotion, continuous_angle};
-pub use seeds::iterated;
+pub use ways::{Range, Transition, Ways};
 
 #[cfg(test)]
 mod tests;

@@ -1,17 +1,16 @@
 //! A mechanism compiled for many positions.
 
 use assur_group::{AssurGroup, Body, Order};
-use assur_mechanism::{InputPair, Mechanism};
+use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
-use crate::assembly::Ways;
-use crate::patch::{Interpolation, Patch};
-use crate::patches::ancestors;
-use crate::seeds::Seeds;
-use crate::{Chain, ChainError, CompileError, PositionError, Range, walk};
-
-/// Rounding of an end of the range, rad (or parts of the scale).
-const HAIR: f64 = 1e-9;
+use crate::dependence::Dependence;
+use crate::follow::{coordinate_unit, follow};
+use crate::guesses::Guesses;
+use crate::interpolant::Interpolation;
+use crate::interpolants::Interpolants;
+use crate::ways::{END_ROUNDING, Transition, Ways};
+use crate::{Chain, ChainError, CompileError, PositionError, Range};
 
 /// A mechanism, taken apart and compiled: everything that positions need.
 #[derive(Debug)]
@@ -27,12 +26,12 @@ pub struct Linkage {
     /// Where it can be assembled; `None`: not even in the first position.
     pub range: Option<Range>,
     /// Why the first position can't be assembled, if so.
-    pub(crate) first_failure: Option<ChainError>,
+    first_failure: Option<ChainError>,
     /// What ends the range, below and above.
-    pub(crate) ends: [Option<ChainError>; 2],
-    pub(crate) patches: Vec<Patch>,
+    ends: [Option<ChainError>; 2],
+    interpolants: Interpolants,
     /// For kinds that iterate.
-    pub(crate) seeds: Option<Seeds>,
+    guesses: Option<Guesses>,
 }
 
 /// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
@@ -60,7 +59,7 @@ impl Linkage {
         Self::compile_for(mechanism, structure, &needed)
     }
 
-    /// The same for some of the groups only, of a mechanism that is taken apart already.
+    /// Compiles some of the groups of a mechanism that is taken apart already, and follows their assembly.
     ///
     /// Groups that are not needed are neither assembled nor solved, and don't limit the range: the bodies of their links,
     /// and their health, mean nothing. No needed group may depend on one of them.
@@ -75,17 +74,17 @@ impl Linkage {
     ) -> Result<Self, CompileError> {
         let mut chain = Chain::compile(&mechanism, &structure)?;
         chain.limit_to(needed);
-        let walked = walk::walk(&mechanism, &structure, &chain);
+        let followed = follow(&mechanism, &structure, &chain);
         Ok(Self {
             mechanism,
             structure,
             chain,
-            ways: walked.ways,
-            range: walked.range,
-            first_failure: walked.failure,
-            ends: walked.ends,
-            patches: walked.patches,
-            seeds: walked.seeds,
+            ways: followed.ways,
+            range: followed.range,
+            first_failure: followed.first_failure,
+            ends: followed.ends,
+            interpolants: followed.interpolants,
+            guesses: followed.guesses,
         })
     }
 
@@ -105,12 +104,12 @@ impl Linkage {
 
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
     pub fn angular(&self) -> bool {
-        matches!(self.mechanism.input.pair, InputPair::Pin(_))
+        self.mechanism.input.is_angle()
     }
 
     /// Unit of the coordinate for steps and tolerances: 1 rad, or the typical length of the mechanism in m.
     pub fn coordinate_unit(&self) -> f64 {
-        if self.angular() { 1.0 } else { self.structure.scale }
+        coordinate_unit(&self.mechanism, &self.structure)
     }
 
     /// Solves all links at one coordinate.
@@ -121,31 +120,28 @@ impl Linkage {
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
-        let place = self.place(coordinate);
-        if let Some(seeds) = &self.seeds {
-            seeds.put(place, &mut position.bodies);
+        let followed = self.followed(coordinate);
+        if let Some(guesses) = &self.guesses {
+            guesses.put(followed, &mut position.bodies);
         }
-        let ways = self.ways.at(place);
+        let ways = self.ways.at(followed);
         let (bodies, health) = (&mut position.bodies, &mut position.health);
-        let solved = if self.patches.iter().any(|patch| patch.covers(coordinate)) {
-            let across = |group: usize, bodies: &mut [Body<f64>]| {
-                let patch =
-                    self.patches.iter().find(|patch| patch.group == group && patch.covers(coordinate));
-                patch.map(|patch| patch.apply(coordinate, bodies))
-            };
-            self.chain.solve_around(coordinate, ways, order, bodies, health, across)
+        let solved = if self.interpolants.cover(coordinate) {
+            let apply =
+                |group: usize, bodies: &mut [Body<f64>]| self.interpolants.apply(group, coordinate, bodies);
+            self.chain.solve_except(coordinate, ways, order, bodies, health, apply)
         } else {
             self.chain.solve(coordinate, ways, order, bodies, health)
         };
         solved.map_err(|failure| self.explain(coordinate, failure))
     }
 
-    /// The coordinate as the walk over the cycle knows it: where the mechanism does not turn fully, an angle counts from
-    /// the lower end.
+    /// The coordinate in the interval in which the assembly was followed: where the mechanism does not turn fully, an angle
+    /// counts from the lower end.
     #[inline]
-    fn place(&self, coordinate: f64) -> f64 {
+    fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
-            Some(range) if !range.full && self.angular() => range.place(coordinate),
+            Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
             _ => coordinate,
         }
     }
@@ -154,19 +150,20 @@ impl Linkage {
     /// position to a coordinate: the coordinate of the end, and what the group says beyond it.
     pub fn barrier(&self, coordinate: f64) -> Option<(f64, ChainError)> {
         let range = self.range.filter(|range| !range.full)?;
-        let hair = HAIR * self.coordinate_unit();
+        let rounding = END_ROUNDING * self.coordinate_unit();
         match self.ends {
-            [Some(below), _] if coordinate < range.low - hair => Some((range.low, below)),
-            [_, Some(above)] if coordinate > range.high + hair => Some((range.high, above)),
+            [Some(below), _] if coordinate < range.low - rounding => Some((range.low, below)),
+            [_, Some(above)] if coordinate > range.high + rounding => Some((range.high, above)),
             _ => None,
         }
     }
 
     /// Whether the motion from the first position comes to a coordinate, forward or turning back, whole turns apart.
     pub fn reaches(&self, coordinate: f64) -> bool {
-        let hair = HAIR * self.coordinate_unit();
-        let place = self.place(coordinate);
-        self.range.is_some_and(|range| range.full || place >= range.low - hair && place <= range.high + hair)
+        let rounding = END_ROUNDING * self.coordinate_unit();
+        let followed = self.followed(coordinate);
+        let inside = |range: Range| followed >= range.low - rounding && followed <= range.high + rounding;
+        self.range.is_some_and(|range| range.full || inside(range))
     }
 
     /// Solves position `index` of the scene.
@@ -189,43 +186,43 @@ impl Linkage {
     pub fn is_at_change_point(&self, position: &Position) -> bool {
         /// Determinant of the group whose ways meet: with less, of the 16 digits of the places too few are left in it.
         const NEAR: f64 = 1e-5;
-        let mut covering = self.patches.iter().filter(|patch| patch.covers(position.coordinate));
-        covering.any(|patch| position.health[patch.group].abs() < NEAR)
+        self.interpolants.cover_unhealthy(position.coordinate, &position.health, NEAR)
     }
 
     /// How the motion at a coordinate is interpolated across a change point, of several the widest interpolation; `None`
     /// where all groups are solved by their own equations.
     pub fn interpolation(&self, coordinate: f64) -> Option<Interpolation> {
-        let found = self.patches.iter().filter_map(|patch| patch.at(coordinate));
-        found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
+        self.interpolants.widest(coordinate)
     }
 
     /// Whether the motion of a group is interpolated across a change point at a coordinate.
     pub fn is_interpolated(&self, coordinate: f64) -> bool {
-        self.patches.iter().any(|patch| patch.covers(coordinate))
+        self.interpolants.cover(coordinate)
     }
 
-    /// The change points, at which two ways of a group meet: coordinate (rad or m) and index of the group.
+    /// The change points, at which two ways of a group meet, in increasing order of the coordinate.
     ///
     /// They lie within one period of the motion, which may be several turns.
-    pub fn change_points(&self) -> &[(f64, usize)] {
-        self.ways.changes()
+    pub fn change_points(&self) -> impl Iterator<Item = &Transition> {
+        self.ways.change_points()
     }
 
     /// The change point nearest to a coordinate, rad or m, in the turn of the coordinate; `None` where there is none.
     pub fn nearest_change_point(&self, coordinate: f64) -> Option<f64> {
-        let offsets = self.change_points().iter().map(|(at, _)| self.ways.offset(coordinate, *at));
+        let offsets = self.change_points().map(|point| self.ways.offset(coordinate, point.coordinate));
         offsets.min_by(|a, b| a.abs().total_cmp(&b.abs())).map(|offset| coordinate + offset)
     }
 
     /// Whether a change point lies within a distance (rad or m) of a coordinate.
     pub fn is_near_change_point(&self, coordinate: f64, distance: f64) -> bool {
-        self.change_points().iter().any(|(at, _)| self.ways.offset(coordinate, *at).abs() < distance)
+        self.change_points().any(|point| self.ways.offset(coordinate, point.coordinate).abs() < distance)
     }
 
     /// The groups whose links determine the motion of a group, in solving order, itself last.
     pub fn ancestors(&self, group: usize) -> Vec<usize> {
-        ancestors(&self.structure, group)
+        let mut found = Dependence::of(&self.structure).ancestors(group, |_| false);
+        found.push(group);
+        found
     }
 
     #[cold]

@@ -1,8 +1,8 @@
 //! Where links run through infinity: guides that turn parallel without lying on each other.
 
 use assur_group::Order;
+use assur_number::search::least;
 
-use crate::meeting::least_between;
 use crate::{Linkage, Position};
 
 /// Samples over one turn, or over the range of a sliding input.
@@ -39,7 +39,7 @@ impl Linkage {
                     continue;
                 }
                 let health = |q: f64| self.health_at(group, q, &mut position);
-                let (place, _) = least_between(places[i], places[i + 2], health);
+                let (place, _) = least(places[i], places[i + 2], 90, health);
                 // On the seam of a full turn one zero lies at both of its ends.
                 let turn = if range.full { range.high - range.low } else { f64::INFINITY };
                 let same = |(other, _): &(f64, usize)| {

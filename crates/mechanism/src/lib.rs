@@ -168,6 +168,11 @@ impl Sense {
 }
 
 impl Input {
+    /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
+    pub fn is_angle(&self) -> bool {
+        matches!(self.pair, InputPair::Pin(_))
+    }
+
     /// Sign of the motion along the coordinate: that of `direction`, also where the positions are a range.
     pub fn sign(&self) -> f64 {
         self.direction.sign()

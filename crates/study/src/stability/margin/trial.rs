@@ -24,7 +24,7 @@ impl Trial {
     pub(super) fn of(linkage: &Linkage, mechanism: &Mechanism) -> Option<Self> {
         let structure = Structure::of(mechanism).ok()?;
         let chain = Chain::<f64>::compile(mechanism, &structure).ok()?;
-        let (ways, closed) = if linkage.change_points().is_empty() {
+        let (ways, closed) = if linkage.change_points().next().is_none() {
             (linkage.ways.clone(), 0.0)
         } else {
             let moved = moved(linkage, &structure);

@@ -187,7 +187,7 @@ fn nearly_a_parallelogram_keeps_its_way() {
     for exponent in 1..=12 {
         let text = scene(0.5 + 10.0_f64.powi(-exponent));
         let linkage = Linkage::compile(assur_scene::read("near.toml", &text).unwrap()).unwrap();
-        assert!(linkage.range.unwrap().full && linkage.change_points().is_empty(), "1e-{exponent}");
+        assert!(linkage.range.unwrap().full && linkage.change_points().next().is_none(), "1e-{exponent}");
         // Its motion turns sharply within sqrt(d) of where the parallelogram would go through.
         if exponent % 4 == 0 {
             let found = studied(linkage.mechanism).unwrap();
@@ -195,5 +195,5 @@ fn nearly_a_parallelogram_keeps_its_way() {
         }
     }
     let exact = Linkage::compile(assur_scene::read("near.toml", &scene(0.5)).unwrap()).unwrap();
-    assert_eq!(exact.change_points().len(), 2);
+    assert_eq!(exact.change_points().count(), 2);
 }

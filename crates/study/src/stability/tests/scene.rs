@@ -87,7 +87,7 @@ fn margins_are_told_with_the_digits_that_are_right() {
 #[test]
 fn ways_stay_where_they_no_longer_meet() {
     let linkage = Linkage::compile(parallelogram()).unwrap();
-    assert_eq!(linkage.change_points().len(), 2);
+    assert_eq!(linkage.change_points().count(), 2);
     assert_eq!(linkage.ways.without(1.0, |_| false), linkage.ways);
     for from in [1.0, 4.0] {
         let alone = linkage.ways.without(from, |_| true);

@@ -3,7 +3,7 @@
 //! At a change point J is singular though the motion goes through it smoothly: PF1 and PF2 are of the form 0/0, and
 //! close to it the closed forms lose digits with the inverse of the distance, its square and its cube. The motion is
 //! therefore interpolated there by a polynomial through nodes on both sides. The nodes are solved in 32 digits, so that
-//! what the closed forms lose close to the change point is not missed. Each group whose ways meet has its own interpolation;
+//! they have all 16 although they lie close to the change point. Each group whose ways meet has its own interpolant;
 //! the others are solved as anywhere else, so that their numbers don't depend on what else is solved.
 
 use std::f64::consts::{PI, TAU};
@@ -11,12 +11,10 @@ use std::f64::consts::{PI, TAU};
 use assur_group::Body;
 use assur_number::{Dd, Real};
 
-/// Farthest reach to each side, rad (or parts of the scale for a sliding input): beyond, PF2 by the closed forms keeps
-/// about 10 digits.
-const REACH: f64 = 0.0125;
+use crate::wide::Solved;
 
-/// All nodes lie beyond the reach, up to so many times as far: lengths that are rounded are no exact change point, and the
-/// closer a node, the more it shows.
+/// All nodes lie outside the interpolated stretch, up to so many half widths away: lengths that are rounded are no exact
+/// change point, and the closer a node is, the more it shows.
 const SPREAD: f64 = 6.0;
 
 /// Numbers of nodes on each side that are tried.
@@ -25,35 +23,36 @@ const NODES: [usize; 4] = [6, 10, 16, 24];
 /// On both sides, at most.
 const MOST_NODES: usize = 48;
 
-/// How often the reach is halved where the motion changes too fast for so many nodes.
+/// How often the width is halved where the motion changes too fast for so many nodes.
 const HALVINGS: usize = 9;
 
-/// Places, in parts of the reach, at which an interpolation is tried.
+/// Places, in half widths, at which an interpolation is tried.
 const TRIALS: [f64; 4] = [-0.98, -0.83, 0.79, 0.95];
 
 /// Deviation at the trials that is rounding, in parts of the largest number of its order.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// What the closed forms lose of PF0, PF1, PF2 at the reach, in eps over health to the power 1, 2, 3: no more is asked.
+/// What the closed forms lose of PF0, PF1, PF2 at the end of the stretch, in eps over health to the power 1, 2, 3: no more
+/// accuracy is asked of the interpolation.
 const LOST: f64 = 4.0 * f64::EPSILON;
 
 /// 2 pi less its nearest f64.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
-/// The links of a group around a change point of its own.
+/// The motion of the links of a group around a change point of its own.
 #[derive(Debug, Clone)]
-pub(crate) struct Patch {
-    /// The group.
+pub(crate) struct Interpolant {
+    /// Index of the group.
     pub(crate) group: usize,
     links: Vec<usize>,
     /// The change point, of all turns the one closest to zero, and what its f64 leaves over.
     center: [f64; 2],
     /// Turns after which the motion repeats, for a pinned input.
     turns: Option<f64>,
-    reach: f64,
+    half_width: f64,
     nodes: Vec<Node>,
-    /// |health| of the group at a distance of the reach: it falls to zero with the distance.
-    beside: f64,
+    /// |health| of the group at the end of the stretch: it falls to zero with the distance from the change point.
+    health_at_end: f64,
 }
 
 /// The stretch around a change point in which the motion of a group is interpolated instead of solved.
@@ -74,13 +73,13 @@ pub struct Interpolation {
 impl Interpolation {
     /// Greatest half width, in units of the coordinate ([`Linkage::coordinate_unit`](crate::Linkage::coordinate_unit)):
     /// farther away, PF2 by the closed forms keeps about 10 digits.
-    pub const GREATEST_HALF_WIDTH: f64 = REACH;
+    pub const GREATEST_HALF_WIDTH: f64 = 0.0125;
 }
 
 /// The motion at one node.
 #[derive(Debug, Clone)]
 struct Node {
-    /// Place in parts of the reach.
+    /// Distance from the change point in half widths.
     x: f64,
     /// Weight of the barycentric formula.
     weight: f64,
@@ -88,12 +87,12 @@ struct Node {
     bodies: Vec<Body<f64>>,
 }
 
-/// The group that is sampled.
+/// A change point and the group whose ways meet there.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Meeting<'a> {
-    /// Its change point.
+pub(crate) struct Site<'a> {
+    /// The change point, rad or m.
     pub(crate) center: f64,
-    /// Its index.
+    /// Index of the group.
     pub(crate) group: usize,
     /// Its links.
     pub(crate) links: &'a [usize],
@@ -101,52 +100,50 @@ pub(crate) struct Meeting<'a> {
     pub(crate) turns: Option<f64>,
 }
 
-/// The links of a group and its determinant at one place, in 32 digits.
-pub(crate) type Solved = (Vec<Body<Dd>>, Dd);
-
-impl Patch {
-    /// Samples the motion around a change point of a group; `None` where it can't be solved beside.
+impl Interpolant {
+    /// Samples the motion around a change point of a group; `None` where it can't be solved beside it.
+    ///
+    /// `unit` is the unit of the coordinate, `solve` solves the group at a coordinate.
     pub(crate) fn sample(
-        meeting: Meeting<'_>,
+        site: Site<'_>,
         unit: f64,
         mut solve: impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
-        let mut reach = REACH * unit;
+        let mut half_width = Interpolation::GREATEST_HALF_WIDTH * unit;
         let mut best: Option<(f64, Self)> = None;
         for _ in 0..=HALVINGS {
             for count in NODES {
-                let patch = Self::through(count, meeting, reach, &mut solve);
-                let Some((patch, miss)) = patch.and_then(|patch| patch.miss(meeting.center, &mut solve))
-                else {
+                let found = Self::through(count, site, half_width, &mut solve);
+                let Some((found, miss)) = found.and_then(|found| found.miss(site.center, &mut solve)) else {
                     break;
                 };
                 if miss[0] <= ROUNDING {
-                    return Some(patch);
+                    return Some(found);
                 }
                 if best.as_ref().is_none_or(|(least, _)| miss[1] < *least) {
-                    best = Some((miss[1], patch));
+                    best = Some((miss[1], found));
                 }
             }
             if best.as_ref().is_some_and(|(least, _)| *least <= 1.0) {
                 break;
             }
-            reach *= 0.5;
+            half_width *= 0.5;
         }
-        best.map(|(_, patch)| patch)
+        best.map(|(_, found)| found)
     }
 
-    /// With so many nodes on each side: those of Chebyshev's polynomials in the square of the distance.
+    /// With `count` nodes on each side: the zeros of Chebyshev's polynomial in the square of the distance.
     fn through(
         count: usize,
-        Meeting { center, group, links, turns }: Meeting<'_>,
-        reach: f64,
+        Site { center, group, links, turns }: Site<'_>,
+        half_width: f64,
         solve: &mut impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
         let node = |i: usize| {
             let (sine, cosine) = (PI * ((i % count) as f64 + 0.5) / count as f64).sin_cos();
             let square = 0.5 * ((SPREAD * SPREAD + 1.0) + (SPREAD * SPREAD - 1.0) * cosine);
             let x = if i < count { square.sqrt() } else { -square.sqrt() };
-            let (bodies, _) = solve(place(center, x * reach))?;
+            let (bodies, _) = solve(place(center, x * half_width))?;
             let sign = if (i % count).is_multiple_of(2) { 1.0 } else { -1.0 };
             Some(Node {
                 x,
@@ -155,19 +152,19 @@ impl Patch {
             })
         };
         let nodes = (0..2 * count).map(node).collect::<Option<Vec<_>>>()?;
-        let (_, beside) = solve(place(center, reach))?;
+        let (_, health) = solve(place(center, half_width))?;
         let passed = turns.map_or(0.0, |turns| turns * (center / (turns * TAU)).round());
         let center = [(-passed).mul_add(TAU, center), -passed * TAU_REST];
-        let (links, beside) = (links.to_vec(), beside.to_f64().abs());
-        Some(Self { group, links, center, turns, reach, nodes, beside })
+        let (links, health_at_end) = (links.to_vec(), health.to_f64().abs());
+        Some(Self { group, links, center, turns, half_width, nodes, health_at_end })
     }
 
     /// Itself with the largest deviation at the trials: in parts of the largest number of its order, and in parts of what the
-    /// closed forms lose at the reach.
+    /// closed forms lose at the end of the stretch.
     fn miss(self, center: f64, solve: &mut impl FnMut(Dd) -> Option<Solved>) -> Option<(Self, [f64; 2])> {
         let (mut sizes, mut misses) = ([1.0_f64; 3], [0.0_f64; 3]);
         for x in TRIALS {
-            let (exact, _) = solve(place(center, x * self.reach))?;
+            let (exact, _) = solve(place(center, x * self.half_width))?;
             let weights = self.weights(x);
             for (i, exact) in exact.iter().enumerate() {
                 let found = self.blend(&weights, i).numbers();
@@ -178,7 +175,7 @@ impl Patch {
                 }
             }
         }
-        let least = self.beside.min(1.0);
+        let least = self.health_at_end.min(1.0);
         let relative = [0, 1, 2].map(|order| misses[order] / sizes[order]);
         let lost = [1, 2, 3].map(|power| LOST / least.powi(power));
         let all = relative.iter().zip(lost).map(|(miss, lost)| miss / lost);
@@ -194,36 +191,36 @@ impl Patch {
         ((-passed).mul_add(TAU, coordinate) - center) - (passed * TAU_REST + rest)
     }
 
-    /// Whether the coordinate lies within reach.
+    /// Whether a coordinate lies in the interpolated stretch.
     pub(crate) fn covers(&self, coordinate: f64) -> bool {
-        self.distance(coordinate).abs() < self.reach
+        self.distance(coordinate).abs() < self.half_width
     }
 
     /// The interpolation that covers a coordinate, in the turn of the coordinate.
     pub(crate) fn at(&self, coordinate: f64) -> Option<Interpolation> {
         let away = self.distance(coordinate);
         let gain = || self.weights(0.0).iter().map(|weight| weight.abs()).sum();
-        (away.abs() < self.reach).then(|| Interpolation {
+        (away.abs() < self.half_width).then(|| Interpolation {
             group: self.group,
             center: coordinate - away,
-            half_width: self.reach,
+            half_width: self.half_width,
             nodes: self.nodes.len() / 2,
             gain: gain(),
         })
     }
 
-    /// Writes the links of the group; its health.
+    /// Writes the links of the group; returns its health.
     pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>]) -> f64 {
-        let x = self.distance(coordinate) / self.reach;
+        let x = self.distance(coordinate) / self.half_width;
         let weights = self.weights(x);
         for (i, &link) in self.links.iter().enumerate() {
             bodies[link] = self.blend(&weights, i);
         }
         // What is left of the determinant where ways meet grows linearly from there.
-        x.abs() * self.beside
+        x.abs() * self.health_at_end
     }
 
-    /// What each node counts at a place, by the barycentric formula of the second kind: backward stable, exact at the nodes.
+    /// Weight of each node at a distance of `x` half widths, by the barycentric formula of the second kind: backward stable, exact at the nodes.
     fn weights(&self, x: f64) -> [f64; MOST_NODES] {
         let mut weights = [0.0; MOST_NODES];
         let mut sum = 0.0;

@@ -1,0 +1,151 @@
+//! The assembly followed from the first position in one direction.
+
+use assur_group::Body;
+
+use crate::ChainError;
+use crate::meeting::Meeting;
+use crate::wide::Assembly;
+
+/// A transition of one group on a branch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passage {
+    /// Distance from the start along the direction of the branch, rad or m.
+    pub(crate) distance: f64,
+    /// The group's way before it.
+    pub(crate) before: u8,
+    /// The group's way behind it.
+    pub(crate) after: u8,
+    /// Whether two ways meet there.
+    pub(crate) is_change_point: bool,
+}
+
+/// What is known of a branch. Groups are followed one after the other, each over the whole branch.
+#[derive(Debug)]
+pub(crate) struct Branch {
+    /// Coordinate of the start.
+    pub(crate) from: f64,
+    /// How far it leads if every group can be assembled; negative towards lesser coordinates.
+    length: f64,
+    /// Number of steps to there.
+    steps: usize,
+    /// Samples at which all groups so far can be assembled, the start included.
+    pub(crate) samples: usize,
+    /// How far it leads, rad or m, with the sign of the length.
+    pub(crate) reached: f64,
+    /// What ends it before its length.
+    pub(crate) failure: Option<ChainError>,
+    /// The ways in the start.
+    first: Vec<u8>,
+    /// By group, with increasing distance.
+    pub(crate) passages: Vec<Vec<Passage>>,
+    /// Groups whose ways meet in the start itself: they are left behind by a branch towards greater coordinates, and are the
+    /// first passage of one towards lesser ones.
+    pub(crate) met_at_start: Vec<usize>,
+    /// All meetings so far.
+    pub(crate) meetings: Vec<Meeting>,
+    /// By link: its pose at every sample, where it is still needed.
+    pub(crate) poses: Vec<Vec<Body<f64>>>,
+    /// Links of groups that iterate.
+    iterated: Vec<usize>,
+    /// All links in the start.
+    pub(crate) start: Vec<Body<f64>>,
+}
+
+impl Branch {
+    pub(crate) fn new(
+        from: f64,
+        (length, steps): (f64, usize),
+        first: &[u8],
+        (start, iterated): (&[Body<f64>], &[usize]),
+    ) -> Self {
+        Self {
+            from,
+            length,
+            steps,
+            samples: steps + 1,
+            reached: length,
+            failure: None,
+            first: first.to_vec(),
+            passages: vec![Vec::new(); first.len()],
+            met_at_start: Vec::new(),
+            meetings: Vec::new(),
+            poses: vec![Vec::new(); start.len()],
+            iterated: iterated.to_vec(),
+            start: start.to_vec(),
+        }
+    }
+
+    /// Coordinate of a sample.
+    pub(crate) fn at(&self, sample: usize) -> f64 {
+        self.from + self.length * (sample as f64) / (self.steps as f64)
+    }
+
+    /// Distance of two samples, positive.
+    pub(crate) fn step(&self) -> f64 {
+        self.length.abs() / self.steps as f64
+    }
+
+    /// Distance from the start along the direction of the branch.
+    pub(crate) fn distance(&self, coordinate: f64) -> f64 {
+        (coordinate - self.from) * self.length.signum()
+    }
+
+    /// The coordinate at a distance from the start.
+    pub(crate) fn coordinate(&self, distance: f64) -> f64 {
+        self.from + distance * self.length.signum()
+    }
+
+    /// Whether it leads over its whole length.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.failure.is_none()
+    }
+
+    /// Ends it at a coordinate, behind so many samples.
+    pub(crate) fn end(&mut self, coordinate: f64, samples: usize, failure: ChainError) {
+        self.reached = coordinate - self.from;
+        self.samples = samples;
+        self.failure = Some(failure);
+    }
+
+    /// Leaves out the passages behind its end.
+    pub(crate) fn trim(&mut self) {
+        let reached = self.reached.abs();
+        self.passages.iter_mut().for_each(|passages| passages.retain(|one| one.distance <= reached));
+    }
+
+    /// Ways at its end.
+    pub(crate) fn last(&self) -> Vec<u8> {
+        let last = |(first, passages): (&u8, &Vec<Passage>)| passages.last().map_or(*first, |one| one.after);
+        self.first.iter().zip(&self.passages).map(last).collect()
+    }
+
+    /// The links in the start with those of iterating groups as they are at the sample nearest to a coordinate.
+    pub(crate) fn bodies_near(&self, coordinate: f64) -> Vec<Body<f64>> {
+        let mut bodies = self.start.clone();
+        self.guess(coordinate, &mut bodies);
+        bodies
+    }
+}
+
+impl Assembly for Branch {
+    fn way(&self, group: usize, coordinate: f64) -> u8 {
+        let distance = self.distance(coordinate);
+        let passed = self.passages[group].iter().rev().find(|one| one.distance < distance);
+        passed.map_or(self.first[group], |one| one.after)
+    }
+
+    fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
+        let nearest = (self.distance(coordinate) / self.step()).round();
+        for &link in &self.iterated {
+            let poses = &self.poses[link];
+            let last = poses.len().saturating_sub(1) as f64;
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped to the samples"
+            )]
+            let sample = nearest.clamp(0.0, last) as usize;
+            bodies[link] = *poses.get(sample).unwrap_or(&self.start[link]);
+        }
+    }
+}

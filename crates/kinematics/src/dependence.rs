@@ -1,0 +1,46 @@
+//! Which groups determine the motion of which.
+
+use assur_structure::Structure;
+
+/// By group: the groups whose links its outer pairs join.
+#[derive(Debug, Clone)]
+pub(crate) struct Dependence {
+    parents: Vec<Vec<usize>>,
+}
+
+impl Dependence {
+    pub(crate) fn of(structure: &Structure) -> Self {
+        let mut owner = vec![None; structure.links];
+        for (index, group) in structure.groups.iter().enumerate() {
+            group.frame.links.iter().for_each(|&link| owner[link] = Some(index));
+        }
+        let parents = structure.groups.iter().enumerate().map(|(index, group)| {
+            let ends = group.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+            let mut found: Vec<_> =
+                ends.filter_map(|end| owner[end]).filter(|&owner| owner != index).collect();
+            found.sort_unstable();
+            found.dedup();
+            found
+        });
+        Self { parents: parents.collect() }
+    }
+
+    /// The groups that determine the motion of a group, in solving order, without itself; those that `known` holds for, and
+    /// what only they depend on, are left out.
+    pub(crate) fn ancestors(&self, group: usize, known: impl Fn(usize) -> bool) -> Vec<usize> {
+        let mut found = Vec::new();
+        let mut is_found = vec![false; group];
+        let mut open = vec![group];
+        while let Some(next) = open.pop() {
+            for &parent in &self.parents[next] {
+                if !is_found[parent] && !known(parent) {
+                    is_found[parent] = true;
+                    found.push(parent);
+                    open.push(parent);
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+}

@@ -1,0 +1,175 @@
+//! Follows the assembly from the first position: where ways meet, and where the mechanism ends.
+
+use std::f64::consts::TAU;
+
+use assur_group::{Body, GroupError};
+use assur_mechanism::Mechanism;
+use assur_number::Dd;
+use assur_structure::Structure;
+
+use crate::branch::{Branch, Passage};
+use crate::dependence::Dependence;
+use crate::first::{First, first_ways};
+use crate::follower::Follower;
+use crate::guesses::{Guesses, iterated};
+use crate::interpolants::Interpolants;
+use crate::ways::{Transition, Ways};
+use crate::wide::Wide;
+use crate::{Chain, ChainError, Range};
+
+/// Samples over one turn, or over the length of the range of a sliding input.
+const SAMPLES: usize = 720;
+
+/// Where the first position itself is singular, its assembly is chosen so far behind it, in units of the coordinate.
+const BESIDE: f64 = 1e-4;
+
+/// Longest motion that is followed before ways must repeat, in turns.
+const MOST_TURNS: usize = 4;
+
+/// What was found.
+#[derive(Debug)]
+pub(crate) struct Followed {
+    pub(crate) ways: Ways,
+    /// `None`: not even the first position can be assembled.
+    pub(crate) range: Option<Range>,
+    /// Why the first position can't be assembled, if so.
+    pub(crate) first_failure: Option<ChainError>,
+    /// What ends the range, below and above.
+    pub(crate) ends: [Option<ChainError>; 2],
+    pub(crate) interpolants: Interpolants,
+    /// For kinds that iterate.
+    pub(crate) guesses: Option<Guesses>,
+}
+
+/// Chooses the assembly of the first position and follows it.
+pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Followed {
+    let unit = coordinate_unit(mechanism, structure);
+    let from = mechanism.input.from;
+    // Where a kernel can't be built in 32 digits, no meetings are looked for.
+    let extended = Chain::<Dd>::compile(mechanism, structure).ok();
+    let begin = |q: f64| first_ways(mechanism, structure.scale, (chain, extended.as_ref()), q);
+    let found = match begin(from) {
+        // Equal links upon each other may point anywhere: what they do on the way through says how they stand.
+        Err((_, ChainError { source: GroupError::Singular { .. }, .. })) => begin(from + BESIDE * unit),
+        found => found,
+    };
+    let (first, start) = match found {
+        Ok(found) => found,
+        Err((ways, failure)) => {
+            return Followed {
+                ways: Ways::new(from, None, ways, Vec::new()),
+                range: None,
+                first_failure: Some(failure),
+                ends: [None; 2],
+                interpolants: Interpolants::default(),
+                guesses: None,
+            };
+        }
+    };
+    let dependence = Dependence::of(structure);
+    let wide = extended.map(|chain| Wide::new(chain, &dependence));
+    let follower =
+        Follower { chain, structure, dependence: &dependence, wide, iterated: iterated(structure), unit };
+    let mut path = Path { follower, from, start: (first, start) };
+    let (ways, range, ends, guesses) =
+        if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
+    let around = |wide: &mut Wide<'_>| Interpolants::of(structure, unit, wide, (&ways, guesses.as_ref()));
+    let interpolants = path.follower.wide.as_mut().map(around).unwrap_or_default();
+    Followed { ways, range: Some(range), first_failure: None, ends, interpolants, guesses }
+}
+
+type Found = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
+
+/// The branches from the first position.
+struct Path<'a> {
+    follower: Follower<'a>,
+    from: f64,
+    start: First,
+}
+
+impl Path<'_> {
+    /// A pinned input: a full turn if it can, else in both directions to where it ends.
+    fn turn(&mut self) -> Found {
+        let mut turns = 1;
+        loop {
+            let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
+            let mut branch = self.branch(length, samples);
+            if !branch.is_complete() {
+                let back = self.branch(-length, samples);
+                return self.joined(&branch, &back);
+            }
+            self.follower.close(&mut branch);
+            // With an odd number of meetings the mechanism comes back to the other assembly: its true cycle is longer.
+            let first = &self.start.0;
+            if branch.last() == *first || turns == MOST_TURNS {
+                let range = Range { low: self.from, high: self.from + TAU, full: true };
+                let transitions = transitions(&branch, true);
+                let ways = Ways::new(self.from, Some(length), first.clone(), transitions);
+                let poses = self.follower.iterated.iter().map(|&link| (link, branch.poses[link].clone()));
+                let guesses = Guesses {
+                    low: self.from,
+                    step: branch.step(),
+                    periodic: true,
+                    poses: poses.filter(|(_, poses)| !poses.is_empty()).collect(),
+                };
+                return (ways, range, [None; 2], (!guesses.poses.is_empty()).then_some(guesses));
+            }
+            turns *= 2;
+        }
+    }
+
+    /// A sliding input: over the range of the scene, and farther on both sides (the reader wants to know where the mechanism
+    /// ends).
+    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> Found {
+        let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
+        let length = 4.0 * scale.max((last - self.from).abs());
+        let (forth, back) = (self.branch(length, 4 * SAMPLES), self.branch(-length, 4 * SAMPLES));
+        self.joined(&forth, &back)
+    }
+
+    fn branch(&mut self, length: f64, steps: usize) -> Branch {
+        let (first, start) = &self.start;
+        let branch = Branch::new(self.from, (length, steps), first, (start, &self.follower.iterated));
+        self.follower.follow(branch, length < 0.0)
+    }
+
+    /// Two branches from one start as one interval.
+    fn joined(&self, forth: &Branch, back: &Branch) -> Found {
+        let mut all = transitions(back, false);
+        all.extend(transitions(forth, true));
+        let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
+        let before = back.samples.saturating_sub(1);
+        let poses = self.follower.iterated.iter().map(|&link| {
+            let [back, forth] = [back, forth].map(|branch| &branch.poses[link]);
+            (link, back.iter().skip(1).rev().chain(forth).copied().collect::<Vec<Body<f64>>>())
+        });
+        let guesses = Guesses {
+            low: self.from - before as f64 * forth.step(),
+            step: forth.step(),
+            periodic: false,
+            poses: poses.filter(|(_, poses)| !poses.is_empty()).collect(),
+        };
+        let ways = Ways::new(range.low, None, back.last(), all);
+        (ways, range, [back.failure, forth.failure], (!guesses.poses.is_empty()).then_some(guesses))
+    }
+}
+
+/// The passages of a branch as transitions, in increasing order of the coordinate.
+fn transitions(branch: &Branch, forth: bool) -> Vec<Transition> {
+    let one = |group: usize, passage: &Passage| Transition {
+        coordinate: branch.coordinate(passage.distance),
+        group,
+        ways: if forth { [passage.before, passage.after] } else { [passage.after, passage.before] },
+        is_change_point: passage.is_change_point,
+    };
+    let passages = branch.passages.iter().enumerate();
+    let mut all: Vec<_> =
+        passages.flat_map(|(group, all)| all.iter().map(move |passage| one(group, passage))).collect();
+    all.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
+    all
+}
+
+/// Unit of the coordinate for steps and tolerances: 1 rad, or the typical length of the mechanism in m.
+pub(crate) fn coordinate_unit(mechanism: &Mechanism, structure: &Structure) -> f64 {
+    if mechanism.input.is_angle() { 1.0 } else { structure.scale }
+}

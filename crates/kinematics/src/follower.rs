@@ -1,0 +1,332 @@
+//! Follows one group after the other along a branch.
+
+use assur_group::{Body, GroupError, Order};
+use assur_number::search::bisect;
+use assur_number::{Dd, Real};
+use assur_structure::Structure;
+
+use crate::branch::{Branch, Passage};
+use crate::dependence::Dependence;
+use crate::meeting::{Judge, Minimum};
+use crate::samples::{Samples, pose_distance};
+use crate::wide::{Assembly, Wide};
+use crate::{Chain, ChainError};
+
+/// Coordinates nearer than this are one, relative.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Meetings of one group nearer than this, in units of the coordinate, are one.
+const SAME_MEETING: f64 = 1e-6;
+
+/// Where the motion behind a change point is compared with its continuation from before it, in steps of the branch.
+const BEHIND: f64 = 0.25;
+
+/// A pose that changes by more than this (rad, or parts of the scale), and by so many times the change before, may have jumped.
+const LEAST_JUMP: f64 = 0.02;
+const JUMP_RATIO: f64 = 4.0;
+
+/// Poses on both sides of a coordinate that are nearer than this, in parts of the scale or rad, continue each other.
+const CONTINUOUS: f64 = 1e-6;
+
+/// What following a branch needs.
+#[derive(Debug)]
+pub(crate) struct Follower<'a> {
+    pub(crate) chain: &'a Chain<f64>,
+    pub(crate) structure: &'a Structure,
+    pub(crate) dependence: &'a Dependence,
+    /// The chain in 32 digits.
+    pub(crate) wide: Option<Wide<'a>>,
+    /// Links of groups that iterate.
+    pub(crate) iterated: Vec<usize>,
+    /// Unit of the coordinate: 1 rad, or the scale in m.
+    pub(crate) unit: f64,
+}
+
+/// What ends the present way of a group, or the group.
+enum Event {
+    /// It goes on in another way behind a coordinate.
+    Transition(Passage),
+    /// It can't be assembled beyond a coordinate.
+    End(f64, GroupError),
+}
+
+impl Follower<'_> {
+    /// Follows all groups along a branch; `is_back`: a meeting in the start itself belongs to it.
+    pub(crate) fn follow(&mut self, mut branch: Branch, is_back: bool) -> Branch {
+        if let Some(wide) = &mut self.wide {
+            wide.restart(Order::Place);
+        }
+        let mut scratch = self.chain.bodies();
+        let input = self.chain.input.link();
+        for sample in 0..branch.samples {
+            self.chain.set_input(branch.at(sample), &mut scratch);
+            branch.poses[input].push(scratch[input]);
+        }
+        let last_users = self.last_users();
+        for group in (0..self.chain.groups.len()).filter(|group| self.chain.is_needed(*group)) {
+            self.follow_group(group, &mut branch, is_back, &mut scratch);
+            for &(link, _) in last_users.iter().filter(|(_, user)| *user == group) {
+                branch.poses[link] = Vec::new();
+            }
+        }
+        branch.trim();
+        branch
+    }
+
+    /// Each link whose poses are not kept, with the last group that asks for them.
+    fn last_users(&self) -> Vec<(usize, usize)> {
+        let mut users = vec![None; self.structure.links];
+        for (group, found) in self.structure.groups.iter().enumerate() {
+            let outer = found.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+            outer.chain(found.frame.links.iter().copied()).for_each(|link| users[link] = Some(group));
+        }
+        let used = users.into_iter().enumerate().filter_map(|(link, user)| Some((link, user?)));
+        used.filter(|(link, _)| !self.iterated.contains(link)).collect()
+    }
+
+    /// Follows a group from event to event up to the end of the branch or its own.
+    fn follow_group(
+        &mut self,
+        group: usize,
+        branch: &mut Branch,
+        is_back: bool,
+        scratch: &mut Vec<Body<f64>>,
+    ) {
+        let kernel = self.chain.groups[group].as_ref();
+        let mut samples = Samples::new(kernel, branch.way(group, branch.from), scratch);
+        samples.place_from(0, branch);
+        let mut sample = 0;
+        loop {
+            let event = match samples.failure {
+                Some(source) if sample == samples.health.len() => {
+                    Some(self.stop((group, samples.way), sample, source, branch))
+                }
+                None if sample == samples.health.len() => break,
+                _ if kernel.ways() == 1 => None,
+                _ => {
+                    let found = self.meeting(group, sample, &samples, branch, is_back);
+                    found.or_else(|| self.jump((group, samples.way), sample, branch))
+                }
+            };
+            match event {
+                None => sample += 1,
+                Some(Event::End(coordinate, source)) => {
+                    let end = branch.distance(coordinate);
+                    let inside =
+                        (0..samples.health.len()).take_while(|i| branch.distance(branch.at(*i)) <= end);
+                    branch.end(coordinate, inside.count(), ChainError { group, source });
+                    break;
+                }
+                Some(Event::Transition(passage)) => {
+                    branch.passages[group].push(passage);
+                    samples.way = passage.after;
+                    let behind = |sample: &usize| branch.distance(branch.at(*sample)) > passage.distance;
+                    let first = (0..branch.samples).find(behind).unwrap_or(branch.samples);
+                    samples.place_from(first, branch);
+                    sample = (sample + 1).min(samples.health.len());
+                }
+            }
+        }
+    }
+
+    /// Whether two ways of a group meet (its determinant touches zero), or leave a gap, near a sample.
+    fn meeting(
+        &mut self,
+        group: usize,
+        sample: usize,
+        samples: &Samples<'_>,
+        branch: &mut Branch,
+        is_back: bool,
+    ) -> Option<Event> {
+        let last = samples.health.len() - 1;
+        // What ends the group behind the last sample is looked for there.
+        if samples.failure.is_some() && sample == last {
+            return None;
+        }
+        let offset = samples.minimum_near(sample)?;
+        let near = branch.at(sample) + offset * (branch.at(1) - branch.at(0));
+        let reached = branch.distance(branch.at(last));
+        let meeting = match self.judge((group, samples.way), near, branch) {
+            Minimum::Beside => return None,
+            Minimum::Gap(inside, gap_m) => {
+                let distance = branch.distance(inside);
+                let is_before = |sample: &usize| branch.distance(branch.at(*sample)) < distance;
+                let before = (0..=last).rev().find(is_before).filter(|_| distance <= reached)?;
+                let end = self.end((group, samples.way), branch.at(before), inside, branch)[0];
+                return Some(Event::End(end, GroupError::NoAssembly { gap_m }));
+            }
+            Minimum::Meeting(meeting) => meeting,
+        };
+        branch.meetings.push(meeting);
+        let rounding = ROUNDING * self.unit.max(branch.at(last).abs()).max(branch.from.abs());
+        let mut distance = branch.distance(meeting.coordinate);
+        if distance.abs() <= rounding {
+            branch.met_at_start.push(group);
+            if !is_back {
+                return None;
+            }
+            distance = 0.0;
+        }
+        let is_new = |one: &Passage| (one.distance - distance).abs() > SAME_MEETING * self.unit;
+        let is_within = distance >= 0.0 && distance <= reached + rounding;
+        (is_within && branch.passages[group].last().is_none_or(is_new))
+            .then(|| Event::Transition(self.through((group, samples.way), distance, branch)))
+    }
+
+    fn judge(&mut self, (group, way): (usize, u8), near: f64, branch: &Branch) -> Minimum {
+        // Where the group can't be placed, the links that it joins can.
+        let (Ok(bodies) | Err((bodies, _))) = self.place((group, way), near, branch);
+        let resolution = self.chain.groups[group].resolution(&bodies);
+        let Some(wide) = &mut self.wide else { return Minimum::Beside };
+        let mut determinant = |q: Dd| wide.solve(q, (group, way), branch).map(|(_, health)| health);
+        let earlier = &branch.meetings;
+        Judge { determinant: &mut determinant, sample: branch.step(), resolution, earlier }.judge(near)
+    }
+
+    /// The passage of a group through a meeting at a distance from the start: into the way which continues the motion.
+    fn through(&mut self, (group, before): (usize, u8), distance: f64, branch: &Branch) -> Passage {
+        let mut after = before;
+        // Nearer where so far away something else happens.
+        for steps in [BEHIND, 0.1 * BEHIND, 0.01 * BEHIND] {
+            if let Some(found) = self.continuing((group, before), distance, steps * branch.step(), branch) {
+                after = found;
+                break;
+            }
+        }
+        Passage { distance, before, after, is_change_point: true }
+    }
+
+    /// The way which continues the motion of a group behind a distance from the start, by its poses at three multiples of `step`
+    /// before it; `None` where they can't be solved.
+    fn continuing(
+        &mut self,
+        (group, way): (usize, u8),
+        distance: f64,
+        step: f64,
+        branch: &Branch,
+    ) -> Option<u8> {
+        let wide = self.wide.as_mut()?;
+        // The same places for all groups that meet here.
+        let lattice = step / 16.0;
+        let middle = (distance / lattice).round() * lattice;
+        let mut solve = |steps: f64, way: u8| {
+            let q = Dd::from_f64(branch.coordinate(middle + steps * step));
+            let (bodies, _) = wide.solve(q, (group, way), branch).ok()?;
+            Some(bodies.iter().map(|body| body.map(Real::to_f64)).collect::<Vec<_>>())
+        };
+        let [far, middle, near] = [solve(-3.0, way)?, solve(-2.0, way)?, solve(-1.0, way)?];
+        // The parabola through three poses, one step behind the meeting.
+        let expected = |link: usize| {
+            let [far, middle, near] = [&far, &middle, &near].map(|bodies| bodies[link].numbers());
+            Body::of_numbers(std::array::from_fn(|k| 3.0 * far[k] - 8.0 * middle[k] + 6.0 * near[k]))
+        };
+        let expected: Vec<_> = (0..near.len()).map(expected).collect();
+        let scale = self.structure.scale;
+        let ways = 0..u8::try_from(self.chain.groups[group].ways()).unwrap_or(u8::MAX);
+        let candidates =
+            ways.filter_map(|way| Some((way, pose_distance(&solve(1.0, way)?, &expected, scale))));
+        candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(way, _)| way)
+    }
+
+    /// Where a group can't be placed at a sample: its end, or where another of its ways continues the motion.
+    fn stop(&self, (group, way): (usize, u8), sample: usize, source: GroupError, branch: &Branch) -> Event {
+        let Some(before) = sample.checked_sub(1) else { return Event::End(branch.from, source) };
+        let [good, bad] =
+            self.end((group, way), self.behind(group, before, branch), branch.at(sample), branch);
+        let is_bounded = branch.passages[group].len() < branch.samples;
+        let renumbered = self.renumbered((group, way), [good, bad], branch).filter(|_| is_bounded);
+        renumbered.map_or(Event::End(good, source), Event::Transition)
+    }
+
+    /// Whether a way jumps between a sample and the one before, because the kind numbers its ways anew.
+    fn jump(&self, (group, way): (usize, u8), sample: usize, branch: &Branch) -> Option<Event> {
+        let poses = |sample: usize| self.poses(group, sample, branch);
+        let change = |sample: usize| pose_distance(&poses(sample), &poses(sample - 1), self.structure.scale);
+        if sample < 2 || change(sample) < LEAST_JUMP + JUMP_RATIO * change(sample - 1) {
+            return None;
+        }
+        let (from, to) = (poses(sample - 1), poses(sample));
+        let is_before = |q: f64| {
+            let found = self.place((group, way), q, branch);
+            let apart =
+                |one: &[Body<f64>], other: &[Body<f64>]| pose_distance(one, other, self.structure.scale);
+            found.is_ok_and(|bodies| {
+                let own = self.own(group, &bodies);
+                apart(&own, &from) < apart(&own, &to)
+            })
+        };
+        let ends = bisect(self.behind(group, sample - 1, branch), branch.at(sample), 0.0, is_before);
+        self.renumbered((group, way), ends, branch).map(Event::Transition)
+    }
+
+    /// The other way that continues the motion of a group between neighboring coordinates, where its present one does not.
+    fn renumbered(
+        &self,
+        (group, before): (usize, u8),
+        [good, bad]: [f64; 2],
+        branch: &Branch,
+    ) -> Option<Passage> {
+        let placed = |way: u8, q: f64| Some(self.own(group, &self.place((group, way), q, branch).ok()?));
+        let last = placed(before, good)?;
+        let continues = |way: &u8| {
+            let next = placed(*way, bad);
+            next.is_some_and(|next| pose_distance(&last, &next, self.structure.scale) < CONTINUOUS)
+        };
+        let ways = 0..u8::try_from(self.chain.groups[group].ways()).unwrap_or(u8::MAX);
+        let after = if continues(&before) { None } else { ways.filter(|way| *way != before).find(continues) };
+        let distance = branch.distance(bad);
+        after.map(|after| Passage { distance, before, after, is_change_point: false })
+    }
+
+    /// Neighboring coordinates, at the first of which a group can be placed and at the second not.
+    fn end(&self, at: (usize, u8), good: f64, bad: f64, branch: &Branch) -> [f64; 2] {
+        bisect(good, bad, 0.0, |q| self.place(at, q, branch).is_ok())
+    }
+
+    /// Coordinate of a sample, or of the last passage of a group if that lies behind it.
+    fn behind(&self, group: usize, sample: usize, branch: &Branch) -> f64 {
+        let coordinate = branch.at(sample);
+        let passed = branch.passages[group].last().filter(|one| one.distance > branch.distance(coordinate));
+        passed.map_or(coordinate, |one| branch.coordinate(one.distance))
+    }
+
+    /// Places a group and the groups that determine its motion; with an error the bodies as far as they were placed.
+    fn place(
+        &self,
+        (group, way): (usize, u8),
+        q: f64,
+        branch: &Branch,
+    ) -> Result<Vec<Body<f64>>, (Vec<Body<f64>>, GroupError)> {
+        let mut bodies = branch.bodies_near(q);
+        self.chain.set_input(q, &mut bodies);
+        let mut place = |group: usize, way: u8| self.chain.groups[group].place(&mut bodies, usize::from(way));
+        let mut ancestors = self.dependence.ancestors(group, |_| false).into_iter();
+        let placed = ancestors.try_for_each(|ancestor| place(ancestor, branch.way(ancestor, q)).map(drop));
+        match placed.and_then(|()| place(group, way)) {
+            Ok(_) => Ok(bodies),
+            Err(error) => Err((bodies, error)),
+        }
+    }
+
+    fn own(&self, group: usize, bodies: &[Body<f64>]) -> Vec<Body<f64>> {
+        self.chain.groups[group].frame().links.iter().map(|&link| bodies[link]).collect()
+    }
+
+    fn poses(&self, group: usize, sample: usize, branch: &Branch) -> Vec<Body<f64>> {
+        self.chain.groups[group].frame().links.iter().map(|&link| branch.poses[link][sample]).collect()
+    }
+
+    /// Over a full turn what meets in the start meets in the end again, and is counted there, once.
+    pub(crate) fn close(&mut self, branch: &mut Branch) {
+        let length = branch.reached.abs();
+        let rounding = 16.0 * ROUNDING * (length + 1.0);
+        for group in std::mem::take(&mut branch.met_at_start) {
+            let is_end = |one: &Passage| (one.distance - length).abs() <= rounding;
+            if !branch.passages[group].iter().any(is_end) {
+                let way = branch.last()[group];
+                let passage = self.through((group, way), length, branch);
+                branch.passages[group].push(passage);
+            }
+        }
+    }
+}

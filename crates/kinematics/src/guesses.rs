@@ -1,0 +1,43 @@
+//! Where kinds of groups that iterate begin: the poses that were found when the assembly was followed.
+
+use assur_group::Body;
+use assur_structure::Structure;
+
+/// Poses of the links of iterating groups at equally spaced coordinates.
+#[derive(Debug, Clone)]
+pub(crate) struct Guesses {
+    /// Coordinate of the first sample, rad or m.
+    pub(crate) low: f64,
+    /// Distance of two samples, rad or m.
+    pub(crate) step: f64,
+    /// Whether the samples cover a whole period, the last one being the first one again.
+    pub(crate) periodic: bool,
+    /// Each link with its pose at every sample.
+    pub(crate) poses: Vec<(usize, Vec<Body<f64>>)>,
+}
+
+/// Links of the groups that iterate from a former place.
+pub fn iterated(structure: &Structure) -> Vec<usize> {
+    let iterating = structure.groups.iter().filter(|group| group.plugin.iterates);
+    iterating.flat_map(|group| group.frame.links.iter().copied()).collect()
+}
+
+impl Guesses {
+    /// Puts the links where they were found at the sample closest to a coordinate.
+    pub(crate) fn put(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
+        for (link, poses) in &self.poses {
+            let last = (poses.len() - 1) as f64;
+            let mut place = (coordinate - self.low) / self.step;
+            if self.periodic {
+                place = place.rem_euclid(last);
+            }
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped to the samples"
+            )]
+            let nearest = place.round().clamp(0.0, last) as usize;
+            bodies[*link] = poses[nearest];
+        }
+    }
+}

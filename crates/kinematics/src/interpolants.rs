@@ -1,0 +1,91 @@
+//! The interpolants of all change points of a mechanism.
+
+use assur_group::{Body, Order};
+use assur_number::{Dd, Real};
+use assur_structure::Structure;
+
+use crate::guesses::Guesses;
+use crate::interpolant::{Interpolant, Interpolation, Site};
+use crate::ways::Ways;
+use crate::wide::{Assembly, Wide};
+
+/// The interpolants, by group.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Interpolants {
+    sorted: Vec<Interpolant>,
+}
+
+impl Interpolants {
+    /// One for each group around each of its change points, where the surroundings can be solved.
+    pub(crate) fn of(
+        structure: &Structure,
+        unit: f64,
+        wide: &mut Wide<'_>,
+        (ways, guesses): (&Ways, Option<&Guesses>),
+    ) -> Self {
+        wide.restart(Order::Second);
+        let found = Found { ways, guesses };
+        let turns = ways.period().map(|period| period / std::f64::consts::TAU);
+        let mut sorted: Vec<_> = ways
+            .change_points()
+            .filter_map(|point| {
+                let (center, group) = (point.coordinate, point.group);
+                let links = &structure.groups[group].frame.links;
+                let solve = |q: Dd| {
+                    let way = found.way(group, q.to_f64());
+                    wide.solve(q, (group, way), &found).ok()
+                };
+                Interpolant::sample(Site { center, group, links, turns }, unit, solve)
+            })
+            .collect();
+        sorted.sort_by_key(|interpolant| interpolant.group);
+        Self { sorted }
+    }
+
+    /// Whether the motion of a group is interpolated at a coordinate.
+    #[inline]
+    pub(crate) fn cover(&self, coordinate: f64) -> bool {
+        self.sorted.iter().any(|interpolant| interpolant.covers(coordinate))
+    }
+
+    /// The widest interpolation that covers a coordinate.
+    pub(crate) fn widest(&self, coordinate: f64) -> Option<Interpolation> {
+        let found = self.sorted.iter().filter_map(|interpolant| interpolant.at(coordinate));
+        found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
+    }
+
+    /// Writes the links of a group whose motion is interpolated at a coordinate, and returns its health.
+    pub(crate) fn apply(&self, group: usize, coordinate: f64, bodies: &mut [Body<f64>]) -> Option<f64> {
+        let mut own = self.of_group(group).iter();
+        own.find(|interpolant| interpolant.covers(coordinate)).map(|found| found.apply(coordinate, bodies))
+    }
+
+    /// Whether the motion of a group with so little health is interpolated at a coordinate.
+    pub(crate) fn cover_unhealthy(&self, coordinate: f64, health: &[f64], limit: f64) -> bool {
+        self.sorted.iter().any(|found| health[found.group].abs() < limit && found.covers(coordinate))
+    }
+
+    fn of_group(&self, group: usize) -> &[Interpolant] {
+        let first = self.sorted.partition_point(|interpolant| interpolant.group < group);
+        let count = self.sorted[first..].iter().take_while(|interpolant| interpolant.group == group).count();
+        &self.sorted[first..first + count]
+    }
+}
+
+/// The assembly after it was followed over the whole range.
+struct Found<'a> {
+    ways: &'a Ways,
+    guesses: Option<&'a Guesses>,
+}
+
+impl Assembly for Found<'_> {
+    fn way(&self, group: usize, coordinate: f64) -> u8 {
+        self.ways.at(coordinate)[group]
+    }
+
+    fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
+        if let Some(guesses) = self.guesses {
+            guesses.put(coordinate, bodies);
+        }
+    }
+}

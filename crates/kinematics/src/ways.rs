@@ -1,0 +1,108 @@
+//! The way of each group as a function of the coordinate.
+
+use std::f64::consts::TAU;
+
+/// Rounding of an end of a range, in units of the coordinate.
+pub(crate) const END_ROUNDING: f64 = 1e-9;
+
+/// Where a mechanism can be assembled around its first position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Least coordinate, rad or m.
+    pub low: f64,
+    /// Greatest coordinate, rad or m.
+    pub high: f64,
+    /// Whether it turns fully: `low` and `high` are then one turn apart and mean nothing else.
+    pub full: bool,
+}
+
+impl Range {
+    /// An angle within the turn that begins at the lower end; one that is the lower end but for rounding stays there.
+    pub(crate) fn within_turn(&self, angle: f64) -> f64 {
+        if self.high - self.low >= TAU {
+            return angle;
+        }
+        let found = self.low + (angle - self.low).rem_euclid(TAU);
+        if found > self.low + TAU - END_ROUNDING { found - TAU } else { found }
+    }
+}
+
+/// A coordinate at which the motion of a group goes on in another of its ways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transition {
+    /// The coordinate, rad or m.
+    pub coordinate: f64,
+    /// Index of the group.
+    pub group: usize,
+    /// Its way at lesser and at greater coordinates.
+    pub ways: [u8; 2],
+    /// Whether two ways meet there; otherwise the kind of the group numbers its ways anew.
+    pub is_change_point: bool,
+}
+
+/// The way of each group at every coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ways {
+    /// Start of the interval that was followed.
+    low: f64,
+    /// Its length where the motion is periodic: the ways repeat with it.
+    period: Option<f64>,
+    /// In increasing order from `low`.
+    transitions: Vec<Transition>,
+    /// The ways of all groups before, between and after the transitions: one row more than transitions.
+    rows: Vec<Vec<u8>>,
+}
+
+impl Ways {
+    /// From the ways at the lower end and the transitions in increasing order.
+    pub(crate) fn new(low: f64, period: Option<f64>, first: Vec<u8>, transitions: Vec<Transition>) -> Self {
+        let mut rows = Vec::with_capacity(transitions.len() + 1);
+        let mut row = first;
+        for transition in &transitions {
+            rows.push(row.clone());
+            row[transition.group] = transition.ways[1];
+        }
+        rows.push(row);
+        Self { low, period, transitions, rows }
+    }
+
+    /// The way of each group at a coordinate; at a transition itself that above it.
+    #[inline]
+    pub fn at(&self, coordinate: f64) -> &[u8] {
+        if self.transitions.is_empty() {
+            return &self.rows[0];
+        }
+        let found = match self.period {
+            Some(period) => self.low + (coordinate - self.low).rem_euclid(period),
+            None => coordinate,
+        };
+        &self.rows[self.transitions.partition_point(|transition| transition.coordinate <= found)]
+    }
+
+    /// The length after which the ways repeat, rad or m; `None` where they don't.
+    pub(crate) fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    /// The transitions at which two ways meet.
+    pub(crate) fn change_points(&self) -> impl Iterator<Item = &Transition> {
+        self.transitions.iter().filter(|transition| transition.is_change_point)
+    }
+
+    /// From one coordinate to another, less the whole periods between them: rad or m.
+    pub(crate) fn offset(&self, from: f64, to: f64) -> f64 {
+        let apart = to - from;
+        self.period.map_or(apart, |period| apart - period * (apart / period).round())
+    }
+
+    /// The ways of a mechanism that is the same at the coordinate `from`, but in which the ways of some groups don't meet.
+    #[must_use]
+    pub fn without(&self, from: f64, gone: impl Fn(usize) -> bool) -> Self {
+        let kept: Vec<_> = self.transitions.iter().copied().filter(|one| !gone(one.group)).collect();
+        let mut row = self.at(from).to_vec();
+        for transition in kept.iter().rev().filter(|transition| transition.coordinate <= from) {
+            row[transition.group] = transition.ways[0];
+        }
+        Self::new(self.low, self.period, row, kept)
+    }
+}
