@@ -53,19 +53,7 @@ impl<T: Copy> Body<T> {
 impl<T: Real> Body<T> {
     /// The ground: at the origin, at rest.
     pub fn ground() -> Self {
-        let zero = T::ZERO;
-        Self {
-            x: zero,
-            y: zero,
-            c: T::ONE,
-            s: zero,
-            x1: zero,
-            y1: zero,
-            w1: zero,
-            x2: zero,
-            y2: zero,
-            w2: zero,
-        }
+        Self { c: T::ONE, ..Self::of_numbers([T::ZERO; 10]) }
     }
 
     /// Arm from the origin of the link to a point of it: a vector of the link turned into the ground's frame, m.
@@ -107,6 +95,29 @@ impl<T: Real> Body<T> {
         self.hang_place(arm, pf[0]);
         self.hang_first(arm, pf[1]);
         self.hang_second(arm, pf[2]);
+    }
+
+    /// Gives the link a direction, and the origin by which the point `at` of it lies at `place`; the arm of that point.
+    #[inline]
+    pub fn put(&mut self, direction: [T; 2], at: [T; 2], place: [T; 2]) -> [T; 2] {
+        [self.c, self.s] = direction;
+        let arm = self.arm(at);
+        self.hang_place(arm, place);
+        arm
+    }
+
+    /// Gives the link its angle's first derivative, and that of the origin by which the point with this arm has this PF1.
+    #[inline]
+    pub fn put_first(&mut self, w1: T, arm: [T; 2], pf1: [T; 2]) {
+        self.w1 = w1;
+        self.hang_first(arm, pf1);
+    }
+
+    /// Gives the link its angle's second derivative, and that of the origin by which the point with this arm has this PF2.
+    #[inline]
+    pub fn put_second(&mut self, w2: T, arm: [T; 2], pf2: [T; 2]) {
+        self.w2 = w2;
+        self.hang_second(arm, pf2);
     }
 
     /// Sets the origin so that the point with this arm lies there.

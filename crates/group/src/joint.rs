@@ -38,6 +38,20 @@ impl<T: Real> PinJoint<T> {
         }
     }
 
+    /// The place of the pin as a point of the other body, m.
+    #[inline]
+    pub fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
+        bodies[self.body].point(self.at)
+    }
+
+    /// PF1 and PF2 of the pin at this place, as a point of the other body.
+    #[inline]
+    pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
+        let body = &bodies[self.body];
+        let arm = minus(place, [body.x, body.y]);
+        [body.first(arm), body.second(arm)]
+    }
+
     /// Stores the force (N) on the link of the group.
     #[inline]
     pub fn store(&self, force: [T; 2], reactions: &mut [Wrench<T>]) {

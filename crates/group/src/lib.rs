@@ -10,6 +10,7 @@
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
 mod body;
+mod closed;
 mod error;
 mod general;
 mod joint;
@@ -24,6 +25,7 @@ mod wrench;
 
 pub use assur_plugin::RegistryError;
 pub use body::Body;
+pub use closed::{Closed, ClosedForm};
 pub use error::{GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};

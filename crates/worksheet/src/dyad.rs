@@ -1,8 +1,15 @@
 //! What the workings of all dyads share.
 
-use crate::{Expr, Point, Pose, Rod, Sheet};
+use assur_group::SlideJoint;
+
+use crate::{Expr, Guide, Point, Pose, Rod, Sheet};
 
 impl Sheet {
+    /// Direction of the guide of a slide, carried by the body outside or by the other link.
+    pub fn guide_of(&mut self, slide: &SlideJoint<f64>) -> Guide {
+        self.guide(slide.id, slide.body, slide.along_angle)
+    }
+
     /// Tells the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.
     pub fn rod_angle(&mut self, body: usize, rod: &Rod, along: &[Expr; 2]) -> Expr {
         let [x, y] = along;

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -12,17 +12,18 @@ use crate::PATTERN;
 #[derive(Debug, Clone)]
 pub struct Prp<T> {
     frame: GroupFrame,
-    links: [usize; 2],
-    slides: [SlideJoint<T>; 2],
-    inner: PinJoint<T>,
+    pub(crate) links: [usize; 2],
+    pub(crate) slides: [SlideJoint<T>; 2],
+    pub(crate) inner: PinJoint<T>,
     /// The inner pin in the frame of each link, m.
-    pin: [[T; 2]; 2],
+    pub(crate) pin: [[T; 2]; 2],
     /// Height of the inner pin's lines over the origins of the bodies with the guides, m.
     heights: [T; 2],
 }
 
 /// The crossing of the two lines at one position.
-struct Crossing<T> {
+#[derive(Debug)]
+pub struct Crossing<T> {
     c: [T; 2],
     /// Arms of the inner pin on the links.
     arms: [[T; 2]; 2],
@@ -65,10 +66,18 @@ impl<T: Real> Prp<T> {
         let t = self.slides.each_ref().map(|slide| bodies[slide.body].turned(slide.along));
         (t, cross(t[0], t[1]))
     }
+}
 
-    /// Places both links; the crossing and the health.
+impl<T: Real> ClosedForm<T> for Prp<T> {
+    type Position = Crossing<T>;
+    const WAYS: usize = 1;
+
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
     #[inline]
-    fn close(&self, bodies: &mut [Body<T>]) -> Result<(Crossing<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Crossing<T>, T), GroupError> {
         let (t, d) = self.guides(bodies);
         let health = d.abs();
         GroupError::if_singular(health)?;
@@ -80,15 +89,11 @@ impl<T: Real> Prp<T> {
         let directions = [0, 1].map(|i| carriers[i].turned(self.slides[i].turn));
         let mut arms = [[T::ZERO; 2]; 2];
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            [link.c, link.s] = directions[i];
-            arms[i] = link.arm(self.pin[i]);
-            link.hang_place(arms[i], c);
+            arms[i] = bodies[self.links[i]].put(directions[i], self.pin[i], c);
         }
         Ok((Crossing { c, arms, t, d }, health))
     }
 
-    /// The crossing of links that are placed already.
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Crossing<T> {
         let (t, d) = self.guides(bodies);
@@ -98,13 +103,18 @@ impl<T: Real> Prp<T> {
     }
 
     #[inline]
+    fn health(&self, position: &Crossing<T>) -> T {
+        position.d.abs()
+    }
+
+    #[inline]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
-        crossing: &Crossing<T>,
+        position: &Crossing<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Crossing { c, arms, t, d } = crossing;
+        let Crossing { c, arms, t, d } = position;
         GroupError::if_singular(d.abs())?;
         let inverse = T::ONE / *d;
         let n = t.map(perp);
@@ -113,9 +123,7 @@ impl<T: Real> Prp<T> {
         let v = [0, 1].map(|i| carriers[i].first(under[i]));
         let c1 = meet(t, [0, 1].map(|i| dot(n[i], v[i])), inverse);
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w1 = carriers[i].w1;
-            link.hang_first(arms[i], c1);
+            bodies[self.links[i]].put_first(carriers[i].w1, arms[i], c1);
         }
         if order < Order::Second {
             return GroupError::if_nan(c1[0] + c1[1]);
@@ -126,49 +134,19 @@ impl<T: Real> Prp<T> {
         });
         let c2 = meet(t, b, inverse);
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w2 = carriers[i].w2;
-            link.hang_second(arms[i], c2);
+            bodies[self.links[i]].put_second(carriers[i].w2, arms[i], c2);
         }
         GroupError::if_nan(c2[0] + c2[1])
     }
-}
 
-impl<T: Real> AssurGroup<T> for Prp<T> {
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
-    }
-
-    fn place(&self, bodies: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
-        self.close(bodies).map(|(_, health)| health)
-    }
-
-    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        self.differentiate(bodies, &self.read(bodies), order)
-    }
-
-    fn solve(&self, bodies: &mut [Body<T>], _: usize, order: Order) -> Result<T, GroupError> {
-        let (crossing, health) = self.close(bodies)?;
-        if order > Order::Place {
-            self.differentiate(bodies, &crossing, order)?;
-        }
-        Ok(health)
-    }
-
-    fn health(&self, bodies: &[Body<T>]) -> f64 {
-        self.guides(bodies).1.abs().least()
-    }
-
-    fn reactions(
+    fn balance(
         &self,
         bodies: &[Body<T>],
+        position: &Crossing<T>,
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let Crossing { arms, t, d, .. } = self.read(bodies);
+        let &Crossing { arms, t, d, .. } = position;
         GroupError::if_singular(d.abs())?;
         let n = t.map(perp);
         let given = self.links.map(|i| loads[i]);

@@ -13,7 +13,8 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
+    inventory,
 };
 
 pub use kernel::Prp;
@@ -25,10 +26,10 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 pub struct PrpKind;
 
 impl GroupKind for PrpKind {
-    type Kernel<T: Number> = Prp<T>;
+    type Kernel<T: Number> = Closed<Prp<T>>;
 
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Prp<T>, BuildError> {
-        Prp::new(frame)
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Prp<T>>, BuildError> {
+        Prp::new(frame).map(Closed)
     }
 }
 

@@ -1,39 +1,13 @@
 //! The working of type 4 by hand.
 
-use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
-use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
+use assur_worksheet::{Expr, Point, Sheet, WorkingPlugin};
 
-use crate::PATTERN;
+use crate::Prp;
 
 inventory::submit! {
     WorkingPlugin { group: "prp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
-}
-
-/// The pairs of a group.
-struct Pairs {
-    links: [usize; 2],
-    slides: [SlideJoint<f64>; 2],
-    inner: PinJoint<f64>,
-}
-
-impl Pairs {
-    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        Ok(Self {
-            links: [group.links[0], group.links[1]],
-            slides: [SlideJoint::<f64>::new(&group.outer[0])?, SlideJoint::<f64>::new(&group.outer[1])?],
-            inner: PinJoint::new(&group.inner[0])?,
-        })
-    }
-
-    fn own(&self) -> [[f64; 2]; 2] {
-        [self.inner.own, self.inner.at]
-    }
-
-    fn guides(&self, sheet: &mut Sheet) -> [Guide; 2] {
-        self.slides.each_ref().map(|slide| sheet.guide(slide.id, slide.body, slide.along_angle))
-    }
 }
 
 /// The vector whose components across two directions are given.
@@ -42,15 +16,15 @@ fn meet(t: &[[Expr; 2]; 2], b: &[Expr; 2], d: &Expr) -> [Expr; 2] {
 }
 
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
+    let pairs = Prp::<f64>::new(frame)?;
     let through = pairs.slides.each_ref().map(|slide| sheet.point(slide.body, slide.through));
     for slide in &pairs.slides {
         sheet.outline_angle("body with a guide", slide.body);
     }
-    let guides = pairs.guides(sheet);
+    let guides = pairs.slides.each_ref().map(|slide| sheet.guide_of(slide));
     let t = guides.each_ref().map(|guide| guide.t.clone());
     let name = sheet.place_name(pairs.links[0], pairs.inner.own);
-    let own = pairs.own();
+    let own = pairs.pin;
     let k = [0, 1].map(|i| {
         let what = format!("{name} lies so far to the left of guide {}", i + 1);
         sheet.fixed_length(&format!("k{}", i + 1), pairs.slides[i].offset(own[i]), &what)
@@ -78,7 +52,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
 /// Across each guide the pin moves as the point of its carrier under it; Coriolis' part with a turning guide.
 fn derive(
     sheet: &mut Sheet,
-    pairs: &Pairs,
+    pairs: &Prp<f64>,
     through: &[Point; 2],
     t: &[[Expr; 2]; 2],
     c: &[Expr; 2],
@@ -114,10 +88,10 @@ fn derive(
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
-    let own = pairs.own();
+    let pairs = Prp::<f64>::new(frame)?;
+    let own = pairs.pin;
     let c = sheet.point(pairs.links[0], own[0]);
-    let t = pairs.guides(sheet).map(|guide| guide.t);
+    let t = pairs.slides.each_ref().map(|slide| sheet.guide_of(slide).t);
     let d = sheet.recall("D");
     let given = pairs.links.map(|link| sheet.resultant(link));
     sheet.note(format!("along its guide each link hands its load to {}", c.name));

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -13,16 +13,16 @@ use crate::PATTERN;
 pub struct Rpp<T> {
     frame: GroupFrame,
     /// The link with the pin, and the link between the guides.
-    links: [usize; 2],
-    end: PinJoint<T>,
-    inner: SlideJoint<T>,
-    outer: SlideJoint<T>,
+    pub(crate) links: [usize; 2],
+    pub(crate) end: PinJoint<T>,
+    pub(crate) inner: SlideJoint<T>,
+    pub(crate) outer: SlideJoint<T>,
     /// Direction of the inner guide in the frame of the outer body with the guide.
     inner_along: [T; 2],
     /// Turn of link 1 from that body.
     turn: [T; 2],
     /// Distance of the point of link 2 from the outer pin across the inner guide, m.
-    across: T,
+    pub(crate) across: T,
     /// Height of the outer guide over the origin of its carrier, m.
     height: T,
     /// Sine of the angle between the guides, from the inner to the outer: it never changes.
@@ -33,7 +33,8 @@ pub struct Rpp<T> {
 }
 
 /// What the closed forms know of one position.
-struct Lines<T> {
+#[derive(Debug)]
+pub struct Lines<T> {
     /// A, and P of link 2.
     points: [[T; 2]; 2],
     /// Their arms on their links.
@@ -80,14 +81,22 @@ impl<T: Real> Rpp<T> {
         let carrier = &bodies[self.outer.body];
         [carrier.turned(self.inner_along), carrier.turned(self.outer.along)]
     }
+}
 
-    /// Places both links.
+impl<T: Real> ClosedForm<T> for Rpp<T> {
+    type Position = Lines<T>;
+    const WAYS: usize = 1;
+
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
     #[inline]
-    fn close(&self, bodies: &mut [Body<T>]) -> Result<Lines<T>, GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Lines<T>, T), GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let carrier = bodies[self.outer.body];
         let t = self.guides(bodies);
-        let a = bodies[self.end.body].point(self.end.at);
+        let a = self.end.place(bodies);
         let b = self.height + dot(perp(t[1]), minus([carrier.x, carrier.y], a));
         // (across t2 - b t1) / D with t1 = cosine t2 - D n2: the part across the outer guide is b itself, however far P
         // lies along it.
@@ -95,15 +104,13 @@ impl<T: Real> Rpp<T> {
         let p = plus(a, plus(scaled(along, t[1]), scaled(b, perp(t[1]))));
         GroupError::if_nan(p[0] + p[1])?;
         let [one, two] = self.links;
-        [bodies[one].c, bodies[one].s] = carrier.turned(self.turn);
-        [bodies[two].c, bodies[two].s] = carrier.turned(self.outer.turn);
-        let arms = [bodies[one].arm(self.end.own), bodies[two].arm(self.outer.own)];
-        bodies[one].hang_place(arms[0], a);
-        bodies[two].hang_place(arms[1], p);
-        Ok(Lines { points: [a, p], arms, t })
+        let arms = [
+            bodies[one].put(carrier.turned(self.turn), self.end.own, a),
+            bodies[two].put(carrier.turned(self.outer.turn), self.outer.own, p),
+        ];
+        Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
     }
 
-    /// The lines of links that are placed already.
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Lines<T> {
         let [one, two] = self.links.map(|i| &bodies[i]);
@@ -113,82 +120,53 @@ impl<T: Real> Rpp<T> {
     }
 
     #[inline]
+    fn health(&self, _position: &Lines<T>) -> T {
+        self.d.abs()
+    }
+
+    #[inline]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
-        lines: &Lines<T>,
+        position: &Lines<T>,
         order: Order,
     ) -> Result<(), GroupError> {
         GroupError::if_singular(self.d.abs())?;
-        let Lines { points, arms, t } = lines;
-        let (base, carrier) = (bodies[self.end.body], bodies[self.outer.body]);
-        let on_base = minus(points[0], [base.x, base.y]);
+        let Lines { points, arms, t } = position;
+        let carrier = bodies[self.outer.body];
+        let [a1, a2] = self.end.motion(bodies, points[0]);
         let under = points.map(|point| minus(point, [carrier.x, carrier.y]));
         // Seen from the carrier, A moves with `v`, and P along the outer guide such that both keep their distance
         // across the inner guide.
         let n = scaled(self.inverse, perp(t[0]));
-        let a1 = base.first(on_base);
         let v = minus(a1, carrier.first(under[0]));
         let relative = scaled(dot(n, v), t[1]);
         let p1 = plus(carrier.first(under[1]), relative);
         for (i, first) in [a1, p1].into_iter().enumerate() {
-            let link = &mut bodies[self.links[i]];
-            link.w1 = carrier.w1;
-            link.hang_first(arms[i], first);
+            bodies[self.links[i]].put_first(carrier.w1, arms[i], first);
         }
         if order < Order::Second {
             return GroupError::if_nan(p1[0] + p1[1]);
         }
         let coriolis = carrier.w1.twice();
-        let a2 = base.second(on_base);
         let a = minus(minus(a2, carrier.second(under[0])), scaled(coriolis, perp(v)));
         let turning = plus(carrier.second(under[1]), scaled(coriolis, perp(relative)));
         let p2 = plus(turning, scaled(dot(n, a), t[1]));
         for (i, second) in [a2, p2].into_iter().enumerate() {
-            let link = &mut bodies[self.links[i]];
-            link.w2 = carrier.w2;
-            link.hang_second(arms[i], second);
+            bodies[self.links[i]].put_second(carrier.w2, arms[i], second);
         }
         GroupError::if_nan(p2[0] + p2[1])
     }
-}
 
-impl<T: Real> AssurGroup<T> for Rpp<T> {
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
-    }
-
-    fn place(&self, bodies: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
-        self.close(bodies).map(|_| self.d.abs())
-    }
-
-    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        self.differentiate(bodies, &self.read(bodies), order)
-    }
-
-    fn solve(&self, bodies: &mut [Body<T>], _: usize, order: Order) -> Result<T, GroupError> {
-        let lines = self.close(bodies)?;
-        if order > Order::Place {
-            self.differentiate(bodies, &lines, order)?;
-        }
-        Ok(self.d.abs())
-    }
-
-    fn health(&self, _: &[Body<T>]) -> f64 {
-        self.d.abs().least()
-    }
-
-    fn reactions(
+    fn balance(
         &self,
         bodies: &[Body<T>],
+        position: &Lines<T>,
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         GroupError::if_singular(self.d.abs())?;
-        let Lines { arms, t, .. } = self.read(bodies);
+        let &Lines { arms, t, .. } = position;
         let [one, two] = self.links.map(|i| &bodies[i]);
         let (mut first, mut second) = (loads[self.links[0]], loads[self.links[1]]);
         // Along the outer guide link 2 leaves its load to the inner one.

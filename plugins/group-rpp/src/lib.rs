@@ -12,7 +12,8 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
+    inventory,
 };
 
 pub use kernel::Rpp;
@@ -24,10 +25,10 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &
 pub struct RppKind;
 
 impl GroupKind for RppKind {
-    type Kernel<T: Number> = Rpp<T>;
+    type Kernel<T: Number> = Closed<Rpp<T>>;
 
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Rpp<T>, BuildError> {
-        Rpp::new(frame)
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rpp<T>>, BuildError> {
+        Rpp::new(frame).map(Closed)
     }
 }
 

@@ -1,41 +1,17 @@
 //! The working of type 5 by hand.
 
-use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
-use crate::PATTERN;
+use crate::Rpp;
 
 inventory::submit! {
     WorkingPlugin { group: "rpp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
 }
 
-/// The pairs of a group.
-struct Pairs {
-    /// The link with the pin, and the link between the guides.
-    links: [usize; 2],
-    end: PinJoint<f64>,
-    inner: SlideJoint<f64>,
-    outer: SlideJoint<f64>,
-    /// Distance of the point of link 2 on the outer guide from the outer pin, across the inner guide, m.
-    across: f64,
-}
-
-impl Pairs {
-    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let end = PinJoint::<f64>::new(&group.outer[0])?;
-        let inner = SlideJoint::<f64>::new(&group.inner[0])?;
-        let outer = SlideJoint::<f64>::new(&group.outer[1])?;
-        let to_line = [0, 1].map(|i| inner.through[i] - outer.own[i]);
-        let (s, c) = inner.along_angle.sin_cos();
-        let across = -(c * to_line[1] - s * to_line[0] + inner.offset(end.own));
-        Ok(Self { links: [group.links[0], group.links[1]], end, inner, outer, across })
-    }
-}
-
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
+    let pairs = Rpp::<f64>::new(frame)?;
     let [one, two] = pairs.links;
     let carrier = pairs.outer.body;
     let a = sheet.point(pairs.end.body, pairs.end.at);
@@ -76,10 +52,10 @@ fn fixed(sheet: &mut Sheet, letter: &str, pair: usize, value: f64, what: &str) -
 }
 
 /// Angle of the link between the guides; inner and outer guide.
-fn angles(sheet: &mut Sheet, pairs: &Pairs) -> (Expr, [Guide; 2]) {
+fn angles(sheet: &mut Sheet, pairs: &Rpp<f64>) -> (Expr, [Guide; 2]) {
     sheet.note("the links can't turn against the body with the outer guide: all angles are known");
     let (inner, outer) = (&pairs.inner, &pairs.outer);
-    let second = sheet.guide(outer.id, outer.body, outer.along_angle);
+    let second = sheet.guide_of(outer);
     let tilt = fixed(sheet, "tilt", outer.id, outer.tilt_angle, "of the second link from the outer guide");
     let theta = &second.alpha + tilt;
     let gamma = fixed(sheet, "gamma", inner.id, inner.along_angle, "of the inner guide in the second link");
@@ -92,7 +68,7 @@ fn angles(sheet: &mut Sheet, pairs: &Pairs) -> (Expr, [Guide; 2]) {
 /// Seen from the carrier g of the outer guide, the pin moves with v and a; the point P along the outer guide.
 fn derive(
     sheet: &mut Sheet,
-    pairs: &Pairs,
+    pairs: &Rpp<f64>,
     [a, through]: [&Point; 2],
     t: &[[Expr; 2]; 2],
     p: &[Expr; 2],
@@ -128,13 +104,13 @@ fn derive(
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
+    let pairs = Rpp::<f64>::new(frame)?;
     let [one, two] = pairs.links;
     let a = sheet.point(pairs.end.body, pairs.end.at);
     let p = sheet.point(two, pairs.outer.own);
     let on_inner = sheet.point(one, pairs.inner.own);
     let outer = &pairs.outer;
-    let t2 = sheet.guide(outer.id, outer.body, outer.along_angle).t;
+    let t2 = sheet.guide_of(outer).t;
     let t1 = {
         let tag = sheet.pair_tag(pairs.inner.id);
         ["x", "y"].map(|axis| sheet.find(&format!("t{axis}_{tag}")).unwrap_or_else(Expr::zero))

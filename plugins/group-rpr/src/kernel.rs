@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, direction, dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, SlideJoint,
+    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, SlideJoint,
     Wrench,
 };
 use assur_number::Real;
@@ -20,13 +20,13 @@ const SLACK: f64 = 8.0;
 pub struct Rpr<T> {
     frame: GroupFrame,
     /// The sliding link, and the link with the guide.
-    links: [usize; 2],
-    ends: [PinJoint<T>; 2],
-    inner: SlideJoint<T>,
+    pub(crate) links: [usize; 2],
+    pub(crate) ends: [PinJoint<T>; 2],
+    pub(crate) inner: SlideJoint<T>,
     /// From the outer pin of the sliding link to its point on the guide, in the directions of the guide, m.
     reach: [T; 2],
     /// Offset of the outer pins across the guide, m.
-    e: T,
+    pub(crate) e: T,
     /// scale², m².
     scale: T,
     /// Rounding of a squared distance near e², m².
@@ -34,7 +34,8 @@ pub struct Rpr<T> {
 }
 
 /// The right triangle of outer pins and guide at one position.
-struct Triangle<T> {
+#[derive(Debug)]
+pub struct Triangle<T> {
     pins: [[T; 2]; 2],
     /// Arms of the pins on their links.
     arms: [[T; 2]; 2],
@@ -42,6 +43,7 @@ struct Triangle<T> {
     t: [T; 2],
     /// Distance of the pins along the guide.
     s: T,
+    health: T,
 }
 
 impl<T: Real> Rpr<T> {
@@ -72,10 +74,37 @@ impl<T: Real> Rpr<T> {
 
     #[inline]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        self.ends.each_ref().map(|end| bodies[end.body].point(end.at))
+        self.ends.each_ref().map(|end| end.place(bodies))
     }
 
-    /// Places both links; the triangle and the health.
+    #[cold]
+    fn refusal(&self, square: T, rest: T) -> GroupError {
+        if rest.least() < -self.slack {
+            return GroupError::NoAssembly { gap_m: self.e.abs().to_f64() - square.least().sqrt() };
+        }
+        // The pins lie upon each other and on the guide, which may point anywhere; or a number is NaN.
+        GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
+    }
+
+    /// Refuses derivatives and reactions of which no digit would be left: s is a root of D² - e², so that a rounding of
+    /// the distance D counts with D/s²; for a central guide with 1/s only.
+    #[inline]
+    fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
+        GroupError::if_singular(health)?;
+        let square = s * s + self.e * self.e;
+        let whole = square + self.scale;
+        GroupError::if_lost(health, square / whole)
+    }
+}
+
+impl<T: Real> ClosedForm<T> for Rpr<T> {
+    type Position = Triangle<T>;
+    const WAYS: usize = 2;
+
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
     #[inline]
     fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
         let pins = self.pins(bodies);
@@ -91,72 +120,45 @@ impl<T: Real> Rpr<T> {
         // t = D / (s + i e), and |s + i e|² = D².
         let t = scaled(T::ONE / square, times(d, [s, -self.e]));
         let [slider, guide] = self.links;
-        [bodies[slider].c, bodies[slider].s] = times(t, self.inner.tilt);
-        [bodies[guide].c, bodies[guide].s] = times(t, mirrored(self.inner.along));
-        let arms = [bodies[slider].arm(self.ends[0].own), bodies[guide].arm(self.ends[1].own)];
-        bodies[slider].hang_place(arms[0], pins[0]);
-        bodies[guide].hang_place(arms[1], pins[1]);
-        Ok((Triangle { pins, arms, t, s }, health))
+        let arms = [
+            bodies[slider].put(times(t, self.inner.tilt), self.ends[0].own, pins[0]),
+            bodies[guide].put(times(t, mirrored(self.inner.along)), self.ends[1].own, pins[1]),
+        ];
+        Ok((Triangle { pins, arms, t, s, health }, health))
     }
 
-    #[cold]
-    fn refusal(&self, square: T, rest: T) -> GroupError {
-        if rest.least() < -self.slack {
-            return GroupError::NoAssembly { gap_m: self.e.abs().to_f64() - square.least().sqrt() };
-        }
-        // The pins lie upon each other and on the guide, which may point anywhere; or a number is NaN.
-        GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
-    }
-
-    /// The triangle of links that are placed already.
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [slider, guide] = self.links.map(|i| &bodies[i]);
         let pins = self.pins(bodies);
         let t = guide.turned(self.inner.along);
         let arms = [slider.arm(self.ends[0].own), guide.arm(self.ends[1].own)];
-        Triangle { s: dot(t, minus(pins[0], pins[1])), pins, arms, t }
+        let s = dot(t, minus(pins[0], pins[1]));
+        let health = s.abs() / (s * s + self.e * self.e + self.scale).sqrt();
+        Triangle { pins, arms, t, s, health }
     }
 
     #[inline]
-    fn health_of(&self, s: T) -> T {
-        let square = s * s + self.e * self.e;
-        s.abs() / (square + self.scale).sqrt()
-    }
-
-    /// Refuses derivatives and reactions of which no digit would be left: s is a root of D² - e², so that a rounding of
-    /// the distance D counts with D/s²; for a central guide with 1/s only.
-    #[inline]
-    fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
-        GroupError::if_singular(health)?;
-        let square = s * s + self.e * self.e;
-        let whole = square + self.scale;
-        GroupError::if_lost(health, square / whole)
+    fn health(&self, position: &Triangle<T>) -> T {
+        position.health
     }
 
     #[inline]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
-        triangle: &Triangle<T>,
-        health: T,
+        position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, t, s } = triangle;
-        self.determined(*s, health)?;
+        let Triangle { pins, arms, t, s, health } = position;
+        self.determined(*s, *health)?;
         let n = perp(*t);
         let inverse = T::ONE / *s;
-        let outer = [0, 1].map(|i| {
-            let body = &bodies[self.ends[i].body];
-            let arm = minus(pins[i], [body.x, body.y]);
-            [body.first(arm), body.second(arm)]
-        });
+        let outer = [0, 1].map(|i| self.ends[i].motion(bodies, pins[i]));
         let d1 = minus(outer[0][0], outer[1][0]);
         let w = dot(n, d1) * inverse;
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w1 = w;
-            link.hang_first(arms[i], outer[i][0]);
+            bodies[self.links[i]].put_first(w, arms[i], outer[i][0]);
         }
         if order < Order::Second {
             return GroupError::if_nan(w);
@@ -165,46 +167,9 @@ impl<T: Real> Rpr<T> {
         let s1 = dot(*t, d1) + self.e * w;
         let e = (dot(n, d2) - (s1 * w).twice() + self.e * w * w) * inverse;
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w2 = e;
-            link.hang_second(arms[i], outer[i][1]);
+            bodies[self.links[i]].put_second(e, arms[i], outer[i][1]);
         }
         GroupError::if_nan(e)
-    }
-}
-
-impl<T: Real> AssurGroup<T> for Rpr<T> {
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
-    }
-
-    fn ways(&self) -> usize {
-        2
-    }
-
-    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
-        self.close(bodies, way).map(|(_, health)| health)
-    }
-
-    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        let triangle = self.read(bodies);
-        let health = self.health_of(triangle.s);
-        self.differentiate(bodies, &triangle, health, order)
-    }
-
-    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        let (triangle, health) = self.close(bodies, way)?;
-        if order > Order::Place {
-            self.differentiate(bodies, &triangle, health, order)?;
-        }
-        Ok(health)
-    }
-
-    fn health(&self, bodies: &[Body<T>]) -> f64 {
-        self.health_of(self.read(bodies).s).least()
     }
 
     fn resolution(&self, _: &[Body<T>]) -> f64 {
@@ -212,14 +177,15 @@ impl<T: Real> AssurGroup<T> for Rpr<T> {
         (self.slack / (self.e * self.e + self.scale).to_f64()).sqrt()
     }
 
-    fn reactions(
+    fn balance(
         &self,
         bodies: &[Body<T>],
+        position: &Triangle<T>,
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let Triangle { arms, t, s, .. } = self.read(bodies);
-        self.determined(s, self.health_of(s))?;
+        let &Triangle { arms, t, s, health, .. } = position;
+        self.determined(s, health)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // The moments of both links about their pins know the normal force only: its arm between the pins is s.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));

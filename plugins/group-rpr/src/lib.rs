@@ -17,7 +17,8 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
+    inventory,
 };
 
 pub use kernel::Rpr;
@@ -29,10 +30,10 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &
 pub struct RprKind;
 
 impl GroupKind for RprKind {
-    type Kernel<T: Number> = Rpr<T>;
+    type Kernel<T: Number> = Closed<Rpr<T>>;
 
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Rpr<T>, BuildError> {
-        Rpr::new(frame)
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rpr<T>>, BuildError> {
+        Rpr::new(frame).map(Closed)
     }
 }
 

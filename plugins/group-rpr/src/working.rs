@@ -1,45 +1,19 @@
 //! The working of type 3 by hand.
 
-use assur_group::plane::{cross, dot, minus as minus_numbers, times};
-use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_group::plane::{dot, minus as minus_numbers};
+use assur_group::{Body, BuildError, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Point, Sheet, WorkingPlugin};
 
-use crate::PATTERN;
+use crate::Rpr;
 
 inventory::submit! {
     WorkingPlugin { group: "rpr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
 }
 
-/// The pairs of a group.
-struct Pairs {
-    /// The sliding link, and the link with the guide.
-    links: [usize; 2],
-    ends: [PinJoint<f64>; 2],
-    inner: SlideJoint<f64>,
-    /// Offset of the outer pins across the guide, m.
-    e: f64,
-}
-
-impl Pairs {
-    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let ends = [PinJoint::<f64>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
-        let joint = SlideJoint::<f64>::new(&group.inner[0])?;
-        let reach = times(joint.tilt, minus_numbers(joint.own, ends[0].own));
-        let line = cross(joint.along, minus_numbers(joint.through, ends[1].own));
-        let inner = SlideJoint::<f64>::new(&group.inner[0])?;
-        Ok(Self { links: [group.links[0], group.links[1]], ends, inner, e: line - reach[1] })
-    }
-
-    fn outer(&self, sheet: &mut Sheet) -> [Point; 2] {
-        [0, 1].map(|i| sheet.point(self.ends[i].body, self.ends[i].at))
-    }
-}
-
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
-    let outer = pairs.outer(sheet);
+    let pairs = Rpr::<f64>::new(frame)?;
+    let outer = [0, 1].map(|i| sheet.point(pairs.ends[i].body, pairs.ends[i].at));
     for point in &outer {
         sheet.outline("outer pin", point);
     }
@@ -60,7 +34,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
 }
 
 /// The right triangle of the outer pins and the guide: offset, way along the guide, direction of the guide.
-fn place(sheet: &mut Sheet, pairs: &Pairs, outer: &[Point; 2], ahead: bool) -> (Expr, Expr, [Expr; 2]) {
+fn place(sheet: &mut Sheet, pairs: &Rpr<f64>, outer: &[Point; 2], ahead: bool) -> (Expr, Expr, [Expr; 2]) {
     let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
     let e =
         sheet.fixed_length("e", pairs.e, &format!("{a} lies so far to the left of {b}, across the guide"));
@@ -83,7 +57,7 @@ fn place(sheet: &mut Sheet, pairs: &Pairs, outer: &[Point; 2], ahead: bool) -> (
 
 fn derive(
     sheet: &mut Sheet,
-    pairs: &Pairs,
+    pairs: &Rpr<f64>,
     outer: &[Point; 2],
     [e, s]: [&Expr; 2],
     t: &[Expr; 2],
@@ -111,12 +85,11 @@ fn derive(
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
-    let outer = pairs.outer(sheet);
-    let [slider, guide] = pairs.links;
+    let pairs = Rpr::<f64>::new(frame)?;
+    let outer = [0, 1].map(|i| sheet.point(pairs.ends[i].body, pairs.ends[i].at));
+    let slider = pairs.links[0];
     let on_line = sheet.point(slider, pairs.inner.own);
-    let end = pairs.inner;
-    let t = sheet.guide(pairs.inner.id, guide, end.along_angle).t;
+    let t = sheet.guide_of(&pairs.inner).t;
     let s = sheet.recall("s");
     let forces = pairs.links.map(|link| sheet.resultant(link));
     sheet.note("moments of both links about their outer pins know the normal force N only; its arm is s");

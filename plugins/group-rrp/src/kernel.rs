@@ -2,7 +2,7 @@
 
 use assur_group::plane::{dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -16,10 +16,10 @@ const SLACK: f64 = 8.0;
 pub struct Rrp<T> {
     frame: GroupFrame,
     /// The rod, and the sliding link.
-    links: [usize; 2],
-    end: PinJoint<T>,
-    inner: PinJoint<T>,
-    slide: SlideJoint<T>,
+    pub(crate) links: [usize; 2],
+    pub(crate) end: PinJoint<T>,
+    pub(crate) inner: PinJoint<T>,
+    pub(crate) slide: SlideJoint<T>,
     /// From the outer to the inner pin, in the frame of the rod, m.
     rod: [T; 2],
     /// What turns such a vector, placed, into the direction of the rod: mirrored rod / length².
@@ -35,7 +35,8 @@ pub struct Rrp<T> {
 }
 
 /// The right triangle of rod and guide at one position.
-struct Triangle<T> {
+#[derive(Debug)]
+pub struct Triangle<T> {
     /// A and C.
     pins: [[T; 2]; 2],
     /// Arm of A on the rod, and of C on the sliding link.
@@ -93,32 +94,6 @@ impl<T: Real> Rrp<T> {
         [t, perp(t)]
     }
 
-    /// Places both links; the triangle and the health.
-    #[inline]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
-        let carrier = &bodies[self.slide.body];
-        let [t, n] = self.guide(bodies);
-        let a = bodies[self.end.body].point(self.end.at);
-        let delta = dot(n, minus([carrier.x, carrier.y], a)) + self.height;
-        let (ahead, behind) = (self.length - delta, self.length + delta);
-        if !(ahead.least() >= -self.slack && behind.least() >= -self.slack) {
-            return Err(self.refusal(delta));
-        }
-        let sigma = (ahead * behind).clamp_negative().sqrt();
-        let health = sigma * self.inverse_length;
-        let sigma = if way == 0 { sigma } else { -sigma };
-        let r = plus(scaled(delta, n), scaled(sigma, t));
-        let c = plus(a, r);
-        let direction = carrier.turned(self.slide.turn);
-        let [rod, slider] = self.links;
-        [bodies[rod].c, bodies[rod].s] = times(r, self.unrod);
-        [bodies[slider].c, bodies[slider].s] = direction;
-        let arms = [bodies[rod].arm(self.end.own), bodies[slider].arm(self.inner.at)];
-        bodies[rod].hang_place(arms[0], a);
-        bodies[slider].hang_place(arms[1], c);
-        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
-    }
-
     /// Refuses derivatives and reactions of which no digit would be left.
     #[inline]
     fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
@@ -133,84 +108,84 @@ impl<T: Real> Rrp<T> {
         let gap_m = delta.abs().greatest() - self.length.to_f64();
         if gap_m.is_nan() { GroupError::Singular { health: gap_m } } else { GroupError::NoAssembly { gap_m } }
     }
+}
 
-    /// The triangle of links that are placed already.
+impl<T: Real> ClosedForm<T> for Rrp<T> {
+    type Position = Triangle<T>;
+    const WAYS: usize = 2;
+
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+        let carrier = &bodies[self.slide.body];
+        let [t, n] = self.guide(bodies);
+        let a = self.end.place(bodies);
+        let delta = dot(n, minus([carrier.x, carrier.y], a)) + self.height;
+        let (ahead, behind) = (self.length - delta, self.length + delta);
+        if !(ahead.least() >= -self.slack && behind.least() >= -self.slack) {
+            return Err(self.refusal(delta));
+        }
+        let sigma = (ahead * behind).clamp_negative().sqrt();
+        let health = sigma * self.inverse_length;
+        let sigma = if way == 0 { sigma } else { -sigma };
+        let r = plus(scaled(delta, n), scaled(sigma, t));
+        let c = plus(a, r);
+        let direction = carrier.turned(self.slide.turn);
+        let [rod, slider] = self.links;
+        let arms = [
+            bodies[rod].put(times(r, self.unrod), self.end.own, a),
+            bodies[slider].put(direction, self.inner.at, c),
+        ];
+        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
+    }
+
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [t, n] = self.guide(bodies);
         let [rod, slider] = self.links.map(|i| &bodies[i]);
-        let a = bodies[self.end.body].point(self.end.at);
+        let a = self.end.place(bodies);
         let r = rod.arm(self.rod);
         let arms = [rod.arm(self.end.own), slider.arm(self.inner.at)];
         Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma: dot(t, r) }
     }
 
     #[inline]
+    fn health(&self, position: &Triangle<T>) -> T {
+        (position.sigma * self.inverse_length).abs()
+    }
+
+    #[inline]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
-        triangle: &Triangle<T>,
+        position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, t, n, r, delta, sigma } = triangle;
+        let Triangle { pins, arms, t, n, r, delta, sigma } = position;
         self.determined(*sigma, *delta)?;
         let inverse = T::ONE / *sigma;
         let [rod, slider] = self.links;
-        let (base, carrier) = (bodies[self.end.body], bodies[self.slide.body]);
-        let on_base = minus(pins[0], [base.x, base.y]);
+        let carrier = bodies[self.slide.body];
+        let [a1, a2] = self.end.motion(bodies, pins[0]);
         let under = minus(pins[1], [carrier.x, carrier.y]);
-        let (a1, v) = (base.first(on_base), carrier.first(under));
+        let v = carrier.first(under);
         let w = dot(*n, minus(v, a1)) * inverse;
         let c1 = plus(a1, scaled(w, perp(*r)));
-        bodies[rod].w1 = w;
-        bodies[rod].hang_first(arms[0], a1);
-        bodies[slider].w1 = carrier.w1;
-        bodies[slider].hang_first(arms[1], c1);
+        bodies[rod].put_first(w, arms[0], a1);
+        bodies[slider].put_first(carrier.w1, arms[1], c1);
         if order < Order::Second {
             return GroupError::if_nan(w);
         }
-        let (a2, square) = (base.second(on_base), w * w);
+        let square = w * w;
         let coriolis = (carrier.w1 * dot(*t, minus(c1, v))).twice();
         let e = (dot(*n, minus(carrier.second(under), a2)) + coriolis + square * *delta) * inverse;
         let c2 = minus(plus(a2, scaled(e, perp(*r))), scaled(square, *r));
-        bodies[rod].w2 = e;
-        bodies[rod].hang_second(arms[0], a2);
-        bodies[slider].w2 = carrier.w2;
-        bodies[slider].hang_second(arms[1], c2);
+        bodies[rod].put_second(e, arms[0], a2);
+        bodies[slider].put_second(carrier.w2, arms[1], c2);
         GroupError::if_nan(e)
-    }
-}
-
-impl<T: Real> AssurGroup<T> for Rrp<T> {
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
-    }
-
-    fn ways(&self) -> usize {
-        2
-    }
-
-    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
-        self.close(bodies, way).map(|(_, health)| health)
-    }
-
-    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        self.differentiate(bodies, &self.read(bodies), order)
-    }
-
-    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        let (triangle, health) = self.close(bodies, way)?;
-        if order > Order::Place {
-            self.differentiate(bodies, &triangle, order)?;
-        }
-        Ok(health)
-    }
-
-    fn health(&self, bodies: &[Body<T>]) -> f64 {
-        (self.read(bodies).sigma * self.inverse_length).abs().least()
     }
 
     fn resolution(&self, _: &[Body<T>]) -> f64 {
@@ -218,13 +193,14 @@ impl<T: Real> AssurGroup<T> for Rrp<T> {
         (2.0 * self.slack * self.inverse_length.to_f64()).sqrt()
     }
 
-    fn reactions(
+    fn balance(
         &self,
         bodies: &[Body<T>],
+        position: &Triangle<T>,
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let Triangle { arms, t, n, delta, sigma, .. } = self.read(bodies);
+        let &Triangle { arms, t, n, delta, sigma, .. } = position;
         self.determined(sigma, delta)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // Along the guide link 2 gives the inner reaction; the moment about A then gives its part across.

@@ -17,7 +17,8 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
+    inventory,
 };
 
 pub use kernel::Rrp;
@@ -29,10 +30,10 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 pub struct RrpKind;
 
 impl GroupKind for RrpKind {
-    type Kernel<T: Number> = Rrp<T>;
+    type Kernel<T: Number> = Closed<Rrp<T>>;
 
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Rrp<T>, BuildError> {
-        Rrp::new(frame)
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rrp<T>>, BuildError> {
+        Rrp::new(frame).map(Closed)
     }
 }
 

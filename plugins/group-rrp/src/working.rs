@@ -1,49 +1,24 @@
 //! The working of type 2 by hand.
 
 use assur_group::plane::dot;
-use assur_group::{Body, BuildError, GroupFrame, PinJoint, SlideJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
-use crate::PATTERN;
+use crate::Rrp;
 
 inventory::submit! {
     WorkingPlugin { group: "rrp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
 }
 
-/// The pairs of a group.
-struct Pairs {
-    /// The rod, and the sliding link.
-    links: [usize; 2],
-    end: PinJoint<f64>,
-    inner: PinJoint<f64>,
-    slide: SlideJoint<f64>,
-}
-
-impl Pairs {
-    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        Ok(Self {
-            links: [group.links[0], group.links[1]],
-            end: PinJoint::new(&group.outer[0])?,
-            inner: PinJoint::new(&group.inner[0])?,
-            slide: SlideJoint::<f64>::new(&group.outer[1])?,
-        })
-    }
-
-    fn guide(&self, sheet: &mut Sheet) -> Guide {
-        sheet.guide(self.slide.id, self.slide.body, self.slide.along_angle)
-    }
-}
-
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
+    let pairs = Rrp::<f64>::new(frame)?;
     let [rod, slider] = pairs.links;
     let end = &pairs.slide;
     let (a, through) = (sheet.point(pairs.end.body, pairs.end.at), sheet.point(end.body, end.through));
     sheet.outline("outer pin", &a);
     sheet.outline_angle("body with the guide", end.body);
-    let guide = pairs.guide(sheet);
+    let guide = sheet.guide_of(&pairs.slide);
     let name = sheet.place_name(rod, pairs.inner.own);
     let length = sheet.rod(rod, pairs.end.own, pairs.inner.own);
     let what = format!("{name} lies so far to the left of the guide line");
@@ -75,7 +50,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     Ok(())
 }
 
-fn slider_angle(sheet: &mut Sheet, pairs: &Pairs, guide: &Guide) -> Expr {
+fn slider_angle(sheet: &mut Sheet, pairs: &Rrp<f64>, guide: &Guide) -> Expr {
     let name = format!("tilt_{}", sheet.pair_tag(pairs.slide.id));
     let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[1]));
     let tilt = sheet.fixed_angle(&name, pairs.slide.tilt_angle, &what);
@@ -85,7 +60,7 @@ fn slider_angle(sheet: &mut Sheet, pairs: &Pairs, guide: &Guide) -> Expr {
 /// PF1 and PF2 of the rod's angle and of the inner pin, which is told to the sheet.
 fn derive(
     sheet: &mut Sheet,
-    pairs: &Pairs,
+    pairs: &Rrp<f64>,
     [a, through]: [&Point; 2],
     guide: &Guide,
     [c, r]: [&[Expr; 2]; 2],
@@ -128,13 +103,13 @@ fn derive(
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pairs = Pairs::of(frame)?;
+    let pairs = Rrp::<f64>::new(frame)?;
     let [rod, slider] = pairs.links;
     let end = pairs.slide;
     let a = sheet.point(pairs.end.body, pairs.end.at);
     let c = sheet.point(rod, pairs.inner.own);
     let on_line = sheet.point(slider, end.own);
-    let guide = pairs.guide(sheet);
+    let guide = sheet.guide_of(&pairs.slide);
     let (one, two) = (sheet.resultant(rod), sheet.resultant(slider));
     sheet.note(format!(
         "along the guide {} hands its load to {}; moments about {} give the part across",

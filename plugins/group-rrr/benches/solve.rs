@@ -1,7 +1,7 @@
 //! Time of one solution with PF1 and PF2: alone, four side by side, and by the general solution.
 
 use assur_group::{
-    AssurGroup, Body, GroupFrame, Number, Order, Pair, PairGeometry, Wrench, derive_generally,
+    AssurGroup, Body, Closed, GroupFrame, Number, Order, Pair, PairGeometry, Wrench, derive_generally,
 };
 use assur_group_rrr::Rrr;
 use assur_number::{F64x4, Lanes, Real};
@@ -29,8 +29,8 @@ fn bodies<T: Real>(q: T) -> [Body<T>; 4] {
     bodies
 }
 
-fn group<T: Number>() -> Rrr<T> {
-    Rrr::new(&frame()).expect("the lengths make a group")
+fn group<T: Number>() -> Closed<Rrr<T>> {
+    Closed(Rrr::new(&frame()).expect("the lengths make a group"))
 }
 
 fn solve<T: Number>(bencher: Bencher<'_, '_>, q: T, order: Order) {

@@ -1,7 +1,7 @@
 //! The closed forms of type 1.
 
 use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
-use assur_group::{AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, PinJoint, Wrench};
+use assur_group::{Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, Wrench};
 use assur_number::Real;
 
 use crate::PATTERN;
@@ -13,10 +13,10 @@ const SLACK: f64 = 8.0;
 #[derive(Debug, Clone)]
 pub struct Rrr<T> {
     frame: GroupFrame,
-    links: [usize; 2],
+    pub(crate) links: [usize; 2],
     /// Outer pins of link 1 and link 2.
-    ends: [PinJoint<T>; 2],
-    inner: PinJoint<T>,
+    pub(crate) ends: [PinJoint<T>; 2],
+    pub(crate) inner: PinJoint<T>,
     /// From the outer to the inner pin of each link, in its frame, m.
     rods: [[T; 2]; 2],
     /// What turns such a vector, placed, into the direction of the link: mirrored rod / length².
@@ -38,7 +38,8 @@ pub struct Rrr<T> {
 }
 
 /// The triangle of the pins at one position.
-struct Triangle<T> {
+#[derive(Debug)]
+pub struct Triangle<T> {
     /// A and its arm on link 1; B and its arm on link 2.
     pins: [[T; 2]; 2],
     arms: [[T; 2]; 2],
@@ -89,44 +90,9 @@ impl<T: Real> Rrr<T> {
         })
     }
 
-    /// Outer pins with their arms on the links of the group.
     #[inline]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        self.ends.each_ref().map(|end| bodies[end.body].point(end.at))
-    }
-
-    /// Finds the inner pin and turns the links; the triangle and the health.
-    #[inline]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
-        let pins = self.pins(bodies);
-        let d = minus(pins[1], pins[0]);
-        let square = dot(d, d);
-        // Two factors, each rounded relative to its own zero: l1² - alpha² d² would lose half the digits near both.
-        let (far, near) = (self.stretched - square, square - self.folded);
-        if !(far.least() >= -self.slack[0]
-            && near.least() >= -self.slack[1]
-            && square.least() > self.slack[1])
-        {
-            return Err(self.refusal(square, far, near));
-        }
-        let root = (far * near).clamp_negative().sqrt().half();
-        let health = root * self.inverse_product;
-        let root = if way == 0 { root } else { -root };
-        let inverse = T::ONE / square;
-        // Both from their own formula: r1 - d would lose the digits of a short second link.
-        let part = (self.excess * inverse).half();
-        let (alpha, gamma) = (part + T::ONE.half(), part - T::ONE.half());
-        let across = scaled(root * inverse, perp(d));
-        let r = [plus(scaled(alpha, d), across), plus(scaled(gamma, d), across)];
-        let mut arms = [[T::ZERO; 2]; 2];
-        for i in 0..2 {
-            let turned = times(r[i], self.unrods[i]);
-            let body = &mut bodies[self.links[i]];
-            [body.c, body.s] = turned;
-            arms[i] = body.arm(self.ends[i].own);
-            body.hang_place(arms[i], pins[i]);
-        }
-        Ok((Triangle { pins, arms, r, d: root }, health))
+        self.ends.each_ref().map(|end| end.place(bodies))
     }
 
     /// Why there is no triangle: the gap, or a place that is not determined.
@@ -152,8 +118,46 @@ impl<T: Real> Rrr<T> {
         let apart = minus(r[0], r[1]);
         GroupError::if_lost(health, self.sensitivity * dot(apart, apart))
     }
+}
 
-    /// The triangle of links that are placed already.
+impl<T: Real> ClosedForm<T> for Rrr<T> {
+    type Position = Triangle<T>;
+    const WAYS: usize = 2;
+
+    fn frame(&self) -> &GroupFrame {
+        &self.frame
+    }
+
+    #[inline]
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+        let pins = self.pins(bodies);
+        let d = minus(pins[1], pins[0]);
+        let square = dot(d, d);
+        // Two factors, each rounded relative to its own zero: l1² - alpha² d² would lose half the digits near both.
+        let (far, near) = (self.stretched - square, square - self.folded);
+        if !(far.least() >= -self.slack[0]
+            && near.least() >= -self.slack[1]
+            && square.least() > self.slack[1])
+        {
+            return Err(self.refusal(square, far, near));
+        }
+        let root = (far * near).clamp_negative().sqrt().half();
+        let health = root * self.inverse_product;
+        let root = if way == 0 { root } else { -root };
+        let inverse = T::ONE / square;
+        // Both from their own formula: r1 - d would lose the digits of a short second link.
+        let part = (self.excess * inverse).half();
+        let (alpha, gamma) = (part + T::ONE.half(), part - T::ONE.half());
+        let across = scaled(root * inverse, perp(d));
+        let r = [plus(scaled(alpha, d), across), plus(scaled(gamma, d), across)];
+        let mut arms = [[T::ZERO; 2]; 2];
+        for i in 0..2 {
+            let direction = times(r[i], self.unrods[i]);
+            arms[i] = bodies[self.links[i]].put(direction, self.ends[i].own, pins[i]);
+        }
+        Ok((Triangle { pins, arms, r, d: root }, health))
+    }
+
     #[inline]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let link = self.links.map(|i| &bodies[i]);
@@ -163,26 +167,25 @@ impl<T: Real> Rrr<T> {
     }
 
     #[inline]
+    fn health(&self, position: &Triangle<T>) -> T {
+        (position.d * self.inverse_product).abs()
+    }
+
+    #[inline]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
-        triangle: &Triangle<T>,
+        position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, r, d } = triangle;
+        let Triangle { pins, arms, r, d } = position;
         self.determined(r, *d)?;
         let inverse = T::ONE / *d;
-        let outer = [0, 1].map(|i| {
-            let body = &bodies[self.ends[i].body];
-            let arm = minus(pins[i], [body.x, body.y]);
-            [body.first(arm), body.second(arm)]
-        });
+        let outer = [0, 1].map(|i| self.ends[i].motion(bodies, pins[i]));
         let v = minus(outer[1][0], outer[0][0]);
         let w = [dot(v, r[1]) * inverse, dot(v, r[0]) * inverse];
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w1 = w[i];
-            link.hang_first(arms[i], outer[i][0]);
+            bodies[self.links[i]].put_first(w[i], arms[i], outer[i][0]);
         }
         if order < Order::Second {
             return GroupError::if_nan(w[0] + w[1]);
@@ -191,48 +194,13 @@ impl<T: Real> Rrr<T> {
         let a = plus(minus(outer[1][1], outer[0][1]), centripetal);
         let e = [dot(a, r[1]) * inverse, dot(a, r[0]) * inverse];
         for i in 0..2 {
-            let link = &mut bodies[self.links[i]];
-            link.w2 = e[i];
-            link.hang_second(arms[i], outer[i][1]);
+            bodies[self.links[i]].put_second(e[i], arms[i], outer[i][1]);
         }
         GroupError::if_nan(e[0] + e[1])
     }
-}
-
-impl<T: Real> AssurGroup<T> for Rrr<T> {
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
-    }
-
-    fn ways(&self) -> usize {
-        2
-    }
-
-    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
-        self.close(bodies, way).map(|(_, health)| health)
-    }
-
-    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        self.differentiate(bodies, &self.read(bodies), order)
-    }
-
-    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        let (triangle, health) = self.close(bodies, way)?;
-        if order > Order::Place {
-            self.differentiate(bodies, &triangle, order)?;
-        }
-        Ok(health)
-    }
-
-    fn health(&self, bodies: &[Body<T>]) -> f64 {
-        (self.read(bodies).d * self.inverse_product).abs().least()
-    }
 
     fn resolution(&self, bodies: &[Body<T>]) -> f64 {
-        let d = minus(self.pins(bodies)[1], self.pins(bodies)[0]);
+        let d = minus(self.ends[1].place(bodies), self.ends[0].place(bodies));
         let square = dot(d, d).to_f64();
         let (stretched, folded) = (self.stretched.to_f64(), self.folded.to_f64());
         // The determinant is sqrt(far near) / 2 l1 l2, and the factor that is not small is 4 l1 l2.
@@ -240,18 +208,19 @@ impl<T: Real> AssurGroup<T> for Rrr<T> {
         (slack * self.inverse_product.to_f64()).sqrt()
     }
 
-    fn reactions(
+    fn balance(
         &self,
         bodies: &[Body<T>],
+        position: &Triangle<T>,
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let Triangle { arms, r, d, .. } = self.read(bodies);
-        self.determined(&r, d)?;
+        let Triangle { arms, r, d, .. } = position;
+        self.determined(r, *d)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // Moments about A and about B know the inner reaction only: r1 x F = -m1, r2 x F = m2.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
-        let k = -(T::ONE / d);
+        let k = -(T::ONE / *d);
         let force = plus(scaled(m2 * k, r[0]), scaled(m1 * k, r[1]));
         self.inner.store(force, reactions);
         self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);

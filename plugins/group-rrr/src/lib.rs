@@ -17,7 +17,8 @@ mod tests;
 
 use assur_group::PairSort::Pin;
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways, inventory,
+    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
+    inventory,
 };
 
 pub use kernel::Rrr;
@@ -29,10 +30,10 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 pub struct RrrKind;
 
 impl GroupKind for RrrKind {
-    type Kernel<T: Number> = Rrr<T>;
+    type Kernel<T: Number> = Closed<Rrr<T>>;
 
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Rrr<T>, BuildError> {
-        Rrr::new(frame)
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rrr<T>>, BuildError> {
+        Rrr::new(frame).map(Closed)
     }
 }
 

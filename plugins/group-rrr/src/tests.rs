@@ -1,4 +1,6 @@
-use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Order, Pair, PairGeometry, Wrench, plugin_for};
+use assur_group::{
+    AssurGroup, Body, Closed, GroupError, GroupFrame, Order, Pair, PairGeometry, Wrench, plugin_for,
+};
 
 use crate::Rrr;
 
@@ -30,7 +32,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn triangle_3_4_5() {
-    let group = Rrr::new(&frame(3.0, 4.0)).unwrap();
+    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
     let mut bodies = bodies();
     for (way, side) in [(0, 1.0), (1, -1.0)] {
         let health = group.place(&mut bodies, way).unwrap();
@@ -43,7 +45,7 @@ fn triangle_3_4_5() {
 
 #[test]
 fn derivatives_of_triangle_3_4_5() {
-    let group = Rrr::new(&frame(3.0, 4.0)).unwrap();
+    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
     let mut bodies = bodies();
     bodies[0].x1 = 1.0;
     group.solve(&mut bodies, 0, Order::Second).unwrap();
@@ -57,7 +59,7 @@ fn derivatives_of_triangle_3_4_5() {
 
 #[test]
 fn two_force_members_carry_along_themselves() {
-    let group = Rrr::new(&frame(3.0, 4.0)).unwrap();
+    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
     let mut bodies = bodies();
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -73,7 +75,7 @@ fn two_force_members_carry_along_themselves() {
 #[test]
 fn says_by_how_much_it_misses() {
     for (l1, l2, gap) in [(2.0, 2.5, 0.5), (1.0, 6.25, 0.25), (7.0, 1.5, 0.5)] {
-        let group = Rrr::new(&frame(l1, l2)).unwrap();
+        let group = Closed(Rrr::new(&frame(l1, l2)).unwrap());
         let GroupError::NoAssembly { gap_m } = group.place(&mut bodies(), 0).unwrap_err() else {
             panic!("must say that there is no assembly");
         };
@@ -83,7 +85,7 @@ fn says_by_how_much_it_misses() {
 
 #[test]
 fn stretched_is_placed_but_not_differentiated() {
-    let group = Rrr::new(&frame(2.0, 3.0)).unwrap();
+    let group = Closed(Rrr::new(&frame(2.0, 3.0)).unwrap());
     let mut bodies = bodies();
     assert!(close(group.place(&mut bodies, 0).unwrap(), 0.0));
     assert_eq!(group.derive(&mut bodies, Order::First), Err(GroupError::Singular { health: 0.0 }));
@@ -91,7 +93,7 @@ fn stretched_is_placed_but_not_differentiated() {
 
 #[test]
 fn equal_links_upon_each_other_point_anywhere() {
-    let group = Rrr::new(&frame(2.0, 2.0)).unwrap();
+    let group = Closed(Rrr::new(&frame(2.0, 2.0)).unwrap());
     let mut bodies = [Body::ground(); 4];
     assert_eq!(group.place(&mut bodies, 0), Err(GroupError::Singular { health: 0.0 }));
     bodies[1].x = f64::NAN;

@@ -1,46 +1,23 @@
 //! The working of type 1 by hand.
 
 use assur_group::plane::cross;
-use assur_group::{Body, BuildError, GroupFrame, PinJoint, inventory};
+use assur_group::{Body, BuildError, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, minus, opposite, plus};
 use assur_worksheet::{Expr, Point, Rod, Sheet, WorkingPlugin};
 
-use crate::PATTERN;
+use crate::Rrr;
 
 inventory::submit! {
     WorkingPlugin { group: "rrr", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
 }
 
-/// The pins of a group.
-struct Pins {
-    links: [usize; 2],
-    ends: [PinJoint<f64>; 2],
-    inner: PinJoint<f64>,
-}
-
-impl Pins {
-    fn of(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        Ok(Self {
-            links: [group.links[0], group.links[1]],
-            ends: [PinJoint::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?],
-            inner: PinJoint::new(&group.inner[0])?,
-        })
-    }
-
-    /// The inner pin in the frame of each link.
-    fn own(&self) -> [[f64; 2]; 2] {
-        [self.inner.own, self.inner.at]
-    }
-}
-
 fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result<(), BuildError> {
-    let pins = Pins::of(frame)?;
+    let pins = Rrr::<f64>::new(frame)?;
     let outer = [0, 1].map(|i| sheet.point(pins.ends[i].body, pins.ends[i].at));
     for point in &outer {
         sheet.outline("outer pin", point);
     }
-    let own = pins.own();
+    let own = [pins.inner.own, pins.inner.at];
     let rods = [0, 1].map(|i| sheet.rod(pins.links[i], pins.ends[i].own, own[i]));
     let reach = |i: usize| {
         let link: &Body<f64> = &bodies[pins.links[i]];
@@ -59,7 +36,7 @@ fn minus_numbers(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 /// Two circles: the inner pin by its foot on the line of the outer pins, and its height over it.
-fn place(sheet: &mut Sheet, pins: &Pins, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
+fn place(sheet: &mut Sheet, pins: &Rrr<f64>, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [&outer[0].name, &outer[1].name];
     sheet.note(format!(
@@ -91,7 +68,7 @@ fn place(sheet: &mut Sheet, pins: &Pins, outer: &[Point; 2], rods: &[Rod; 2], le
 /// PF1 and PF2 from the loop A - C - B, with the determinant D = r1 x r2.
 fn derive(
     sheet: &mut Sheet,
-    pins: &Pins,
+    pins: &Rrr<f64>,
     outer: &[Point; 2],
     c: &[Expr; 2],
     r: &[[Expr; 2]; 2],
@@ -128,7 +105,7 @@ fn derive(
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {
-    let pins = Pins::of(frame)?;
+    let pins = Rrr::<f64>::new(frame)?;
     let outer = [0, 1].map(|i| sheet.point(pins.ends[i].body, pins.ends[i].at));
     let c = sheet.point(pins.links[0], pins.inner.own);
     let r = [0, 1].map(|i| c.from(&outer[i], 0));

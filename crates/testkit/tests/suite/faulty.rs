@@ -2,8 +2,8 @@
 
 use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
-    Number, Order, Pattern, Ways, Wrench, inventory,
+    AssurGroup, Body, BuildError, Builders, Closed, ForceAngle, GroupError, GroupFrame, GroupKind,
+    GroupPlugin, Number, Order, Pattern, Ways, Wrench, inventory,
 };
 use assur_group_rrr::Rrr;
 use assur_number::Real;
@@ -23,7 +23,7 @@ const OUTER: u8 = 11;
 const ROUNDED: u8 = 12;
 
 #[derive(Debug)]
-struct Faulty<T, const MISTAKE: u8>(Rrr<T>);
+struct Faulty<T, const MISTAKE: u8>(Closed<Rrr<T>>);
 
 impl<T: Real, const MISTAKE: u8> AssurGroup<T> for Faulty<T, MISTAKE> {
     fn frame(&self) -> &GroupFrame {
@@ -104,7 +104,7 @@ impl<const MISTAKE: u8> GroupKind for Kind<MISTAKE> {
     type Kernel<T: Number> = Faulty<T, MISTAKE>;
 
     fn build<T: Number>(frame: &GroupFrame) -> Result<Faulty<T, MISTAKE>, BuildError> {
-        Rrr::new(frame).map(Faulty)
+        Rrr::new(frame).map(|rrr| Faulty(Closed(rrr)))
     }
 }
 
