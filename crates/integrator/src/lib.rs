@@ -34,7 +34,6 @@ mod first_step;
 mod motion;
 mod piece_ahead;
 mod plugin;
-pub mod problems;
 mod request;
 mod run;
 mod segment;

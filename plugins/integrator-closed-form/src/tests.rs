@@ -1,4 +1,4 @@
-use assur_integrator::{EventKind, Request, State, Until, problems};
+use assur_integrator::{EventKind, Request, State, Until};
 
 use super::*;
 
@@ -10,7 +10,7 @@ const BRAKED: State = State { time: 0.0, coordinate: 0.0, speed: 100.0 };
 
 #[test]
 fn d1_takes_one_step() {
-    let found = CLOSED_FORM.solve(&mut problems::d1(), &Request::new(BRAKED, Until::Rest)).unwrap();
+    let found = CLOSED_FORM.solve(&mut assur_problems::d1(), &Request::new(BRAKED, Until::Rest)).unwrap();
     assert_close(found.end.time, 50.0, 0.0);
     assert_close(found.end.coordinate, 2500.0, 0.0);
     assert_eq!((found.statistics.steps, found.statistics.rejected), (1, 0));
@@ -24,11 +24,11 @@ fn d1_takes_one_step() {
 #[test]
 fn friction_rests_for_good_and_a_moment_reverses() {
     let request = Request::new(BRAKED, Until::Time(60.0));
-    let found = CLOSED_FORM.solve(&mut problems::d1_friction(), &request).unwrap();
+    let found = CLOSED_FORM.solve(&mut assur_problems::d1_friction(), &request).unwrap();
     assert_eq!(found.events.iter().map(|event| event.kind).collect::<Vec<_>>(), [EventKind::Rest]);
     assert_close(found.end.coordinate, 2500.0, 0.0);
     assert_close(found.end.time, 60.0, 0.0);
-    let found = CLOSED_FORM.solve(&mut problems::d1(), &request).unwrap();
+    let found = CLOSED_FORM.solve(&mut assur_problems::d1(), &request).unwrap();
     assert_eq!(found.events.iter().map(|event| event.kind).collect::<Vec<_>>(), [EventKind::Reversal]);
     assert_close(found.end.coordinate, 2400.0, 1e-9);
 }
@@ -36,9 +36,9 @@ fn friction_rests_for_good_and_a_moment_reverses() {
 #[test]
 fn what_never_comes_is_an_error() {
     let request = Request::new(BRAKED, Until::Coordinate(2501.0));
-    let error = CLOSED_FORM.solve(&mut problems::d1(), &request).unwrap_err().to_string();
+    let error = CLOSED_FORM.solve(&mut assur_problems::d1(), &request).unwrap_err().to_string();
     assert!(error.starts_with("coordinate 2501 is never reached"), "{error}");
-    let error = CLOSED_FORM.solve(&mut problems::e1(), &request).unwrap_err().to_string();
+    let error = CLOSED_FORM.solve(&mut assur_problems::e1(), &request).unwrap_err().to_string();
     assert_eq!(
         error,
         "integrator `closed-form` can't treat this equation: the closed form needs J and M constant (case 1 of D), \

@@ -1,7 +1,7 @@
 //! Order conditions, convergence, worked examples, events and failures.
 
-use assur_integrator::problems::{self, Example};
 use assur_integrator::{Dependence, IntegrationError, Request, State, Until};
+use assur_problems::Example;
 
 use super::*;
 

@@ -1,8 +1,8 @@
 use std::f64::consts::{PI, SQRT_2};
 
-use assur_integrator::problems::{self, Andrews, Example, VARIABLE};
 use assur_integrator::{AUTO, EventKind, Motion, Reduced, Request, State, Until};
 use assur_integrator_dormand_prince::DOP853;
+use assur_problems::{Andrews, Example, VARIABLE};
 use proptest::prelude::*;
 
 use super::*;
@@ -17,7 +17,8 @@ fn from_rest(until: Until, tolerance: f64) -> Request {
 
 #[test]
 fn e1_is_exact_from_rest() {
-    let found = ENERGY.solve(&mut problems::e1(), &from_rest(Until::Coordinate(10.0 * PI), 1e-9)).unwrap();
+    let found =
+        ENERGY.solve(&mut assur_problems::e1(), &from_rest(Until::Coordinate(10.0 * PI), 1e-9)).unwrap();
     assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-12);
     // w² = 400 q - (300/(10 pi)) q²·... : q'' = 200 - k q, k = 30/pi: q = (200/k)(1 - cos(√k t)).
     let k = 30.0_f64 / PI;
@@ -33,10 +34,11 @@ fn e1_is_exact_from_rest() {
 fn d1_rests_and_jumps_are_exact() {
     let braked =
         Request { initial: State { speed: 100.0, ..State::default() }, ..from_rest(Until::Rest, 1e-9) };
-    let found = ENERGY.solve(&mut problems::d1(), &braked).unwrap();
+    let found = ENERGY.solve(&mut assur_problems::d1(), &braked).unwrap();
     assert_close(found.end.time, 50.0, 1e-10);
     assert_close(found.end.coordinate, 2500.0, 1e-9);
-    let found = ENERGY.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
+    let found =
+        ENERGY.solve(&mut assur_problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert_eq!(found.events.len(), 2);
 }
@@ -44,10 +46,10 @@ fn d1_rests_and_jumps_are_exact() {
 #[test]
 fn pendulum_swings_with_its_period() {
     for amplitude in [0.01, 1.0, 3.1] {
-        let period = problems::pendulum_period(amplitude);
+        let period = assur_problems::pendulum_period(amplitude);
         let initial = State { coordinate: amplitude, ..State::default() };
         let request = Request { samples: 8, ..Request::new(initial, Until::Time(3.25 * period)) };
-        let found = ENERGY.solve(&mut problems::pendulum(), &request).unwrap();
+        let found = ENERGY.solve(&mut assur_problems::pendulum(), &request).unwrap();
         assert_eq!(found.events.len(), 6);
         for (index, event) in found.events.iter().enumerate() {
             assert_eq!(event.kind, EventKind::Reversal);
@@ -62,7 +64,7 @@ fn pendulum_swings_with_its_period() {
 fn dry_friction_holds_at_last() {
     let initial = State { coordinate: 1.0, ..State::default() };
     let found = ENERGY
-        .solve(&mut problems::friction_oscillator(), &Request::new(initial, Until::Time(10.0)))
+        .solve(&mut assur_problems::friction_oscillator(), &Request::new(initial, Until::Time(10.0)))
         .unwrap();
     let kinds: Vec<EventKind> = found.events.iter().map(|event| event.kind).collect();
     assert_eq!(kinds, [EventKind::Reversal, EventKind::Rest]);
@@ -86,17 +88,21 @@ fn andrews_mechanism_needs_few_evaluations() {
 fn creeping_onto_an_equilibrium_has_no_end() {
     // Just the energy that carries a pendulum to the top: w = 2 at the bottom, w = 2/cosh t.
     let initial = State { speed: 2.0, ..State::default() };
-    let found = ENERGY.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(5.0))).unwrap();
+    let found =
+        ENERGY.solve(&mut assur_problems::pendulum(), &Request::new(initial, Until::Time(5.0))).unwrap();
     assert_close(found.end.speed, 2.0 / 5.0_f64.cosh(), 1e-8);
-    let error =
-        ENERGY.solve(&mut problems::pendulum(), &Request::new(initial, Until::Coordinate(PI))).unwrap_err();
+    let error = ENERGY
+        .solve(&mut assur_problems::pendulum(), &Request::new(initial, Until::Coordinate(PI)))
+        .unwrap_err();
     assert!(error.to_string().starts_with("coordinate 3.14159"), "{error}");
 }
 
 #[test]
 fn a_motor_is_refused() {
-    let error =
-        ENERGY.solve(&mut problems::motor(1.0), &from_rest(Until::Time(1.0), 1e-6)).unwrap_err().to_string();
+    let error = ENERGY
+        .solve(&mut assur_problems::motor(1.0), &from_rest(Until::Time(1.0), 1e-6))
+        .unwrap_err()
+        .to_string();
     assert!(
         error.contains("depends on the coordinate alone, and here it is case 5 of D: J(q), M(q, w)"),
         "{error}"
@@ -139,7 +145,7 @@ fn it_is_chosen_for_work_along_the_coordinate() {
     let chosen =
         |dependence| assur_integrator::choose(AUTO, &dependence, 1e-9).unwrap().first.integrator.name;
     assert_eq!(chosen(VARIABLE), "energy");
-    assert_eq!(chosen(problems::motor(1.0).dependence()), "dop853");
+    assert_eq!(chosen(assur_problems::motor(1.0).dependence()), "dop853");
 }
 
 proptest! {
@@ -175,12 +181,12 @@ proptest! {
 /// w² = w0² + 2 e q and t = 2 q/(w0 + w), however slow the start; and back, after a reversal in w0/e.
 #[test]
 fn a_start_is_exact_however_slow() {
-    let constant = problems::CONSTANT;
+    let constant = assur_problems::CONSTANT;
     for exponent in 1..=15 {
         let w0 = 10.0_f64.powi(-exponent);
         let initial = State { speed: w0, ..State::default() };
         for (moment, target) in [(2.0, 1.0), (-2.0, -1.0)] {
-            let formula = move |_: problems::Place, _: &State| Reduced {
+            let formula = move |_: assur_problems::Place, _: &State| Reduced {
                 inertia: 1.0,
                 inertia_derivative: 0.0,
                 moment,

@@ -1,6 +1,6 @@
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-use assur_integrator::{Request, State, Until, problems};
+use assur_integrator::{Request, State, Until};
 
 use super::*;
 use crate::table::{A, C, E, GAMMA};
@@ -46,7 +46,7 @@ fn a_stiff_turn_costs_few_evaluations() {
     for steepness in [1e6, 1e9] {
         let request =
             Request { tolerance: 1e-6, samples: 10, ..Request::new(initial, Until::Coordinate(TAU)) };
-        let found = RADAU5.solve(&mut problems::motor(steepness), &request).unwrap();
+        let found = RADAU5.solve(&mut assur_problems::motor(steepness), &request).unwrap();
         assert!(found.statistics.evaluations < 500, "{:?}", found.statistics);
         // On the slow manifold w = 10 - (2 + sin q + J' w²/2)/k to first order in 1/k; at a whole turn 10 - 2/k.
         assert_close(found.end.speed, 10.0 - 2.0 / steepness, 1e-5);
@@ -58,10 +58,10 @@ fn a_stiff_turn_costs_few_evaluations() {
 #[test]
 fn pendulum_meets_the_tolerance() {
     let initial = State { coordinate: 2.0, ..State::default() };
-    let period = problems::pendulum_period(2.0);
+    let period = assur_problems::pendulum_period(2.0);
     for tolerance in [1e-4, 1e-6, 1e-8] {
         let request = Request { tolerance, samples: 1, ..Request::new(initial, Until::Time(period)) };
-        let found = RADAU5.solve(&mut problems::pendulum(), &request).unwrap();
+        let found = RADAU5.solve(&mut assur_problems::pendulum(), &request).unwrap();
         assert_close(found.end.coordinate, 2.0, 10.0 * tolerance * 4.0);
         assert!(found.statistics.jacobians >= found.statistics.steps);
     }
@@ -70,13 +70,13 @@ fn pendulum_meets_the_tolerance() {
 #[test]
 fn worked_examples_and_jumps() {
     let exact = |until| Request { tolerance: 1e-10, ..Request::new(State::default(), until) };
-    let found = RADAU5.solve(&mut problems::e1(), &exact(Until::Coordinate(10.0 * PI))).unwrap();
+    let found = RADAU5.solve(&mut assur_problems::e1(), &exact(Until::Coordinate(10.0 * PI))).unwrap();
     assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-8);
     let braked = Request { initial: State { speed: 100.0, ..State::default() }, ..exact(Until::Rest) };
-    let found = RADAU5.solve(&mut problems::d1(), &braked).unwrap();
+    let found = RADAU5.solve(&mut assur_problems::d1(), &braked).unwrap();
     assert_close(found.end.time, 50.0, 1e-10);
     assert_close(found.end.coordinate, 2500.0, 1e-8);
-    let found = RADAU5.solve(&mut problems::jumps(), &exact(Until::Coordinate(3.0))).unwrap();
+    let found = RADAU5.solve(&mut assur_problems::jumps(), &exact(Until::Coordinate(3.0))).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-10);
     assert!(found.statistics.rejected <= 4, "{:?}", found.statistics);
 }

@@ -1,6 +1,6 @@
 use std::f64::consts::{PI, SQRT_2};
 
-use assur_integrator::{Request, Until, problems};
+use assur_integrator::{Request, Until};
 
 use super::*;
 
@@ -10,12 +10,12 @@ fn assert_close(found: f64, wanted: f64, allowed: f64) {
 
 #[test]
 fn the_order_is_four() {
-    let period = problems::pendulum_period(1.0);
+    let period = assur_problems::pendulum_period(1.0);
     let initial = State { coordinate: 1.0, ..State::default() };
     let solve = |parts: f64| {
         let step = Some(period / parts);
         let request = Request { fixed_step: step, samples: 3, ..Request::new(initial, Until::Time(period)) };
-        RK4.solve(&mut problems::pendulum(), &request).unwrap()
+        RK4.solve(&mut assur_problems::pendulum(), &request).unwrap()
     };
     let error = |parts| solve(parts).end.speed.abs();
     assert_close((error(100.0) / error(200.0)).log2(), 4.0, 0.2);
@@ -30,11 +30,11 @@ fn the_order_is_four() {
 #[test]
 fn d1_and_e1_have_their_answers() {
     let initial = State { speed: 100.0, ..State::default() };
-    let brake = RK4.solve(&mut problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
+    let brake = RK4.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
     assert_close(brake.end.time, 50.0, 1e-10);
     assert_close(brake.end.coordinate, 2500.0, 1e-8);
     let run_up = Request::new(State::default(), Until::Coordinate(10.0 * PI));
-    let found = RK4.solve(&mut problems::e1(), &run_up).unwrap();
+    let found = RK4.solve(&mut assur_problems::e1(), &run_up).unwrap();
     assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-9);
 }
 
@@ -42,7 +42,7 @@ fn d1_and_e1_have_their_answers() {
 fn jumps_are_stepped_onto() {
     let request =
         Request { fixed_step: Some(0.15), ..Request::new(State::default(), Until::Coordinate(3.0)) };
-    let found = RK4.solve(&mut problems::jumps(), &request).unwrap();
+    let found = RK4.solve(&mut assur_problems::jumps(), &request).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert!(found.statistics.rejected <= 3, "{:?}", found.statistics);
 }
@@ -51,7 +51,7 @@ fn jumps_are_stepped_onto() {
 fn a_stiff_motor_at_a_long_step_is_reported() {
     let initial = State { speed: 9.9, ..State::default() };
     let request = Request { fixed_step: Some(1e-3), ..Request::new(initial, Until::Coordinate(6.0)) };
-    let error = RK4.solve(&mut problems::motor(1e6), &request).unwrap_err().to_string();
+    let error = RK4.solve(&mut assur_problems::motor(1e6), &request).unwrap_err().to_string();
     assert!(error.starts_with("the fixed step 1e-3 s is unstable at t = 0.0"), "{error}");
     // The steepness over J(0) = 1.3 kg m²: lambda = 769 231 1/s.
     assert!(error.contains("h*lambda = 769.2"), "{error}");

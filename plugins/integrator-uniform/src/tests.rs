@@ -1,6 +1,6 @@
 use std::f64::consts::SQRT_2;
 
-use assur_integrator::{Request, State, Until, problems};
+use assur_integrator::{Request, State, Until};
 
 use super::*;
 
@@ -17,7 +17,7 @@ fn d1_is_exact_at_any_step() {
     let initial = State { speed: 100.0, ..State::default() };
     for step in [0.3, 7.0, 200.0] {
         let request = Request { initial, ..request(Until::Rest, step) };
-        let found = UNIFORM.solve(&mut problems::d1(), &request).unwrap();
+        let found = UNIFORM.solve(&mut assur_problems::d1(), &request).unwrap();
         assert_close(found.end.time, 50.0, 1e-10);
         assert_close(found.end.coordinate, 2500.0, 1e-8);
         assert_close(found.samples[1].coordinate, 100.0 * 12.5 - 12.5 * 12.5, 1e-9);
@@ -26,7 +26,7 @@ fn d1_is_exact_at_any_step() {
 
 #[test]
 fn jumps_are_exact_because_each_stretch_is_uniform() {
-    let found = UNIFORM.solve(&mut problems::jumps(), &request(Until::Coordinate(3.0), 0.4)).unwrap();
+    let found = UNIFORM.solve(&mut assur_problems::jumps(), &request(Until::Coordinate(3.0), 0.4)).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert_close(found.end.speed, 10.0_f64.sqrt(), 1e-12);
     assert_eq!(found.statistics.rejected, 0);
@@ -34,11 +34,11 @@ fn jumps_are_exact_because_each_stretch_is_uniform() {
 
 #[test]
 fn the_error_is_halved_with_the_step() {
-    let period = problems::pendulum_period(1.0);
+    let period = assur_problems::pendulum_period(1.0);
     let initial = State { coordinate: 1.0, ..State::default() };
     let error = |parts: f64| {
         let request = Request { initial, ..request(Until::Time(period), period / parts) };
-        UNIFORM.solve(&mut problems::pendulum(), &request).unwrap().end.speed.abs()
+        UNIFORM.solve(&mut assur_problems::pendulum(), &request).unwrap().end.speed.abs()
     };
     let order = (error(2000.0) / error(4000.0)).log2();
     assert_close(order, 1.0, 0.05);
@@ -47,7 +47,7 @@ fn the_error_is_halved_with_the_step() {
 #[test]
 fn without_a_step_it_takes_a_thousandth() {
     let request = Request::new(State::default(), Until::Time(2.0));
-    let found = UNIFORM.solve(&mut problems::e1(), &request).unwrap();
+    let found = UNIFORM.solve(&mut assur_problems::e1(), &request).unwrap();
     assert!((999..=1001).contains(&found.statistics.steps), "{:?}", found.statistics);
 }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use assur_integrator::problems::Example;
 use assur_integrator::{AUTO, Dependence, Reduced, Request, State, Until};
+use assur_problems::Example;
 
 use assur_fixtures::scene;
 

@@ -1,5 +1,5 @@
-use assur_integrator::problems::{CONSTANT, Example};
-use assur_integrator::{Dependence, EventKind, Motion, Piece, Reduced, Request, Until, problems};
+use assur_integrator::{Dependence, EventKind, Motion, Piece, Reduced, Request, Until};
+use assur_problems::{CONSTANT, Example};
 
 use super::*;
 use crate::QUADRATURE;
@@ -95,9 +95,9 @@ fn places_and_rest_are_met() {
 #[test]
 fn it_is_the_motion_of_constant_moments_too_and_of_no_others() {
     let request = Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Rest);
-    let found = QUADRATURE.solve(&mut problems::d1(), &request).unwrap();
+    let found = QUADRATURE.solve(&mut assur_problems::d1(), &request).unwrap();
     assert!((found.end.time - 50.0).abs() < 1e-9 && (found.end.coordinate - 2500.0).abs() < 1e-8);
-    let error = QUADRATURE.solve(&mut problems::e1(), &request).unwrap_err().to_string();
+    let error = QUADRATURE.solve(&mut assur_problems::e1(), &request).unwrap_err().to_string();
     assert!(
         error.contains("needs J constant and M constant, M(t) or M(w)")
             && error.ends_with("case 2: J constant, M(q)"),

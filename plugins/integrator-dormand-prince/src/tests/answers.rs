@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use assur_integrator::{Equation, Motion, Node, Request, Scale, State, Step, Stepper, Until};
 use proptest::prelude::*;
 
-use super::{METHODS, assert_close, from_rest, problems};
+use super::{METHODS, assert_close, from_rest};
 use crate::dop853::Dop853;
 use crate::dopri5::Dopri5;
 use crate::{DOP853, DOPRI5};
@@ -14,7 +14,7 @@ use crate::{DOP853, DOPRI5};
 fn e1_reaches_its_speed_after_five_turns() {
     for method in METHODS {
         let request = from_rest(Until::Coordinate(10.0 * PI), 1e-10);
-        let found = method.solve(&mut problems::e1(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::e1(), &request).unwrap();
         assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-9 * 56.0);
         assert_close(found.end.coordinate, 10.0 * PI, 0.0);
     }
@@ -24,7 +24,7 @@ fn e1_reaches_its_speed_after_five_turns() {
 fn d1_stops_after_fifty_seconds() {
     let initial = State { speed: 100.0, ..State::default() };
     for method in METHODS {
-        let found = method.solve(&mut problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
+        let found = method.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
         assert_close(found.end.time, 50.0, 1e-12);
         assert_close(found.end.coordinate, 2500.0, 1e-10);
         assert_close(found.end.speed, 0.0, 0.0);
@@ -36,11 +36,11 @@ fn d1_stops_after_fifty_seconds() {
 #[test]
 fn pendulum_returns_after_its_period() {
     let initial = State { coordinate: 2.0, ..State::default() };
-    let period = problems::pendulum_period(2.0);
+    let period = assur_problems::pendulum_period(2.0);
     for method in METHODS {
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
             let request = Request { tolerance, samples: 2, ..Request::new(initial, Until::Time(period)) };
-            let found = method.solve(&mut problems::pendulum(), &request).unwrap();
+            let found = method.solve(&mut assur_problems::pendulum(), &request).unwrap();
             // Relative to the travel of 4 rad and the largest speed of 2 sin 1: what users see.
             assert_close(found.end.coordinate, 2.0, 10.0 * tolerance * 4.0);
             assert_close(found.end.speed, 0.0, 10.0 * tolerance * 1.68);
@@ -54,10 +54,10 @@ fn step_errors<S: Stepper>(h: f64) -> [f64; 2] {
     let start = State { time: 0.0, coordinate: 1.0, speed: 0.5 };
     let exact = |time: f64| {
         let request = Request { tolerance: 1e-14, samples: 1, ..Request::new(start, Until::Time(time)) };
-        DOP853.solve(&mut problems::pendulum(), &request).unwrap().end
+        DOP853.solve(&mut assur_problems::pendulum(), &request).unwrap().end
     };
     let mut stepper = S::default();
-    let mut motion = problems::pendulum();
+    let mut motion = assur_problems::pendulum();
     motion.enter(&start).unwrap();
     let mut equation = Equation::new(&mut motion);
     let from = Node { state: start, acceleration: -1.0_f64.sin() };
@@ -85,7 +85,7 @@ fn kinetic_energy_is_kept_with_variable_inertia() {
     let initial = State { speed: 3.0, ..State::default() };
     for method in METHODS {
         let request = Request { tolerance: 1e-11, ..Request::new(initial, Until::Time(10.0)) };
-        let found = method.solve(&mut problems::coasting(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::coasting(), &request).unwrap();
         for sample in found.samples {
             let energy = (2.0 + sample.coordinate.cos()) * sample.speed * sample.speed;
             assert_close(energy, 27.0, 27.0 * 1e-9);
@@ -95,7 +95,7 @@ fn kinetic_energy_is_kept_with_variable_inertia() {
 
 #[test]
 fn andrews_mechanism_reaches_the_published_end() {
-    use problems::Andrews;
+    use assur_problems::Andrews;
     let request = Request { tolerance: 1e-8, samples: 4, ..Request::new(Andrews::START, Until::Time(0.03)) };
     let found = DOP853.solve(&mut Andrews, &request).unwrap();
     assert_close(found.end.coordinate, Andrews::END.coordinate, 1e-7 * 15.8);
@@ -109,7 +109,7 @@ fn samples_satisfy_the_equation_at_equal_times() {
     let initial = State { coordinate: 1.0, ..State::default() };
     for method in METHODS {
         let found =
-            method.solve(&mut problems::pendulum(), &Request::new(initial, Until::Time(7.0))).unwrap();
+            method.solve(&mut assur_problems::pendulum(), &Request::new(initial, Until::Time(7.0))).unwrap();
         assert_eq!(found.samples.len(), 101);
         for (index, sample) in found.samples.iter().enumerate() {
             assert_close(sample.time, 0.07 * index as f64, 1e-14);
@@ -128,8 +128,8 @@ proptest! {
     fn both_methods_agree(q in -3.0..3.0_f64, w in -3.0..3.0_f64, end in 0.1..20.0_f64) {
         let initial = State { time: 0.0, coordinate: q, speed: w };
         let request = Request { tolerance: 1e-10, samples: 3, ..Request::new(initial, Until::Time(end)) };
-        let five = DOPRI5.solve(&mut problems::coasting(), &request).unwrap();
-        let eight = DOP853.solve(&mut problems::coasting(), &request).unwrap();
+        let five = DOPRI5.solve(&mut assur_problems::coasting(), &request).unwrap();
+        let eight = DOP853.solve(&mut assur_problems::coasting(), &request).unwrap();
         for (a, b) in five.samples.iter().zip(&eight.samples) {
             prop_assert!((a.coordinate - b.coordinate).abs() < 1e-7, "{a:?} {b:?}");
             prop_assert!((a.speed - b.speed).abs() < 1e-7, "{a:?} {b:?}");

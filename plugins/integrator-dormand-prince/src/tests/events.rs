@@ -13,7 +13,8 @@ fn kinds(found: &Trajectory) -> Vec<EventKind> {
 #[test]
 fn jumps_are_stepped_onto() {
     for method in METHODS {
-        let found = method.solve(&mut problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
+        let found =
+            method.solve(&mut assur_problems::jumps(), &from_rest(Until::Coordinate(3.0), 1e-10)).unwrap();
         let end = 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0;
         assert_close(found.end.time, end, 1e-10);
         assert_close(found.end.speed, 10.0_f64.sqrt(), 1e-10);
@@ -30,7 +31,7 @@ fn jumps_are_stepped_onto() {
 fn samples_between_jumps_lie_on_the_parabolas() {
     let request = Request { samples: 30, ..from_rest(Until::Time(1.5), 1e-10) };
     for method in METHODS {
-        let found = method.solve(&mut problems::jumps(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::jumps(), &request).unwrap();
         for sample in found.samples {
             let t = sample.time;
             let wanted = if t < 1.0 { t * t } else { 1.0 + 2.0 * (t - 1.0) - 0.5 * (t - 1.0).powi(2) };
@@ -44,7 +45,7 @@ fn dry_friction_holds_at_last() {
     let initial = State { coordinate: 1.0, ..State::default() };
     for method in METHODS {
         let request = Request { tolerance: 1e-10, ..Request::new(initial, Until::Time(10.0)) };
-        let found = method.solve(&mut problems::friction_oscillator(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::friction_oscillator(), &request).unwrap();
         assert_eq!(kinds(&found), [EventKind::Reversal, EventKind::Rest]);
         assert_close(found.events[0].state.time, PI, 1e-9);
         assert_close(found.events[0].state.coordinate, -0.4, 1e-9);
@@ -57,10 +58,10 @@ fn dry_friction_holds_at_last() {
 #[test]
 fn a_reversal_without_a_jump_is_an_event() {
     let initial = State { coordinate: 2.0, ..State::default() };
-    let period = problems::pendulum_period(2.0);
+    let period = assur_problems::pendulum_period(2.0);
     for method in METHODS {
         let request = Request { tolerance: 1e-10, ..Request::new(initial, Until::Time(1.2 * period)) };
-        let found = method.solve(&mut problems::pendulum(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::pendulum(), &request).unwrap();
         assert_eq!(kinds(&found), [EventKind::Reversal; 2]);
         assert_close(found.events[0].state.time, 0.5 * period, 1e-8);
         assert_close(found.events[1].state.time, period, 1e-8);
@@ -72,7 +73,7 @@ fn an_excursion_beyond_a_jump_inside_a_step_is_seen() {
     // Thrown up to q = 1.01, with a jump at q = 1: w0²/2 = 1, deceleration 1; above q = 1 it is 2.
     let top = 1.01;
     let w0 = (2.0_f64 * 1.0 + 2.0 * 2.0 * (top - 1.0)).sqrt();
-    let mut motion = Example::new(problems::BY_COORDINATE, |place, _| Reduced {
+    let mut motion = Example::new(assur_problems::BY_COORDINATE, |place, _| Reduced {
         inertia: 1.0,
         inertia_derivative: 0.0,
         moment: if place.segment == 0 { -1.0 } else { -2.0 },
@@ -89,7 +90,7 @@ fn an_excursion_beyond_a_jump_inside_a_step_is_seen() {
 /// Friction of 1 on a mass of 1, pulled by a moment that grows with time: it starts at t = 2.
 #[test]
 fn a_growing_moment_releases_a_held_mechanism() {
-    let dependence = Dependence { moment_on_time: true, ..problems::CONSTANT };
+    let dependence = Dependence { moment_on_time: true, ..assur_problems::CONSTANT };
     for method in METHODS {
         let mut motion = Example::new(dependence, |place, at| Reduced {
             inertia: 1.0,
@@ -113,7 +114,7 @@ struct Governor {
 
 impl Motion for Governor {
     fn dependence(&self) -> Dependence {
-        Dependence { moment_on_speed: true, ..problems::CONSTANT }
+        Dependence { moment_on_speed: true, ..assur_problems::CONSTANT }
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
@@ -147,7 +148,7 @@ struct Switched {
 
 impl Motion for Switched {
     fn dependence(&self) -> Dependence {
-        Dependence { moment_on_time: true, ..problems::CONSTANT }
+        Dependence { moment_on_time: true, ..assur_problems::CONSTANT }
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
@@ -177,7 +178,7 @@ fn a_coordinate_behind_is_reached_too() {
     for method in METHODS {
         let initial = State { speed: 1.0, ..State::default() };
         let request = Request::new(initial, Until::Coordinate(-1.5));
-        let found = method.solve(&mut problems::d1(), &request).unwrap();
+        let found = method.solve(&mut assur_problems::d1(), &request).unwrap();
         // -2 t²/2 + t = -1.5
         assert_close(found.end.time, 0.5 * (1.0 + 7.0_f64.sqrt()), 1e-9);
         assert_close(found.end.coordinate, -1.5, 0.0);
@@ -191,7 +192,7 @@ fn one_sample_costs_no_dense_output() {
     let initial = State { speed: 3.0, ..State::default() };
     let cost = |samples| {
         let request = Request { samples, tolerance: 1e-9, ..Request::new(initial, until) };
-        DOP853.solve(&mut problems::coasting(), &request).unwrap().statistics
+        DOP853.solve(&mut assur_problems::coasting(), &request).unwrap().statistics
     };
     let (one, two) = (cost(1), cost(2));
     assert_eq!(one.steps, two.steps);

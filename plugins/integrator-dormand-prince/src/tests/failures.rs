@@ -10,7 +10,7 @@ fn stiffness_is_suspected_with_its_number() {
     for method in METHODS {
         let request =
             Request { max_steps: 300, tolerance: 1e-6, ..Request::new(initial, Until::Coordinate(6.0)) };
-        let error = method.solve(&mut problems::motor(1e6), &request).unwrap_err();
+        let error = method.solve(&mut assur_problems::motor(1e6), &request).unwrap_err();
         let IntegrationError::TooManySteps { steps: 300, stiffness: Some(product), at, .. } = error else {
             panic!("{error}");
         };
@@ -30,7 +30,7 @@ struct NoAssembly;
 
 impl Motion for Wall {
     fn dependence(&self) -> Dependence {
-        problems::BY_COORDINATE
+        assur_problems::BY_COORDINATE
     }
 
     fn enter(&mut self, _: &State) -> Result<Piece, MotionError> {
@@ -61,13 +61,13 @@ fn an_end_that_never_comes_is_an_error() {
     let friction = Request::new(State { speed: 1.0, ..State::default() }, Until::Coordinate(10.0));
     let limited = Request { time_limit: 3.0, ..from_rest(Until::Coordinate(1e9), 1e-6) };
     for method in METHODS {
-        let error = method.solve(&mut problems::d1_friction(), &friction).unwrap_err().to_string();
+        let error = method.solve(&mut assur_problems::d1_friction(), &friction).unwrap_err().to_string();
         assert_eq!(
             error,
             "coordinate 10 is never reached: the motion got to t = 0.500000000 s, q = 0.250000000, \
              w = 0.000000000 and rests there for good"
         );
-        let error = method.solve(&mut problems::e1(), &limited).unwrap_err().to_string();
+        let error = method.solve(&mut assur_problems::e1(), &limited).unwrap_err().to_string();
         assert!(error.contains("the limit of time is over"), "{error}");
     }
 }
@@ -80,7 +80,7 @@ fn impossible_requests_are_refused() {
         (Request { samples: 0, ..from_rest(Until::Time(1.0), 1e-6) }, "at least 1"),
         (from_rest(Until::Coordinate(0.0), 1e-6), "already there"),
     ] {
-        let error = DOP853.solve(&mut problems::e1(), &request).unwrap_err().to_string();
+        let error = DOP853.solve(&mut assur_problems::e1(), &request).unwrap_err().to_string();
         assert!(error.contains(words), "{error}");
     }
 }

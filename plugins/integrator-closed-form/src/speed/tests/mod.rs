@@ -1,5 +1,5 @@
-use assur_integrator::problems::{CONSTANT, Example, Place};
 use assur_integrator::{Dependence, IntegrationError, Motion, Reduced, Request, State, Trajectory, Until};
+use assur_problems::{CONSTANT, Example, Place};
 
 use crate::QUADRATURE;
 

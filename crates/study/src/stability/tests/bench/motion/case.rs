@@ -1,7 +1,7 @@
 //! A motion with its end in closed form.
 
-use assur_integrator::problems::{Example, Place};
 use assur_integrator::{Dependence, Event, EventKind, Motion, Reduced, State, Until};
+use assur_problems::{Example, Place};
 
 use crate::stability::compare::worst;
 use crate::stability::tests::Law;

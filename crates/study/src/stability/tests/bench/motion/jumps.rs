@@ -1,7 +1,7 @@
 //! Jumps in loads: rows of a table, a narrow pulse, a load that comes later.
 
-use assur_integrator::problems::{BY_COORDINATE, CONSTANT, Example, jumps};
 use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State, Until};
+use assur_problems::{BY_COORDINATE, CONSTANT, Example, jumps};
 
 use super::case::{Case, constant, walk};
 use crate::stability::DISTANCES;
@@ -27,7 +27,7 @@ fn pulse(width: f64) -> Case {
     let after = 3.0_f64.sqrt();
     let time = 1.0 + 2.0 * width / (1.0 + after) + (1.0 - width) / after;
     let end = State { time, coordinate: 1.0, speed: after };
-    let formula = move |at: assur_integrator::problems::Place, _: &State| {
+    let formula = move |at: assur_problems::Place, _: &State| {
         constant(1.0, if at.segment == 1 { 1.0 / width } else { 0.0 })
     };
     let mut case = Case::new("moment in a pulse of that width", width, BY_COORDINATE, formula);

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use assur_integrator::problems::{BY_COORDINATE, CONSTANT};
 use assur_integrator::{State, Until};
+use assur_problems::{BY_COORDINATE, CONSTANT};
 
 use super::case::{Case, constant, walk};
 use crate::stability::DISTANCES;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use assur_integrator::problems::{CONSTANT, coasting};
 use assur_integrator::{Dependence, State, Until};
+use assur_problems::{CONSTANT, coasting};
 
 use super::case::{Case, constant, walk};
 use crate::stability::DISTANCES;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use assur_integrator::problems::{BY_COORDINATE, CONSTANT, Example, friction_oscillator};
 use assur_integrator::{Dependence, State, Until};
+use assur_problems::{BY_COORDINATE, CONSTANT, Example, friction_oscillator};
 
 use super::case::{Case, constant, walk};
 use crate::stability::DISTANCES;
@@ -36,7 +36,7 @@ fn stall(margin: f64, until: Until) -> Case {
         Until::Coordinate(_) => "motor stalled by a load so much greater, before the end wanted",
     };
     let dependence = Dependence { moment_on_speed: true, ..CONSTANT };
-    let formula = move |at: assur_integrator::problems::Place, state: &State| {
+    let formula = move |at: assur_problems::Place, state: &State| {
         constant(1.0, (1.0 - state.speed) - load * at.direction)
     };
     let mut case = Case::new(place, margin, dependence, formula);

@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism, reduced to its crank. Data: Test Set for IVP Solvers, problem "andrews"; Hairer,
 //! Wanner II, VII.7.
 
-use crate::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
 
 type Vector = [f64; 2];
 
@@ -82,7 +82,7 @@ fn add(sum: &mut Reduced, mass: f64, inertia: f64, (center, angular): (Point, Ve
 
 impl Motion for Andrews {
     fn dependence(&self) -> Dependence {
-        super::VARIABLE
+        crate::VARIABLE
     }
 
     fn enter(&mut self, _: &State) -> Result<Piece, MotionError> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
 
 mod andrews;
 mod elliptic;
