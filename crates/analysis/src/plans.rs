@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
 use assur_diagram::{
-    Enveloping, Hodograph, JointForce, PlansError, Sample, Share, Sheet, SignChange, Solver, constructions,
-    enveloping, extremes, hodograph, sheet, sign_changes, split,
+    DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Solver, constructions, enveloping, sheet,
+    sign_changes, split,
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
-use assur_group::{Order, Wrench};
-use assur_mechanism::PairId;
+use assur_group::Order;
+use assur_mechanism::{PairId, Range};
 
 use crate::Calculation;
 
@@ -24,8 +24,8 @@ impl Calculation {
     ///
     /// # Errors
     ///
-    /// [`PlansError`] where the position can't be assembled, or has no reactions.
-    pub fn sheet(&self, index: usize) -> Result<Sheet, PlansError> {
+    /// [`DiagramError`] where the position can't be assembled, or has no reactions.
+    pub fn sheet(&self, index: usize) -> Result<Sheet, DiagramError> {
         // Told with the number of the position, where it can't be taken.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
         let state = self.state(self.linkage.mechanism.input.coordinate(index));
@@ -49,22 +49,19 @@ impl Calculation {
     ///
     /// # Errors
     ///
-    /// [`PlansError`] where the position can't be assembled.
-    pub fn constructions(&self, index: usize) -> Result<Vec<Construction>, PlansError> {
+    /// [`DiagramError`] where the position can't be assembled.
+    pub fn constructions(&self, index: usize) -> Result<Vec<Construction>, DiagramError> {
         let mut position = self.linkage.position();
         self.linkage.solve_index(index, Order::Second, &mut position)?;
         let Some(loads) = self.loads.as_ref().filter(|_| self.positions_have_forces()) else {
             return Ok(Vec::new());
         };
         let state = self.state(position.coordinate);
-        let mut wrenches = vec![Wrench::ZERO; self.linkage.structure.links];
-        loads.apply(&state, &position.bodies, &mut wrenches);
-        loads.inertia(&state, &position.bodies, &mut wrenches);
-        constructions(&self.linkage, &position, &wrenches)
+        constructions(&self.linkage, &position, &loads.total(&state, &position.bodies))
     }
 
     /// The analyzer of the study, where it gives reactions; else the default one.
-    fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, PlansError> {
+    fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, DiagramError> {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
             None => Ok(assur_force::choose(None)?),
@@ -75,8 +72,8 @@ impl Calculation {
     ///
     /// # Errors
     ///
-    /// [`PlansError`] where a cause alone has no reactions.
-    pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), PlansError> {
+    /// [`DiagramError`] where a cause alone has no reactions.
+    pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), DiagramError> {
         let Some(loads) = &self.loads else { return Ok(()) };
         let instance = self.reaction_analyzer()?.instance;
         let mut solved = self.linkage.position();
@@ -87,24 +84,48 @@ impl Calculation {
             let found = split(&self.linkage, &solved, loads, &state, instance)?;
             position.by_cause = Some(by_cause(&found.shares, reactions));
         }
-        analysis.cycle.hodographs = self.hodographs(analysis)?;
+        analysis.cycle.hodographs = self.hodographs(&analysis.positions);
         Ok(())
-    }
-
-    fn hodographs(&self, analysis: &Analysis) -> Result<Vec<Hodograph>, PlansError> {
-        let samples = samples(&analysis.positions);
-        let each = analysis.cycle.reaction_extremes.iter();
-        each.map(|one| hodograph(&self.linkage, &samples, &one.joint, &one.on)).collect()
     }
 
     /// What follows from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, positions: &[PositionResult]) -> Cycle {
+        let with_forces = positions.iter().filter(|position| position.reactions.is_some());
+        let indices: Vec<usize> = with_forces.map(|position| position.index).collect();
         Cycle {
-            reaction_extremes: extremes(&self.linkage, &samples(positions)),
+            reaction_extremes: self
+                .hodographs(positions)
+                .iter()
+                .map(|curve| curve.extreme(&indices))
+                .collect(),
             sign_changes: self.sign_changes(positions),
             enveloping: self.enveloping(),
             ..Cycle::default()
         }
+    }
+
+    /// The polar diagrams of all reactions, over the positions that have them.
+    fn hodographs(&self, positions: &[PositionResult]) -> Vec<Hodograph> {
+        let each =
+            positions.iter().filter_map(|position| Some((position.coordinate, position.reactions.as_ref()?)));
+        let all: Vec<_> = each.collect();
+        let Some((_, first)) = all.first() else { return Vec::new() };
+        let ends =
+            first.iter().flat_map(|(joint, reaction)| reaction.forces.iter().map(move |(on, _)| (joint, on)));
+        let curve = |(joint, on): (&str, &Arc<str>)| {
+            let force = |reactions: &Named<PairReaction>| {
+                let forces = &reactions.get(joint)?.forces;
+                forces.iter().find(|(link, _)| link == on).map(|(_, force)| *force)
+            };
+            Hodograph {
+                joint: joint.to_owned(),
+                on: on.to_string(),
+                coordinates: all.iter().map(|(coordinate, _)| *coordinate).collect(),
+                points: all.iter().map(|(_, reactions)| force(reactions).unwrap_or([f64::NAN; 2])).collect(),
+                closed: matches!(self.linkage.mechanism.input.range, Range::Cycle(_)),
+            }
+        };
+        ends.map(curve).collect()
     }
 
     /// A contact whose arc can't be followed through its interval is left out; the positions tell why.
@@ -113,9 +134,9 @@ impl Calculation {
             return Vec::new();
         }
         let mechanism = &self.linkage.mechanism;
-        let count = mechanism.input.positions.max(2);
-        let contacts = 0..mechanism.contacts.len();
-        contacts.filter_map(|contact| enveloping(&self.linkage, contact, count).ok()).collect()
+        let each = mechanism.contacts.iter();
+        each.filter_map(|contact| enveloping(&self.linkage, contact, mechanism.input.positions).ok())
+            .collect()
     }
 
     /// Of the guides with a force; none where a position is missing, as the force can't be followed there.
@@ -154,30 +175,6 @@ fn sizes(positions: &[PositionResult], wanted: impl Fn(&str) -> bool) -> f64 {
     let pairs = positions.iter().flat_map(|position| &position.reactions).flat_map(Named::iter);
     let forces = pairs.filter(|(name, _)| wanted(name)).flat_map(|(_, reaction)| &reaction.forces);
     forces.map(|(_, [x, y])| x.hypot(*y)).fold(0.0, f64::max)
-}
-
-/// The reactions of the positions that have them.
-fn samples(positions: &[PositionResult]) -> Vec<Sample> {
-    let each = positions.iter().filter_map(|position| {
-        let reactions = position.reactions.as_ref()?.iter();
-        Some(Sample {
-            index: position.index,
-            coordinate: position.coordinate,
-            reactions: reactions.flat_map(|(joint, reaction)| joint_forces(joint, reaction)).collect(),
-            balancing: position.balancing.unwrap_or_default(),
-        })
-    });
-    each.collect()
-}
-
-fn joint_forces(joint: &str, reaction: &PairReaction) -> Vec<JointForce> {
-    let each = reaction.forces.iter().enumerate().map(|(nth, (link, force))| JointForce {
-        joint: joint.to_owned(),
-        on: link.to_string(),
-        force: *force,
-        moment: reaction.moment.filter(|_| nth == 0),
-    });
-    each.collect()
 }
 
 /// The shares in the order and for the pairs of the whole.

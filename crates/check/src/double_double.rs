@@ -57,7 +57,7 @@ impl<'a> DoubleDouble<'a> {
     pub(crate) fn surroundings(&mut self, all: &[Element], one: &Solved) -> Option<Surroundings> {
         let q = one.position.coordinate;
         let start: Vec<_> = one.position.bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
-        // The way does not change within the steps: they are far smaller than the distance to where it could.
+        // The steps are far smaller than the distance to a change point, where the way of assembly could change.
         let ways = self.subject.linkage.ways.at(q);
         let center = self.solve(Dd::from_f64(q), ways, &start)?;
         let middle = self.sample(all, &center, &center);

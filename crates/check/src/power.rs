@@ -2,7 +2,6 @@
 //! load of the force analysis (S stage 10).
 
 use assur_force::{Cause, UnitBalance, power};
-use assur_group::Wrench;
 use assur_mechanism::PairId;
 
 use crate::case::{Case, ROUNDINGS};
@@ -53,10 +52,8 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
     let limit = ROUNDINGS * f64::EPSILON * one.condition;
     let off = (balancing + moment + terms[0] + terms[1]).abs();
     lagrange.offer(one.index, off / total, limit, || "all loads".to_owned());
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(state, bodies, &mut wrenches);
-    loads.inertia(state, bodies, &mut wrenches);
-    let sum: f64 = wrenches.iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
+    let sum: f64 =
+        loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     lever.offer(one.index, (balancing + sum).abs() / total, limit, || "all loads".to_owned());
 }
 

@@ -18,7 +18,7 @@ const SECTIONS: usize = 40;
 /// An argument may be off by so much, relative: rounding of coordinates and of the extremes.
 const ROUNDING: f64 = 1e-11;
 
-/// Everything that the size of a load may hang on.
+/// Everything that the size of a load may depend on.
 pub(crate) struct At<'a> {
     pub(crate) state: &'a State,
     /// Place of the load's point, m, and its PF1.
@@ -108,7 +108,7 @@ fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Opt
             if near.iter().all(|other| sign * places[i] >= sign * other) {
                 let (_, least) =
                     try_least(ends[0], ends[1], SECTIONS, |q| along(q).map(|x| -sign * x).ok_or(())).ok()?;
-                // At an end of the way the extreme may lie on the grid.
+                // At an end of the range the extreme may lie on the grid.
                 let least = least.min(-sign * places[i]);
                 found[k] = if k == 0 { found[k].min(least) } else { found[k].max(-least) };
             }

@@ -1,7 +1,7 @@
 //! What is checked: a linkage, and where there are loads the states and methods.
 
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
-use assur_group::{Order, Wrench};
+use assur_group::Order;
 use assur_kinematics::{Interpolation, Linkage, Position};
 
 /// What is checked.
@@ -83,9 +83,7 @@ impl Subject<'_> {
         state: &State,
         position: &Position,
     ) -> Option<Reactions> {
-        let mut wrenches = vec![Wrench::ZERO; self.linkage.structure.links];
-        loads.apply(state, &position.bodies, &mut wrenches);
-        loads.inertia(state, &position.bodies, &mut wrenches);
+        let mut wrenches = loads.total(state, &position.bodies);
         let mut reactions = Reactions::new(self.linkage);
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)

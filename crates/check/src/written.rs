@@ -187,7 +187,7 @@ impl<'a> Writer<'a> {
                     return self.at(body, force.at.at, given, given[0].hypot(given[1]));
                 }
                 let bend = body.second(arm);
-                // The velocity passes zero closer, in the coordinate, than coordinates are told apart: a rest may be taken.
+                // The velocity passes zero at a distance, in the coordinate, that is rounding: it may be taken for a rest.
                 let idle = given[0].hypot(given[1]) == 0.0;
                 if idle && speed <= REST * bend[0].hypot(bend[1]) {
                     return self.at(body, force.at.at, given, 0.0);

@@ -1,24 +1,8 @@
-//! Reactions over the cycle: greatest, root mean square, hodograph.
+//! A reaction over the cycle: its polar diagram, its greatest value and root mean square.
 
-use assur_kinematics::Linkage;
-use assur_mechanism::Range;
 use serde::Serialize;
 
 use crate::plan::length;
-use crate::{JointForce, PlansError};
-
-/// The reactions of one position.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Sample {
-    /// Number of the position.
-    pub index: usize,
-    /// Coordinate, rad or m.
-    pub coordinate: f64,
-    /// Reactions of all joints.
-    pub reactions: Vec<JointForce>,
-    /// Balancing moment (N m) or force (N).
-    pub balancing: f64,
-}
 
 /// Size of one reaction over the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -52,71 +36,41 @@ pub struct Hodograph {
     pub closed: bool,
 }
 
-/// Whether the positions of the scene make a whole cycle.
-fn is_closed(linkage: &Linkage) -> bool {
-    matches!(linkage.mechanism.input.range, Range::Cycle(_))
-}
-
 /// Moduli that differ by less, relative, count as equally great.
 const TIE: f64 = 1e-9;
 
-/// Greatest modulus, the first position that has it, and root mean square of every reaction over the positions.
-///
-/// Over a whole cycle of equal steps the mean of the squares is that of the positions; over a range it is by trapezoids.
-pub fn extremes(linkage: &Linkage, samples: &[Sample]) -> Vec<Extreme> {
-    let Some(first) = samples.first() else { return Vec::new() };
-    let names = first.reactions.iter().enumerate();
-    names
-        .map(|(id, reaction)| {
-            let size = |sample: &Sample| length(sample.reactions[id].force);
-            let greatest = samples.iter().map(size).fold(0.0, f64::max);
-            // A cycle often has two alike; which of them is greater by rounding says nothing.
-            let at = samples.iter().find(|one| size(one) >= greatest * (1.0 - TIE)).unwrap_or(first);
-            let squares: Vec<[f64; 2]> =
-                samples.iter().map(|one| [one.coordinate, size(one) * size(one)]).collect();
-            Extreme {
-                joint: reaction.joint.clone(),
-                on: reaction.on.clone(),
-                greatest,
-                index: at.index,
-                coordinate: at.coordinate,
-                rms: mean(&squares, is_closed(linkage)).sqrt(),
-            }
-        })
-        .collect()
+impl Hodograph {
+    /// Greatest modulus, the first position that has it, and root mean square. `indices`: the numbers of the positions.
+    ///
+    /// Over a whole cycle of equal steps the mean of the squares is that of the positions; over a range it is by trapezoids.
+    pub fn extreme(&self, indices: &[usize]) -> Extreme {
+        let sizes: Vec<f64> = self.points.iter().map(|force| length(*force)).collect();
+        let greatest = sizes.iter().copied().fold(0.0, f64::max);
+        // A cycle often has two alike; which of them is greater by rounding says nothing.
+        let at = sizes.iter().position(|size| *size >= greatest * (1.0 - TIE)).unwrap_or(0);
+        let squares: Vec<[f64; 2]> = self
+            .coordinates
+            .iter()
+            .zip(&sizes)
+            .map(|(coordinate, size)| [*coordinate, size * size])
+            .collect();
+        Extreme {
+            joint: self.joint.clone(),
+            on: self.on.clone(),
+            greatest,
+            index: indices.get(at).copied().unwrap_or(at),
+            coordinate: self.coordinates.get(at).copied().unwrap_or(f64::NAN),
+            rms: mean(&squares, self.closed).sqrt(),
+        }
+    }
 }
 
 /// Mean of values over the coordinate, rows (coordinate, value).
 fn mean(rows: &[[f64; 2]], closed: bool) -> f64 {
-    let way = rows.last().map_or(0.0, |last| last[0] - rows[0][0]);
-    if closed || way == 0.0 {
+    let range = rows.last().map_or(0.0, |last| last[0] - rows[0][0]);
+    if closed || range == 0.0 {
         return rows.iter().map(|row| row[1]).sum::<f64>() / (rows.len().max(1) as f64);
     }
     let areas = rows.windows(2).map(|two| 0.5 * (two[0][1] + two[1][1]) * (two[1][0] - two[0][0]));
-    areas.sum::<f64>() / way
-}
-
-/// The polar diagram of one reaction.
-///
-/// # Errors
-///
-/// [`PlansError::NoReaction`] where no joint of this name acts on such a link.
-pub fn hodograph(
-    linkage: &Linkage,
-    samples: &[Sample],
-    joint: &str,
-    on: &str,
-) -> Result<Hodograph, PlansError> {
-    let reactions = samples.first().map_or(&[][..], |sample| &sample.reactions);
-    let id = reactions.iter().position(|one| one.joint == joint && one.on == on).ok_or_else(|| {
-        let known = reactions.iter().map(|one| format!("{} on {}", one.joint, one.on)).collect();
-        PlansError::NoReaction { joint: joint.to_owned(), on: on.to_owned(), known }
-    })?;
-    Ok(Hodograph {
-        joint: joint.to_owned(),
-        on: on.to_owned(),
-        coordinates: samples.iter().map(|sample| sample.coordinate).collect(),
-        points: samples.iter().map(|sample| sample.reactions[id].force).collect(),
-        closed: is_closed(linkage),
-    })
+    areas.sum::<f64>() / range
 }

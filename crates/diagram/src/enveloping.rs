@@ -5,7 +5,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Contact, Range};
 use serde::Serialize;
 
-use crate::PlansError;
+use crate::DiagramError;
 
 /// The arc in one position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -33,27 +33,22 @@ pub struct Enveloping {
     pub greatest: f64,
     /// Coordinate where it occurs first.
     pub greatest_at: f64,
-    /// Way of the lowest point along the line between both ends of the interval, m, with its sign.
+    /// Displacement of the lowest point along the line between both ends of the interval, m, with its sign.
     pub way: f64,
     /// The path.
     pub path: Vec<EnvelopingPoint>,
 }
 
 /// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene), in `count`
-/// equal steps with both ends.
+/// places, at least 2, that are equally spaced with both ends.
 ///
 /// # Errors
 ///
-/// [`PlansError`] where there is no such contact, a position can't be taken, or `count` is less than 2.
-pub fn enveloping(linkage: &Linkage, contact: usize, count: usize) -> Result<Enveloping, PlansError> {
-    let contacts = &linkage.mechanism.contacts;
-    let found =
-        contacts.get(contact).ok_or(PlansError::NoContact { number: contact, count: contacts.len() })?;
-    if count < 2 {
-        return Err(PlansError::TooFew { count });
-    }
-    let interval = interval(linkage, found);
-    let path = path(linkage, found, interval, count)?;
+/// [`DiagramError`] where a position can't be taken.
+pub fn enveloping(linkage: &Linkage, contact: &Contact, count: usize) -> Result<Enveloping, DiagramError> {
+    let count = count.max(2);
+    let interval = interval(linkage, contact);
+    let path = path(linkage, contact, interval, count)?;
     let heights = || path.iter().map(|point| point.lowest[1]);
     let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
     let level = f64::midpoint(low, high);
@@ -69,7 +64,7 @@ pub fn enveloping(linkage: &Linkage, contact: usize, count: usize) -> Result<Env
             },
         );
     Ok(Enveloping {
-        contact: found.name.clone(),
+        contact: contact.name.clone(),
         interval,
         level,
         greatest: worst.deviation.abs(),
@@ -92,7 +87,7 @@ fn path(
     contact: &Contact,
     [from, to]: [f64; 2],
     count: usize,
-) -> Result<Vec<EnvelopingPoint>, PlansError> {
+) -> Result<Vec<EnvelopingPoint>, DiagramError> {
     let mut position = linkage.position();
     let mut list = Vec::with_capacity(count);
     for index in 0..count {

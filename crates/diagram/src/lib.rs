@@ -4,7 +4,7 @@
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
 //! * [`instant_centers`]: absolute and relative, at infinity as a direction.
 //! * [`construction_plans`]: what a force analyzer draws (longitudinal reactions, Zhukovsky's lever).
-//! * [`split`]: reactions by cause; [`extremes`], [`hodograph`], [`sign_changes`]: reactions over the cycle.
+//! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
 //! * [`enveloping`]: the straight line that an arc envelopes.
 //! * [`sheet`]: all plans of one position; [`text()`] and [`sheet_text`] write tables.
 //!
@@ -27,9 +27,9 @@ mod text;
 
 pub use centers::{Center, CenterAt, instant_centers};
 pub use construction::construction_plans;
-pub use cycle::{Extreme, Hodograph, Sample, extremes, hodograph};
+pub use cycle::{Extreme, Hodograph};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
-pub use error::PlansError;
+pub use error::DiagramError;
 pub use joint::{JointForce, joint_forces};
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};

@@ -6,8 +6,8 @@ use assur_kinematics::{Linkage, Position};
 use serde::Serialize;
 
 use crate::{
-    Center, Plan, PlansError, Split, acceleration_plan, construction_plans, force_polygons, instant_centers,
-    named_loads, split, velocity_plan,
+    Center, DiagramError, Plan, Split, acceleration_plan, construction_plans, force_polygons,
+    instant_centers, named_loads, split, velocity_plan,
 };
 
 /// All plans of one position.
@@ -37,22 +37,20 @@ pub struct Sheet {
 ///
 /// # Errors
 ///
-/// [`PlansError`] where there is no position, or no reaction.
+/// [`DiagramError`] where there is no position, or no reaction.
 pub fn sheet(
     linkage: &Linkage,
     loads: &Loads,
     state: &State,
     moves: bool,
     analyzer: &AnalyzerPlugin,
-) -> Result<Sheet, PlansError> {
+) -> Result<Sheet, DiagramError> {
     let mut position = linkage.position();
     linkage.solve(state.coordinate, Order::Second, &mut position)?;
     let list = named_loads(loads, state, &position.bodies);
     let (mut polygons, mut constructions, mut by_cause) = (Vec::new(), Vec::new(), None);
     if !list.is_empty() {
-        let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        loads.apply(state, &position.bodies, &mut wrenches);
-        loads.inertia(state, &position.bodies, &mut wrenches);
+        let mut wrenches = loads.total(state, &position.bodies);
         let drawn = self::constructions(linkage, &position, &wrenches)?;
         constructions = drawn.iter().flat_map(construction_plans).collect();
         let mut out = Reactions::new(linkage);
@@ -72,17 +70,17 @@ pub fn sheet(
     })
 }
 
-/// The constructions of all analyzers that have one and can treat the mechanism, step by step; two forms of one method draw the
-/// same and are told once. One that fails here is left out.
+/// The constructions of all analyzers that have one and can treat the mechanism, step by step; of two forms of one method, which
+/// draw the same, one is given. One that fails here is left out.
 ///
 /// # Errors
 ///
-/// [`PlansError::Registry`] where the analyzers are not in order.
+/// [`DiagramError::Registry`] where the analyzers are not in order.
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,
     wrenches: &[Wrench<f64>],
-) -> Result<Vec<Construction>, PlansError> {
+) -> Result<Vec<Construction>, DiagramError> {
     let mut found: Vec<Construction> = Vec::new();
     for plugin in analyzers()? {
         if plugin.instance.supports(linkage).is_err() {

@@ -7,7 +7,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::PairId;
 use serde::Serialize;
 
-use crate::PlansError;
+use crate::DiagramError;
 
 /// A force below this part of the greatest is zero up to rounding, and has no side.
 const ROUNDING: f64 = 1e-12;
@@ -51,18 +51,17 @@ pub struct Solver<'a> {
 ///
 /// # Errors
 ///
-/// [`PlansError`] where there is no such slide, or no position or reaction at a coordinate.
+/// [`DiagramError`] where there is no position or no reaction at a coordinate.
 pub fn sign_changes(
     solver: &Solver<'_>,
     slide: usize,
     state_at: &dyn Fn(f64) -> State,
-) -> Result<Vec<SignChange>, PlansError> {
+) -> Result<Vec<SignChange>, DiagramError> {
     let linkage = solver.linkage;
     let input = &linkage.mechanism.input;
-    let pairs = linkage.structure.pairs.iter();
-    let pair = pairs.enumerate().find(|(_, pair)| pair.source == PairId::Slide(slide)).map(|(id, _)| id);
-    let Some(pair) = pair else {
-        return Err(PlansError::NoSlide { number: slide, count: linkage.mechanism.slides.len() });
+    let mut pairs = linkage.structure.pairs.iter();
+    let Some(pair) = pairs.position(|pair| pair.source == PairId::Slide(slide)) else {
+        return Ok(Vec::new());
     };
     let mut across = Across::new(*solver, pair, slide, state_at);
     // The position after the last is the first one of the next cycle.
@@ -107,7 +106,7 @@ impl<'a> Across<'a> {
     }
 
     /// Force to the left of the guide's direction on the sliding link, N.
-    fn at(&mut self, coordinate: f64) -> Result<f64, PlansError> {
+    fn at(&mut self, coordinate: f64) -> Result<f64, DiagramError> {
         let state = (self.state_at)(coordinate);
         let Solver { linkage, loads, analyzer, order, .. } = self.solver;
         linkage.solve(coordinate, order, &mut self.position)?;
@@ -121,7 +120,7 @@ impl<'a> Across<'a> {
     }
 
     /// The change between two coordinates, and the least force on its two sides.
-    fn root(&mut self, [mut a, mut b]: [f64; 2], at_a: f64) -> Result<(f64, f64), PlansError> {
+    fn root(&mut self, [mut a, mut b]: [f64; 2], at_a: f64) -> Result<(f64, f64), DiagramError> {
         let mut sizes = [at_a.abs(), f64::INFINITY];
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(a, b);

@@ -6,7 +6,7 @@ use assur_kinematics::{Linkage, Position};
 use serde::Serialize;
 
 use crate::plan::length;
-use crate::{JointForce, NamedLoad, PlansError, joint_forces, named_loads};
+use crate::{DiagramError, JointForce, NamedLoad, joint_forces, named_loads};
 
 /// What one cause does.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -24,13 +24,13 @@ pub struct Share {
 pub struct Split {
     /// Under all loads at once.
     pub whole: Share,
-    /// By cause: weight, inertia, then each load by its name. Causes that do nothing here are told too.
+    /// By cause: weight, inertia, then each load by its name. Causes without effect here are listed too.
     pub shares: Vec<Share>,
     /// Greatest difference of a force and the sum of its shares, as a part of the greatest force of the whole and all shares.
     pub residual: f64,
 }
 
-/// Causes that are told as one.
+/// Causes that count as one: all weights, all inertia loads, or a load of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Weight,
@@ -52,14 +52,14 @@ impl Kind {
 ///
 /// # Errors
 ///
-/// [`PlansError::Force`] where the analyzer finds no reactions.
+/// [`DiagramError::Force`] where the analyzer finds no reactions.
 pub fn split(
     linkage: &Linkage,
     position: &Position,
     loads: &Loads,
     state: &State,
     analyzer: &dyn ForceAnalyzer,
-) -> Result<Split, PlansError> {
+) -> Result<Split, DiagramError> {
     let list = named_loads(loads, state, &position.bodies);
     let mut kinds: Vec<Kind> = list.iter().map(|load| Kind::of(load.cause)).collect();
     kinds.sort_unstable();
@@ -88,7 +88,7 @@ fn share<'a>(
     analyzer: &dyn ForceAnalyzer,
     cause: String,
     loads: impl Iterator<Item = &'a NamedLoad>,
-) -> Result<Share, PlansError> {
+) -> Result<Share, DiagramError> {
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
     for load in loads {
         wrenches[load.link].add_at([0.0; 2], load.wrench.force(), load.wrench.m);

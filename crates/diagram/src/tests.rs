@@ -8,7 +8,7 @@ mod words;
 
 use assur_all as _;
 use assur_force::{ForceAnalyzer, Loads, Reactions, State, find};
-use assur_group::{Order, Wrench};
+use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 
 pub(super) const SCENES: [&str; 7] =
@@ -45,9 +45,7 @@ pub(super) fn reactions(
     state: &State,
     position: &Position,
 ) -> Option<Reactions> {
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(state, &position.bodies, &mut wrenches);
-    loads.inertia(state, &position.bodies, &mut wrenches);
+    let mut wrenches = loads.total(state, &position.bodies);
     let mut out = Reactions::new(linkage);
     analyzer("newton-euler").solve(linkage, position, &mut wrenches, &mut out).ok()?;
     Some(out)

@@ -85,7 +85,7 @@ impl Breaks {
             let ends = [low, at(after).unwrap_or(f64::INFINITY)];
             return Interval { index: after, ends, start: low, shift };
         };
-        // Rounding of the shift may put the coordinate a hair before the first point.
+        // Rounding of the shift may put the coordinate just before the first point.
         let index = after.saturating_sub(1);
         let ends = [self.points[index] + shift, at(index + 1).unwrap_or(first + period + shift)];
         Interval { index, ends, start: self.points[index], shift }

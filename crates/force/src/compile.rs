@@ -1,7 +1,7 @@
 //! From the loads of a scene to flat compiled ones.
 
 use assur_group::{Body, Order};
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{
     Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Table, Value,
 };
@@ -16,14 +16,11 @@ use crate::{LoadError, Loads};
 /// How far from the first position the search over a cycle starts, as part of the cycle: a good deal less than a cell.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
-/// Finds the motion of a link at a coordinate, or says why there is none.
-pub(crate) type Solve<'a> = dyn FnMut(f64, LinkId) -> Result<Body<f64>, String> + 'a;
-
-/// What compiling needs beside the mechanism.
-struct Compiler<'a, 'b> {
+/// What compiling needs.
+struct Compiler<'a> {
+    linkage: &'a Linkage,
     mechanism: &'a Mechanism,
-    scale: f64,
-    solve: &'a mut Solve<'b>,
+    position: Position,
 }
 
 impl Loads {
@@ -36,20 +33,7 @@ impl Loads {
     ///
     /// [`LoadError`] for a load that needs a motion, or a stroke, that the scene does not give.
     pub fn compile(linkage: &Linkage) -> Result<Self, LoadError> {
-        let mut position = linkage.position();
-        Self::compile_with(&linkage.mechanism, linkage.structure.scale, &mut |coordinate, link| {
-            let solved = linkage.solve(coordinate, Order::Second, &mut position);
-            solved.map_err(|error| error.to_string())?;
-            Ok(position.bodies[link])
-        })
-    }
-
-    /// Compiles the loads; `solve` is asked only for strokes and for loads against a motion that is not prescribed.
-    pub(crate) fn compile_with(
-        mechanism: &Mechanism,
-        scale: f64,
-        solve: &mut Solve<'_>,
-    ) -> Result<Self, LoadError> {
+        let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;
         let (pin, standing) = match input.pair {
             InputPair::Pin(point) => (mechanism.place_in(point, input.link), 1e-14 * scale),
@@ -69,7 +53,7 @@ impl Loads {
             inertia_constant: mechanism.has_constant_reduced_inertia(),
             input: (input.link, pin),
         };
-        let mut compiler = Compiler { mechanism, scale, solve };
+        let mut compiler = Compiler { linkage, mechanism, position: linkage.position() };
         compiler.forces(&mut loads)?;
         compiler.moments(&mut loads)?;
         compiler.contacts(&mut loads)?;
@@ -107,7 +91,14 @@ fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result
     Err(LoadError::NeedsMotion { name: name.to_owned(), what })
 }
 
-impl Compiler<'_, '_> {
+impl Compiler<'_> {
+    /// The motion of a link at a coordinate, or why there is none.
+    fn body(&mut self, coordinate: f64, link: LinkId) -> Result<Body<f64>, String> {
+        let solved = self.linkage.solve(coordinate, Order::Second, &mut self.position);
+        solved.map_err(|error| error.to_string())?;
+        Ok(self.position.bodies[link])
+    }
+
     fn forces(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
         let mechanism = self.mechanism;
         for (id, force) in mechanism.forces.iter().enumerate().filter(|(_, force)| force.at.link != GROUND) {
@@ -180,8 +171,8 @@ impl Compiler<'_, '_> {
     fn stroke(&mut self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
         let mut outcome = Err(NoStroke::Stands(0.0));
         for span in self.spans() {
-            let mut body = |q: f64| (self.solve)(q, at.link);
-            outcome = Stroke::find(&mut body, at.at, axis, tables, &span, self.scale);
+            let scale = self.linkage.structure.scale;
+            outcome = Stroke::find(&mut |q| self.body(q, at.link), at.at, axis, tables, &span, scale);
             // A range may be all that the mechanism can do of its turn.
             if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
                 break;
@@ -203,7 +194,7 @@ impl Compiler<'_, '_> {
             return Breaks::default();
         }
         let Some(&span) = self.spans().first() else { return Breaks::default() };
-        rests(&mut |q: f64| (self.solve)(q, at.link), at.at, &span)
+        rests(&mut |q| self.body(q, at.link), at.at, &span)
     }
 
     /// Where to look for a stroke: a cycle and, where the scene gives a range, the range.

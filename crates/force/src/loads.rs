@@ -16,7 +16,7 @@ pub struct Loads {
     pub(crate) contacts: Vec<ArcContact>,
     /// One for each force, then for each moment, then for each contact.
     pub(crate) laws: Vec<Law>,
-    /// Sense of the input where the speed does not tell, +1 or -1.
+    /// Direction of the input where the speed is zero, +1 or -1.
     pub(crate) sense: f64,
     /// Length of a cycle of the input.
     pub(crate) period: Option<f64>,

@@ -16,7 +16,7 @@ pub struct Reactions {
     /// mechanism in its motion.
     pub balancing: f64,
     /// By group: whether its equations are solved. The reactions of the others stay exactly zero: a group that carries no load,
-    /// and a group that is not placed. Heeded by methods that go [by groups](crate::AnalyzerPlugin::by_groups).
+    /// and a group that is not placed. Respected by methods that go [by groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<f64>>,
@@ -34,7 +34,7 @@ impl Reactions {
         Self { scratch_pairs: pairs.clone(), pairs, balancing: f64::NAN, solved, scratch_bodies: bodies }
     }
 
-    /// The same without the groups that carry no load, by index: their reactions stay zero.
+    /// Room for reactions without the groups that carry no load, by index: their reactions stay zero.
     #[must_use]
     pub fn without_idle(mut self, carrying: &[bool]) -> Self {
         for (solved, carrying) in self.solved.iter_mut().zip(carrying) {
@@ -94,17 +94,17 @@ impl UnitBalance {
         linkage: &Linkage,
         position: &Position,
     ) -> Result<f64, ForceError> {
-        /// Below this part of a typical way a transfer function is rounding.
-        const LEAST_WAY: f64 = 1e-12;
+        /// Below this part of a typical displacement a transfer function is rounding.
+        const LEAST_SHARE: f64 = 1e-12;
         let scale = linkage.structure.scale;
         let is_force = self.wrench.fx != 0.0 || self.wrench.fy != 0.0;
-        let way = match (is_force, linkage.mechanism.input.pair) {
+        let typical = match (is_force, linkage.mechanism.input.pair) {
             (true, InputPair::Pin(_)) => scale,
             (true, InputPair::Slide(_)) | (false, InputPair::Pin(_)) => 1.0,
             (false, InputPair::Slide(_)) => 1.0 / scale,
         };
-        let share = unit.abs() / way;
-        if share > LEAST_WAY {
+        let share = unit.abs() / typical;
+        if share > LEAST_SHARE {
             return Ok(-others / unit);
         }
         Err(ForceError::IdleBalance { load: self.words(linkage), coordinate: position.coordinate, share })

@@ -22,8 +22,8 @@ impl State {
     pub fn prescribed(mechanism: &Mechanism, coordinate: f64) -> Self {
         match mechanism.motion {
             Some(Motion::Prescribed { speed, acceleration }) => {
-                let way = coordinate - mechanism.input.from;
-                let time = if speed == 0.0 { 0.0 } else { way / speed };
+                let moved = coordinate - mechanism.input.from;
+                let time = if speed == 0.0 { 0.0 } else { moved / speed };
                 Self { coordinate, speed, acceleration, time }
             }
             _ => Self { coordinate, ..Self::default() },

@@ -218,7 +218,7 @@ impl Stroke {
     }
 }
 
-/// Ends of the intervals in which the point moves one way, ascending.
+/// Ends of the intervals in which the point moves in one direction, ascending.
 fn monotone_ends(reversals: &[f64], span: &Span) -> Vec<f64> {
     let mut ends = reversals.to_vec();
     match ends.first() {

@@ -152,7 +152,7 @@ impl Loads {
     }
 }
 
-/// Force of the spring on its second end, and both arms.
+/// The two forces of a spring with a damper.
 #[inline]
 fn visit_spring<S: Sink>(spring: &SpringDamper, state: &State, bodies: &[Body<f64>], sink: &mut S) {
     let [one, two] = spring.ends.map(|end| &bodies[end.link]);
@@ -195,7 +195,9 @@ impl ArcContact {
     /// Whether there is contact at a coordinate; both ends of the interval belong to it.
     #[inline]
     pub(crate) fn touches(&self, coordinate: f64, period: Option<f64>) -> bool {
-        let hair = crate::breaks::tolerance(coordinate, period);
-        [coordinate + hair, coordinate - hair].iter().any(|q| self.breaks.interval(*q).index == self.touching)
+        let rounding = crate::breaks::tolerance(coordinate, period);
+        [coordinate + rounding, coordinate - rounding]
+            .iter()
+            .any(|q| self.breaks.interval(*q).index == self.touching)
     }
 }

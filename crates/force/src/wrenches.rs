@@ -67,6 +67,14 @@ impl Loads {
         self.inertia_to(state, bodies, &mut Sum(wrenches));
     }
 
+    /// All loads, weights and inertia loads of a state: one wrench for each link, about the origin of its frame.
+    pub fn total(&self, state: &State, bodies: &[Body<f64>]) -> Vec<Wrench<f64>> {
+        let mut wrenches = vec![Wrench::ZERO; bodies.len()];
+        self.apply(state, bodies, &mut wrenches);
+        self.inertia(state, bodies, &mut wrenches);
+        wrenches
+    }
+
     /// Each load apart: what causes it, its link, and its wrench about the origin of the link's frame. A cause comes once for
     /// every link that it loads (a spring twice); inertia loads come last.
     pub fn by_cause(

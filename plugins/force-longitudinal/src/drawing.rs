@@ -90,29 +90,25 @@ impl Pole {
     }
 }
 
+/// Steps of one kind in one drawing; each: name, start, vector, note.
+type Steps<'s, const N: usize> = [(&'s str, [f64; 2], [f64; 2], String); N];
+
 struct Draft {
     steps: Vec<Step>,
 }
 
 impl Draft {
-    fn push(
-        &mut self,
-        (drawing, kind): (Drawing, StepKind),
-        name: &str,
-        start: [f64; 2],
-        vector: [f64; 2],
-        note: impl Into<String>,
-    ) {
+    fn push<const N: usize>(&mut self, drawing: Drawing, kind: StepKind, steps: Steps<'_, N>) {
         let unit = if matches!(kind, StepKind::Point | StepKind::Line) { "m" } else { "N" };
-        self.steps.push(Step {
+        self.steps.extend(steps.map(|(name, start, vector, note)| Step {
             name: name.to_owned(),
             kind,
             drawing,
             start,
             vector,
             unit,
-            note: note.into(),
-        });
+            note,
+        }));
     }
 }
 
@@ -129,38 +125,34 @@ pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Constru
     // A pole far off the paper is of no use to lay forces off from.
     let near = |place: &[f64; 2]| (place[0] - at.a[0]).hypot(place[1] - at.a[1]) < 100.0 * crank;
     let corner = pole.place(at).filter(near).unwrap_or(at.a);
-    Construction {
-        title: format!("Longitudinal reactions: pole of `{}`, balancing force at {}", scene.coupler, scene.a),
-        corner,
-        steps: draft.steps,
-    }
+    let title =
+        format!("Longitudinal reactions: pole of `{}`, balancing force at {}", scene.coupler, scene.a);
+    Construction { title, corner, steps: draft.steps }
 }
 
 /// F and what it is made of.
 fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
-    let kind = (Drawing::Mechanism, StepKind::Load);
+    let (third, b) = (scene.third, scene.b);
     if at.known != [0.0, 0.0] {
-        let what = if at.slider {
-            format!("the loads of `{}` along its guide act on the coupler at {}", scene.third, scene.b)
+        let (name, what) = if at.slider {
+            ("F3", format!("the loads of `{third}` along its guide act on the coupler at {b}"))
         } else {
-            format!(
-                "moments about {}: the loads of `{}` put this across it on the coupler at {}",
-                scene.end, scene.third, scene.b
+            let end = scene.end;
+            (
+                "R3t",
+                format!(
+                    "moments about {end}: the loads of `{third}` put this across it on the coupler at {b}"
+                ),
             )
         };
-        draft.push(kind, if at.slider { "F3" } else { "R3t" }, at.b, at.known, what);
+        draft.push(Drawing::Mechanism, StepKind::Load, [(name, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
     let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m stays") };
-    draft.push(
-        (Drawing::Mechanism, StepKind::Point),
-        "K",
-        k,
-        [0.0; 2],
-        "the point at which the loads of the coupler are taken",
-    );
+    let what = "the point at which the loads of the coupler are taken".to_owned();
+    draft.push(Drawing::Mechanism, StepKind::Point, [("K", k, [0.0; 2], what)]);
     let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);
-    draft.push(kind, "F", k, at.force, what);
+    draft.push(Drawing::Mechanism, StepKind::Load, [("F", k, at.force, what)]);
 }
 
 /// K: where a load really acts, if that lies on the line of F and off the line KP; and the couple that stays.
@@ -183,28 +175,27 @@ fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
 }
 
 fn lines(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, pole: Pole) {
-    let line = (Drawing::Mechanism, StepKind::Line);
     let third = if at.slider { "the normal to the guide" } else { "the line of the rocker" };
-    if let Some(place) = pole.place(at) {
-        let what = format!("the line of the crank, {}{}", scene.o, scene.a);
-        draft.push(line, "OP", at.o, minus(place, at.o), what);
-        draft.push(line, "BP", at.b, minus(place, at.b), format!("{third} through {}", scene.b));
-        let what =
-            format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
-        draft.push((Drawing::Mechanism, StepKind::Point), "P", place, [0.0; 2], what);
-    } else {
+    let Some(place) = pole.place(at) else {
         let (crank, length) = at.crank();
-        let what =
-            "the line of the crank; it is parallel to the other line, so that the pole P is at infinity";
-        draft.push(line, "OP", at.o, scaled(2.0 * length, crank), what);
+        let along = scaled(2.0 * length, crank);
+        let first =
+            "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
+                .to_owned();
+        let second = format!("{third}; P is at infinity along it");
         draft.push(
-            line,
-            "BP",
-            at.b,
-            scaled(2.0 * length, crank),
-            format!("{third}; P is at infinity along it"),
+            Drawing::Mechanism,
+            StepKind::Line,
+            [("OP", at.o, along, first), ("BP", at.b, along, second)],
         );
-    }
+        return;
+    };
+    let first = format!("the line of the crank, {}{}", scene.o, scene.a);
+    let second = format!("{third} through {}", scene.b);
+    let lines = [("OP", at.o, minus(place, at.o), first), ("BP", at.b, minus(place, at.b), second)];
+    draft.push(Drawing::Mechanism, StepKind::Line, lines);
+    let what = format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
+    draft.push(Drawing::Mechanism, StepKind::Point, [("P", place, [0.0; 2], what)]);
 }
 
 /// F along KA and KP, and the balancing force.
@@ -216,82 +207,73 @@ fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknow
     if turn != 0.0 {
         part_a = scaled(cross(at.force, to_p) / turn, to_a);
         part_p = minus(at.force, part_a);
-        let line = (Drawing::Mechanism, StepKind::Line);
-        draft.push(line, "KA", k, to_a, format!("from K to {}", scene.a));
         let unit = scaled(to_a[0].hypot(to_a[1]) / to_p[0].hypot(to_p[1]), to_p);
-        draft.push(line, "KP", k, pole.place(at).map_or(unit, |place| minus(place, k)), "from K to the pole");
+        let line = pole.place(at).map_or(unit, |place| minus(place, k));
+        let lines = [
+            ("KA", k, to_a, format!("from K to {}", scene.a)),
+            ("KP", k, line, "from K to the pole".to_owned()),
+        ];
+        draft.push(Drawing::Mechanism, StepKind::Line, lines);
     }
-    let part = (Drawing::Mechanism, StepKind::Part);
-    draft.push(part, "F(KP)", k, part_p, "the part of F along KP: it goes through the pole and does no work");
-    draft.push(
-        part,
-        "F(KA)",
-        at.a,
-        part_a,
-        format!("the part of F along KA, moved along its line to {}", scene.a),
-    );
     let (along, _) = at.crank();
     let across = scaled(dot(part_a, perp(along)), perp(along));
-    draft.push(
-        part,
-        "F(KA) across",
-        at.a,
-        across,
-        "its component across the crank, which the balancing force cancels",
-    );
+    let through_pole = "the part of F along KP: it goes through the pole and does no work".to_owned();
+    let moved = format!("the part of F along KA, moved along its line to {}", scene.a);
+    let cancelled = "its component across the crank, which the balancing force cancels".to_owned();
+    let parts = [
+        ("F(KP)", k, part_p, through_pole),
+        ("F(KA)", at.a, part_a, moved),
+        ("F(KA) across", at.a, across, cancelled),
+    ];
+    draft.push(Drawing::Mechanism, StepKind::Part, parts);
     let rest = if couple == 0.0 { "" } else { " together with the couple of the coupler" };
     let what =
         format!("the balancing force at {}, opposite to the component across the crank{rest}", scene.a);
-    draft.push((Drawing::Mechanism, StepKind::Balancing), "Fb", at.a, found.fb, what);
+    draft.push(Drawing::Mechanism, StepKind::Balancing, [("Fb", at.a, found.fb, what)]);
 }
 
 /// F + Fb + RP = 0, RP = R1 + R3, laid end to end.
 fn polygon(draft: &mut Draft, at: &Setting, found: &Unknowns) {
     let after = plus(at.force, found.fb);
-    let polar = opposite(after);
-    let sides = [
-        (StepKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F"),
-        (StepKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force"),
-        (StepKind::Closing, "RP", after, polar, "the closing side: the polar reaction, F + Fb + RP = 0"),
-        (
-            StepKind::Reaction,
-            "R1",
-            after,
-            found.r1,
-            "RP resolved: along the crank, the longitudinal reaction R1",
-        ),
-        (
-            StepKind::Reaction,
-            "R3",
-            plus(after, found.r1),
-            found.r3,
-            "and along the other line, the longitudinal reaction R3; it ends in the pole",
-        ),
-    ];
-    for (kind, name, start, vector, note) in sides {
-        draft.push((Drawing::Polygon, kind), name, start, vector, note);
-    }
+    let last = plus(after, found.r1);
+    let mut side = |kind, name, start, vector, note: &str| {
+        draft.push(Drawing::Polygon, kind, [(name, start, vector, note.to_owned())]);
+    };
+    side(StepKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F");
+    side(StepKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force");
+    let closing = "the closing side: the polar reaction, F + Fb + RP = 0";
+    side(StepKind::Closing, "RP", after, opposite(after), closing);
+    let along = "RP resolved: along the crank, the longitudinal reaction R1";
+    side(StepKind::Reaction, "R1", after, found.r1, along);
+    let other = "and along the other line, the longitudinal reaction R3; it ends in the pole";
+    side(StepKind::Reaction, "R3", last, found.r3, other);
 }
 
 fn reactions(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
-    let kind = (Drawing::Mechanism, StepKind::Reaction);
+    let Scene { third, a, b, o, end, .. } = scene;
     let (ra, rb) = (at_a(found), at_b(at, found));
-    draft.push(kind, "R1", at.a, found.r1, "longitudinal reaction of the crank");
-    draft.push(kind, "R3", at.b, found.r3, format!("longitudinal reaction of `{}`", scene.third));
-    draft.push(kind, "RA", at.a, ra, format!("Fb + R1: the pin {} on the coupler", scene.a));
-    let what = if at.known == [0.0, 0.0] {
-        format!("R3: the pin {} on the coupler", scene.b)
+    let on_b = if at.known == [0.0, 0.0] {
+        format!("R3: the pin {b} on the coupler")
     } else {
-        format!("R3 with what the loads of `{}` put there: the pin {} on the coupler", scene.third, scene.b)
+        format!("R3 with what the loads of `{third}` put there: the pin {b} on the coupler")
     };
-    draft.push(kind, "RB", at.b, rb, what);
-    let what = format!("RA less the loads of the crank: the pin {} on the crank", scene.o);
-    draft.push(kind, "RO", at.o, minus(ra, scene.crank_load), what);
-    let end = if at.slider {
-        let across = dot(minus(found.r3, scene.third_load), at.line);
-        (format!("the guide {} on `{}`", scene.end, scene.third), scaled(across, at.line))
+    let (name, kind, at_end) = if at.slider {
+        ("RG", "guide", scaled(dot(minus(found.r3, scene.third_load), at.line), at.line))
     } else {
-        (format!("the pin {} on `{}`", scene.end, scene.third), minus(rb, scene.third_load))
+        ("RC", "pin", minus(rb, scene.third_load))
     };
-    draft.push(kind, if at.slider { "RG" } else { "RC" }, at.c, end.1, end.0);
+    let steps = [
+        ("R1", at.a, found.r1, "longitudinal reaction of the crank".to_owned()),
+        ("R3", at.b, found.r3, format!("longitudinal reaction of `{third}`")),
+        ("RA", at.a, ra, format!("Fb + R1: the pin {a} on the coupler")),
+        ("RB", at.b, rb, on_b),
+        (
+            "RO",
+            at.o,
+            minus(ra, scene.crank_load),
+            format!("RA less the loads of the crank: the pin {o} on the crank"),
+        ),
+        (name, at.c, at_end, format!("the {kind} {end} on `{third}`")),
+    ];
+    draft.push(Drawing::Mechanism, StepKind::Reaction, steps);
 }

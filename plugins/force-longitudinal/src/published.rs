@@ -14,7 +14,7 @@ use crate::Form;
 use crate::layout::{End, Layout};
 use crate::setting::{Setting, Unknowns};
 
-/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves no digit that is worth telling.
+/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four digits at most.
 const PARALLEL: f64 = 1e-12;
 
 /// What the equations give.

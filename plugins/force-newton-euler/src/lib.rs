@@ -60,7 +60,7 @@ impl ForceAnalyzer for NewtonEuler {
 
 /// From the forces on members of pins to the forces in pairs.
 ///
-/// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all that hangs on `a`.
+/// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all bodies further out in the tree.
 fn to_pairs(linkage: &Linkage, system: &System<'_>, solution: &Solution, pairs: &mut [Wrench<f64>]) {
     let named = &linkage.structure.pairs;
     for (id, one) in named.iter().enumerate().rev() {

@@ -142,7 +142,7 @@ impl<'a> System<'a> {
                 let normal = self.normal(id, bodies);
                 let slide = &self.mechanism.slides[id];
                 let along = [normal[1], -normal[0]];
-                // The coordinate is the way of the sliding link: if that is the ground, the input goes the other way.
+                // The coordinate is the displacement of the sliding link; if that is the ground, the input moves in the opposite direction.
                 let (sign, body) =
                     if slide.link == input.link { (1.0, input.link) } else { (-1.0, slide.on) };
                 let (link, own) = (&bodies[slide.link], turn(&bodies[slide.link], slide.point));

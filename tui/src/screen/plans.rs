@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use assur_analysis::Calculation;
-use assur_diagram::{PlansError, Sheet};
+use assur_diagram::{DiagramError, Sheet};
 use assur_force::Construction;
 
 use super::draw::scale::Bounds;
@@ -13,7 +13,7 @@ use super::draw::scale::Bounds;
 #[derive(Debug)]
 pub(crate) struct Plans {
     /// Polygons, plans of velocities and accelerations, reactions by cause; or why there are none.
-    pub(crate) sheet: Result<Sheet, PlansError>,
+    pub(crate) sheet: Result<Sheet, DiagramError>,
     /// The constructions on paper.
     pub(crate) constructions: Vec<Construction>,
 }

@@ -51,10 +51,7 @@ impl<'a> Loaded<'a> {
         let mut wrenches = Vec::with_capacity(positions.len());
         for position in &positions {
             let state = state(mechanism, position.coordinate);
-            let mut sum = vec![Wrench::ZERO; work.linkage.structure.links];
-            loads.apply(&state, &position.bodies, &mut sum);
-            loads.inertia(&state, &position.bodies, &mut sum);
-            wrenches.push(sum);
+            wrenches.push(loads.total(&state, &position.bodies));
         }
         let units = positions.iter().map(|position| UnitBalance::of(mechanism, &position.bodies)).collect();
         let mut loaded = Self {
