@@ -11,7 +11,7 @@ use assur_motor::catalogues;
 #[test]
 fn every_row_is_plausible_or_carries_a_flag() {
     for catalogue in catalogues().expect("a sound registry") {
-        for motor in (catalogue.rows)().expect("a sound table") {
+        for motor in catalogue.rows().expect("a sound table") {
             assert_eq!(plausibility::doubts(motor), [], "{} {}", catalogue.name, motor.designation);
         }
     }

@@ -14,34 +14,21 @@ pub struct ReductionPoint {
 }
 
 impl ReductionPoint {
-    /// A named point of the input link; `None` if it is none, or lies at the pin.
-    pub fn at(mechanism: &Mechanism, point: PointId) -> Option<Self> {
-        let input = &mechanism.input;
-        let place = mechanism.place_in(point, input.link)?;
-        let radius = match input.pair {
-            InputPair::Pin(pin) => {
-                let pin = mechanism.place_in(pin, input.link)?;
-                (place[0] - pin[0]).hypot(place[1] - pin[1])
-            }
-            InputPair::Slide(_) => 1.0,
-        };
-        (radius > 0.0).then_some(Self { point, radius })
-    }
-
-    /// The named point of the input link farthest from its pin; of equal ones, the first of the scene.
+    /// The named point of the input link farthest from its pin; of equal ones, the first of the scene. `None` where every point
+    /// lies at the pin.
     pub fn farthest(mechanism: &Mechanism) -> Option<Self> {
-        let all = (0..mechanism.points.len()).filter_map(|point| Self::at(mechanism, point));
-        all.reduce(|best, next| if next.radius > best.radius { next } else { best })
-    }
-
-    /// The force F, N, at the point, positive along its motion when the coordinate grows, that has the power of the
-    /// reduced moment Q (N m).
-    pub fn force(&self, moment: f64) -> f64 {
-        moment / self.radius
-    }
-
-    /// The mass m, kg, at the point that has the kinetic energy of the reduced inertia J (kg m²).
-    pub fn mass(&self, inertia: f64) -> f64 {
-        inertia / (self.radius * self.radius)
+        let link = mechanism.input.link;
+        let pin = match mechanism.input.pair {
+            InputPair::Pin(pin) => Some(mechanism.place_in(pin, link)?),
+            InputPair::Slide(_) => None,
+        };
+        let radius = |[x, y]: [f64; 2]| pin.map_or(1.0, |pin| (x - pin[0]).hypot(y - pin[1]));
+        let all = (0..mechanism.points.len())
+            .filter_map(|point| Some(Self { point, radius: radius(mechanism.place_in(point, link)?) }));
+        all.filter(|found| found.radius > 0.0).reduce(
+            |best, next| {
+                if next.radius > best.radius { next } else { best }
+            },
+        )
     }
 }

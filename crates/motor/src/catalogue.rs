@@ -2,7 +2,7 @@
 
 use assur_plugin::Registered;
 
-use crate::{CatalogueError, LookupError, Motor, find_designation, same_designation};
+use crate::{CatalogueError, CatalogueTable, LookupError, Motor, find_designation, same_designation};
 
 /// Registry entry of a catalogue; give it to `inventory::submit!`.
 #[derive(Debug, Clone, Copy)]
@@ -15,20 +15,29 @@ pub struct CataloguePlugin {
     pub summary: &'static str,
     /// Where the numbers are printed.
     pub source: &'static str,
-    /// All rows; usually [`CatalogueTable::rows`](crate::CatalogueTable::rows) of a static table.
-    pub rows: fn() -> Result<&'static [Motor], CatalogueError>,
+    /// The rows.
+    pub table: &'static CatalogueTable,
 }
 
 inventory::collect!(CataloguePlugin);
 
 impl CataloguePlugin {
+    /// All rows, in the order of the source; read once, then kept.
+    ///
+    /// # Errors
+    ///
+    /// As [`parse_table`](crate::parse_table).
+    pub fn rows(&self) -> Result<&[Motor], CatalogueError> {
+        self.table.rows(self.name)
+    }
+
     /// The motor of that designation, see [`find_designation`].
     ///
     /// # Errors
     ///
     /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
-    pub fn find(&self, designation: &str) -> Result<&'static Motor, LookupError> {
-        find_designation((self.rows)()?, designation, &format!("catalogue {}", self.name))
+    pub fn find(&self, designation: &str) -> Result<&Motor, LookupError> {
+        find_designation(self.rows()?, designation, &format!("catalogue {}", self.name))
     }
 }
 
@@ -73,7 +82,7 @@ pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static
     }
     let mut all = Vec::new();
     for plugin in catalogues()? {
-        all.extend((plugin.rows)()?);
+        all.extend(plugin.rows()?);
     }
     find_designation(all.iter().copied(), designation, "any catalogue")
 }

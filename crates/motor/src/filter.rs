@@ -44,7 +44,7 @@ pub fn list_motors(
     };
     let mut motors = Vec::new();
     for catalogue in wanted {
-        motors.extend((catalogue.rows)()?.iter().filter(|m| filter.accepts(m)));
+        motors.extend(catalogue.rows()?.iter().filter(|m| filter.accepts(m)));
     }
     Ok(motors)
 }

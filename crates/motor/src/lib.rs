@@ -20,13 +20,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A catalogue is a plugin: a CSV file, a [`CatalogueTable`] and one `inventory::submit!`.
+//! A catalogue is a plugin: a CSV file and one `inventory::submit!`.
 //!
 //! ```
 //! use assur_motor::{CataloguePlugin, CatalogueTable, find_motor};
 //!
 //! static TABLE: CatalogueTable = CatalogueTable::new(
-//!     "MINE", // usually include_str!("../data/mine.csv")
+//!     // usually include_str!("../data/mine.csv")
 //!     "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,source\nM 1,4,1.1,1500,1410,p. 7\n",
 //! );
 //! inventory::submit! {
@@ -35,7 +35,7 @@
 //!         crate_name: env!("CARGO_PKG_NAME"),
 //!         summary: "what motors these are",
 //!         source: "where they are printed",
-//!         rows: || TABLE.rows(),
+//!         table: &TABLE,
 //!     }
 //! }
 //! # fn main() {

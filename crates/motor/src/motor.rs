@@ -31,26 +31,14 @@ pub struct Motor {
     pub max_torque_ratio: Option<f64>,
     /// Locked-rotor torque / rated torque.
     pub starting_torque_ratio: Option<f64>,
-    /// Pull-up torque / rated torque.
-    pub min_torque_ratio: Option<f64>,
-    /// Locked-rotor current / rated current.
-    pub starting_current_ratio: Option<f64>,
-    /// Critical slip as printed, a fraction.
-    pub critical_slip: Option<f64>,
     /// Moment of inertia of the rotor, kg·m².
     pub rotor_inertia: Option<f64>,
     /// Mass of the whole motor, kg.
     pub mass: Option<f64>,
-    /// Height of the shaft above the feet, m.
-    pub shaft_height: Option<f64>,
     /// Length with one shaft end, m.
     pub length: Option<f64>,
     /// Diameter of the housing, m.
     pub diameter: Option<f64>,
-    /// Bore of the stator, m.
-    pub stator_bore: Option<f64>,
-    /// Length of the stator core, m.
-    pub stator_core_length: Option<f64>,
     /// Remarks on the row, see [`flag_meaning`](crate::flag_meaning); empty if every check passed.
     pub flags: Vec<String>,
     /// Short reference to where the row is printed.

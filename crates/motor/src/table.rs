@@ -12,27 +12,22 @@ use crate::{CatalogueError, Motor, RowFault};
 /// Highest breakdown or starting torque ratio, or current ratio, that is taken for a real one.
 const MOST_RATIO: f64 = 20.0;
 
-/// A table of motors that is read when it is first asked for, once.
+/// The text of a table of motors, which is read when it is first asked for, once.
 #[derive(Debug)]
 pub struct CatalogueTable {
-    name: &'static str,
     text: &'static str,
     rows: OnceLock<Result<Vec<Motor>, CatalogueError>>,
 }
 
 impl CatalogueTable {
-    /// The table `text` (CSV, see the columns in [`parse_table`]) of the catalogue `name`.
-    pub const fn new(name: &'static str, text: &'static str) -> Self {
-        Self { name, text, rows: OnceLock::new() }
+    /// A table in CSV, see the columns in [`parse_table`].
+    pub const fn new(text: &'static str) -> Self {
+        Self { text, rows: OnceLock::new() }
     }
 
-    /// All rows, in the order of the table.
-    ///
-    /// # Errors
-    ///
-    /// As [`parse_table`].
-    pub fn rows(&'static self) -> Result<&'static [Motor], CatalogueError> {
-        let rows = self.rows.get_or_init(|| parse_table(self.name, self.text));
+    /// All rows as those of the catalogue `name`, in the order of the table.
+    pub(crate) fn rows(&self, name: &str) -> Result<&[Motor], CatalogueError> {
+        let rows = self.rows.get_or_init(|| parse_table(name, self.text));
         rows.as_deref().map_err(Clone::clone)
     }
 }
@@ -75,7 +70,7 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
     if motors.is_empty() { Err(CatalogueError::Empty { catalogue: catalogue.into() }) } else { Ok(motors) }
 }
 
-/// One row, in the units of the table.
+/// One row, in the units of the table. Columns that a [`Motor`] does not hold are judged and left.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Row {
@@ -165,16 +160,10 @@ impl Row {
             rated_current: self.rated_current_a,
             max_torque_ratio: self.max_torque_ratio,
             starting_torque_ratio: self.starting_torque_ratio,
-            min_torque_ratio: self.min_torque_ratio,
-            starting_current_ratio: self.starting_current_ratio,
-            critical_slip: fraction(self.critical_slip_percent),
             rotor_inertia: self.rotor_inertia_kg_m2,
             mass: self.mass_kg,
-            shaft_height: meters(self.shaft_height_mm),
             length: meters(self.length_mm),
             diameter: meters(self.diameter_mm),
-            stator_bore: meters(self.stator_bore_mm),
-            stator_core_length: meters(self.stator_core_length_mm),
             flags: self.flags.split_whitespace().map(str::to_owned).collect(),
             source: self.source,
         }

@@ -5,7 +5,7 @@
 
 use assur_motor::{CataloguePlugin, CatalogueTable};
 
-static TABLE: CatalogueTable = CatalogueTable::new("4A", include_str!("../data/4a.csv"));
+static TABLE: CatalogueTable = CatalogueTable::new(include_str!("../data/4a.csv"));
 
 inventory::submit! {
     CataloguePlugin {
@@ -13,7 +13,7 @@ inventory::submit! {
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "series 4A, closed (IP44), 0.06-90 kW, 2-8 poles; no rotor inertia",
         source: "GOST 19523, as reprinted in textbooks on machine elements",
-        rows: || TABLE.rows(),
+        table: &TABLE,
     }
 }
 

@@ -4,7 +4,7 @@
 
 use assur_motor::{CataloguePlugin, CatalogueTable};
 
-static TABLE: CatalogueTable = CatalogueTable::new("AIR", include_str!("../data/air.csv"));
+static TABLE: CatalogueTable = CatalogueTable::new(include_str!("../data/air.csv"));
 
 inventory::submit! {
     CataloguePlugin {
@@ -12,7 +12,7 @@ inventory::submit! {
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "series AIR, 0.37-30 kW, 2-8 poles; no rotor inertia",
         source: "textbook table of the series; list of the maker Polesyeelectromash",
-        rows: || TABLE.rows(),
+        table: &TABLE,
     }
 }
 

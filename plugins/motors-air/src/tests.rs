@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use assur_motor::{Characteristic, CharacteristicKind, Motor, find_catalogue, find_motor};
 
 fn rows() -> &'static [Motor] {
-    (find_catalogue("air").unwrap().rows)().unwrap()
+    find_catalogue("air").unwrap().rows().unwrap()
 }
 
 #[test]

@@ -14,10 +14,9 @@ macro_rules! catalogue {
                 crate_name: env!("CARGO_PKG_NAME"),
                 summary: $summary,
                 source: $source,
-                rows: || {
-                    static TABLE: CatalogueTable =
-                        CatalogueTable::new($name, include_str!(concat!("../data/", $file)));
-                    TABLE.rows()
+                table: {
+                    static TABLE: CatalogueTable = CatalogueTable::new(include_str!(concat!("../data/", $file)));
+                    &TABLE
                 },
             }
         }

@@ -18,7 +18,7 @@ const CATALOGUES: [(&str, usize, f64, f64); 7] = [
 ];
 
 fn rows(name: &str) -> &'static [Motor] {
-    (find_catalogue(name).unwrap().rows)().unwrap()
+    find_catalogue(name).unwrap().rows().unwrap()
 }
 
 #[test]

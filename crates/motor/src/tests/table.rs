@@ -13,13 +13,13 @@ fn fault(row: &str) -> RowFault {
 #[test]
 fn a_row_comes_out_in_si_units() {
     let header = "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,efficiency_percent,\
-                  rotor_inertia_kg_m2,shaft_height_mm,mass_kg,flags,source,rated_slip_percent";
+                  rotor_inertia_kg_m2,diameter_mm,mass_kg,flags,source,rated_slip_percent";
     let text = format!(
         "{header}\nX 1,4,1.5,1500,1400,77.5,0.004,90,12.5,start_gt_max cos_phi_sources_differ,p. 1,6.5\n"
     );
     let m = &parse_table("TEST", &text).unwrap()[0];
     assert_eq!((m.catalogue.as_str(), m.designation.as_str(), m.source.as_str()), ("TEST", "X 1", "p. 1"));
-    assert_eq!((m.rated_power, m.poles, m.mass, m.shaft_height), (1500.0, 4, Some(12.5), Some(0.09)));
+    assert_eq!((m.rated_power, m.poles, m.mass, m.diameter), (1500.0, 4, Some(12.5), Some(0.09)));
     assert_relative_eq!(m.synchronous_speed, 50.0 * std::f64::consts::PI, max_relative = 1e-15);
     assert_relative_eq!(m.efficiency.unwrap(), 0.775, max_relative = 1e-15);
     assert_relative_eq!(m.printed_slip.unwrap(), 0.065, max_relative = 1e-15);
