@@ -11,7 +11,7 @@ use super::style::Style;
 
 /// Every registered plugin: kind, name, crate, one line.
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
-    let mut rows = vec![["sort", "name", "crate", "what"].map(String::from).to_vec()];
+    let mut rows = Vec::new();
     let mut add = |sort: &str, name: &str, crate_name: &str, summary: &str| {
         rows.push([sort, name, crate_name, summary].map(String::from).to_vec());
     };
@@ -27,7 +27,7 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     for plugin in catalogues().map_err(Fault::other)? {
         add("catalogue", plugin.name, plugin.crate_name, plugin.summary);
     }
-    output::print(&columns(&rows, style.ascii))?;
+    output::print(&columns(&["sort", "name", "crate", "what"], &rows, style.ascii))?;
     Ok(Status::Done)
 }
 
@@ -43,9 +43,8 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     let all = catalogues().map_err(Fault::other)?;
     let motors = list_motors(&all, &filter).map_err(Fault::other)?;
     let header = ["catalogue", "motor", "poles", "kW", "sync rpm", "rpm", "Mmax/Mn", "J kg m^2", "remarks"];
-    let mut rows = vec![header.map(String::from).to_vec()];
-    rows.extend(motors.iter().map(|motor| row(motor, style)));
-    output::print(&columns(&rows, style.ascii))?;
+    let rows: Vec<_> = motors.iter().map(|motor| row(motor, style)).collect();
+    output::print(&columns(&header, &rows, style.ascii))?;
     output::print(&remarks(&motors))?;
     if motors.is_empty() {
         style.tell("no motor fits");

@@ -1,9 +1,9 @@
 //! The side on which guides press, and the straight line that an arc envelopes.
 
-use assur_diagram::{Enveloping, EnvelopingPoint, SignChange};
+use assur_diagram::{Enveloping, EnvelopingPoint};
 
 use super::Source;
-use super::layout::{Cells, Column, Page};
+use super::layout::{Column, Page};
 use super::number::single;
 use super::units::{LENGTH, Unit};
 
@@ -17,33 +17,25 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     }
 }
 
-/// What is done with the force of each guide.
+/// Where the force of each guide changes its side.
 fn sides(source: &Source<'_>, page: &mut Page) {
     page.section("Sides of the guides");
     page.paragraph("Where the force of a guide on its sliding link changes its side.");
     let coordinate = source.units.coordinate;
-    let at = format!("{}, {}", source.analysis.input.link, coordinate.name);
-    let head = ["guide", "after position", &at, "before, N", "after, N", ""];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let mut rows = Vec::new();
     for (slide, changes) in source.analysis.cycle.sign_changes.iter() {
         if changes.is_empty() {
-            let none = [slide, "-", "-", "-", "-", "stays on one side"];
-            rows.push(none.map(str::to_owned).to_vec());
+            rows.push([slide, "-", "-", "-", "-", "stays on one side"].map(str::to_owned).to_vec());
         }
-        rows.extend(changes.iter().map(|change| row(slide, change, coordinate)));
+        rows.extend(changes.iter().map(|change| {
+            let mut cells = vec![slide.to_owned(), change.after_index.to_string()];
+            cells.extend([change.coordinate * coordinate.factor, change.before, change.after].map(single));
+            cells.push(if change.jump { "jumps" } else { "" }.to_owned());
+            cells
+        }));
     }
-    page.rows(&rows);
-}
-
-fn row(slide: &str, change: &SignChange, coordinate: Unit) -> Vec<String> {
-    vec![
-        slide.to_owned(),
-        change.after_index.to_string(),
-        single(change.coordinate * coordinate.factor),
-        single(change.before),
-        single(change.after),
-        if change.jump { "jumps" } else { "" }.to_owned(),
-    ]
+    let at = format!("{}, {}", source.analysis.input.link, coordinate.name);
+    page.rows(&["guide", "after position", &at, "before, N", "after, N", ""], &rows);
 }
 
 fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Page) {
@@ -62,17 +54,15 @@ fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Page) {
         at(found.greatest_at),
         long(found.way),
     ));
-    let column = |head: &str, unit: Unit, value: &dyn Fn(&EnvelopingPoint) -> f64| Column {
-        head: head.to_owned(),
-        unit: unit.name.to_owned(),
-        cells: Cells::Numbers(found.path.iter().map(|point| Some(value(point) * unit.factor)).collect()),
+    let column = |head: &str, unit: Unit, value: fn(&EnvelopingPoint) -> f64| {
+        Column::of(&found.path, head, unit, |point| Some(value(point)))
     };
-    let keys = [column(&source.analysis.input.link, coordinate, &|point| point.coordinate)];
+    let keys = [column(&source.analysis.input.link, coordinate, |point| point.coordinate)];
     let columns = vec![
-        column("x", LENGTH, &|point| point.lowest[0]),
-        column("y", LENGTH, &|point| point.lowest[1]),
-        column("deviation", LENGTH, &|point| point.deviation),
-        column("sliding", per, &|point| point.sliding),
+        column("x", LENGTH, |point| point.lowest[0]),
+        column("y", LENGTH, |point| point.lowest[1]),
+        column("deviation", LENGTH, |point| point.deviation),
+        column("sliding", per, |point| point.sliding),
     ];
-    page.table(&keys, vec![columns]);
+    page.table("", &keys, vec![columns]);
 }

@@ -1,10 +1,11 @@
 //! Motion over time: how it was found, its course, energies, the greatest reactions on the way.
 
 use super::Source;
-use super::layout::{Cells, Column, Page};
+use super::forces::{modulus, shown};
+use super::layout::{Column, Page};
 use super::number::{short, single};
-use super::units::Unit;
-use assur_analysis::results::{Integration, MotionSample, Named, PairReaction};
+use super::units::SECOND;
+use assur_analysis::results::{Event, Integration, MotionSample};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
@@ -19,7 +20,7 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     if let Some(found) = &source.analysis.integration {
         page.section("Motion");
         integration(source, found, page);
-        course(source, page);
+        samples(source, page);
         events(source, found, page);
         greatest(source, page);
     }
@@ -64,7 +65,7 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
 }
 
 /// Every so many samples that not more than [`ROWS`] are shown, the last one always.
-fn shown(all: &[MotionSample]) -> Vec<&MotionSample> {
+fn some(all: &[MotionSample]) -> Vec<&MotionSample> {
     let stride = all.len().saturating_sub(1).div_ceil(ROWS - 1).max(1);
     let mut rows: Vec<_> = all.iter().step_by(stride).collect();
     if let Some(last) = all.last().filter(|_| all.len() % stride != 1 && stride > 1) {
@@ -73,38 +74,23 @@ fn shown(all: &[MotionSample]) -> Vec<&MotionSample> {
     rows
 }
 
-/// A column over the samples.
-fn column(
-    rows: &[&MotionSample],
-    head: &str,
-    unit: Unit,
-    value: impl Fn(&MotionSample) -> Option<f64>,
-) -> Column {
-    let values = rows.iter().map(|row| value(row).map(|value| value * unit.factor)).collect();
-    Column { head: head.to_owned(), unit: unit.name.to_owned(), cells: Cells::Numbers(values) }
-}
-
-fn course(source: &Source<'_>, page: &mut Page) {
+fn samples(source: &Source<'_>, page: &mut Page) {
     let all = &source.analysis.trajectory;
-    let rows = shown(all);
-    let units = &source.units;
-    let seconds = Unit { name: "s", factor: 1.0 };
-    let time = column(&rows, "time", seconds, |row| Some(row.time));
+    let (rows, units) = (some(all), &source.units);
+    let rows = || rows.iter().copied();
+    let time = Column::of(rows(), "time", SECOND, |row| Some(row.time));
+    let input = &source.analysis.input.link;
     let mut columns = vec![
-        column(&rows, &source.analysis.input.link, units.coordinate, |row| Some(row.coordinate)),
-        column(&rows, "speed", units.rates[0], |row| Some(row.speed)),
-        column(&rows, "acceleration", units.rates[1], |row| Some(row.acceleration)),
+        Column::of(rows(), input, units.coordinate, |row| Some(row.coordinate)),
+        Column::of(rows(), "speed", units.rates[0], |row| Some(row.speed)),
+        Column::of(rows(), "acceleration", units.rates[1], |row| Some(row.acceleration)),
     ];
     if source.mechanism.drive.is_some() && all.iter().any(|row| row.balancing.is_some()) {
-        columns.push(column(&rows, "drive", units.reduced[2], |row| row.balancing));
+        columns.push(Column::of(rows(), "drive", units.reduced[2], |row| row.balancing));
     }
-    let part = if rows.len() < all.len() {
-        format!(" ({} of {} samples)", rows.len(), all.len())
-    } else {
-        String::new()
-    };
-    page.caption(&format!("Course{part}"));
-    page.table(&[time], vec![columns]);
+    let (some, all) = (rows().count(), all.len());
+    let part = if some < all { format!(" ({some} of {all} samples)") } else { String::new() };
+    page.table(&format!("Course{part}"), &[time], vec![columns]);
 }
 
 fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
@@ -112,42 +98,31 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
         return;
     }
     let (unit, rate) = (source.units.coordinate, source.units.rates[0]);
+    let row = |event: &Event| {
+        let Event { kind, state } = event;
+        let [coordinate, speed] = [state.coordinate * unit.factor, state.speed * rate.factor].map(single);
+        vec![kind.name().to_owned(), single(state.time), coordinate, speed]
+    };
+    let rows: Vec<_> = found.events.iter().take(EVENTS).map(row).collect();
+    page.caption(&format!("Events: jumps, reversals, rest (first {} of {})", rows.len(), found.events.len()));
     let head = ["event", "time, s", &format!("coordinate, {}", unit.name), &format!("speed, {}", rate.name)];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
-    rows.extend(found.events.iter().take(EVENTS).map(|event| {
-        vec![
-            event.kind.name().to_owned(),
-            single(event.state.time),
-            single(event.state.coordinate * unit.factor),
-            single(event.state.speed * rate.factor),
-        ]
-    }));
-    page.caption(&format!(
-        "Events: jumps, reversals, rest (first {} of {})",
-        rows.len() - 1,
-        found.events.len()
-    ));
-    page.rows(&rows);
+    page.rows(&head, &rows);
 }
 
 /// The greatest reaction of each pair over the samples.
 fn greatest(source: &Source<'_>, page: &mut Page) {
     let all = &source.analysis.trajectory;
     let Some(first) = all.iter().find_map(|row| row.reactions.as_ref()) else { return };
-    let force = |row: &MotionSample, pair: usize, link: usize| modulus(row.reactions.as_ref()?, pair, link);
-    let mut rows = vec![["pair", "on", "greatest R, N", "time, s"].map(str::to_owned).to_vec()];
-    for (pair, (name, reaction)) in first.iter().enumerate() {
-        for link in super::forces::shown(source, reaction) {
-            let sizes = all.iter().filter_map(|row| Some((force(row, pair, link)?, row.time)));
-            let Some((size, time)) = sizes.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-            rows.push(vec![name.to_owned(), reaction.forces[link].0.to_string(), single(size), single(time)]);
+    let mut rows = Vec::new();
+    for (pair, name, links) in shown(source, first) {
+        for (link, on) in links {
+            let force = |row: &MotionSample| Some((modulus(row.reactions.as_ref()?, pair, link)?, row.time));
+            let Some((size, time)) = all.iter().filter_map(force).max_by(|a, b| a.0.total_cmp(&b.0)) else {
+                continue;
+            };
+            rows.push(vec![name.to_owned(), on.to_owned(), single(size), single(time)]);
         }
     }
     page.caption("Greatest reactions at the samples");
-    page.rows(&rows);
-}
-
-fn modulus(reactions: &Named<PairReaction>, pair: usize, link: usize) -> Option<f64> {
-    let (_, reaction) = reactions.0.get(pair)?;
-    reaction.forces.get(link).map(|(_, force)| force[0].hypot(force[1]))
+    page.rows(&["pair", "on", "greatest R, N", "time, s"], &rows);
 }

@@ -1,10 +1,12 @@
 //! Steady regime, drive and flywheel.
 
 use super::Source;
-use super::layout::{Cells, Column, Page};
+use super::layout::{Column, Page};
 use super::number::{short, single};
 use super::units::Unit;
-use assur_analysis::results::{Dynamics, MotorReport, RegimePoint, RegimeReport};
+use assur_analysis::results::{
+    Dynamics, FlywheelByMethod, MotorReport, RegimePoint, RegimeReport, RunnerUp, Trial, Turn,
+};
 
 /// Rows of the course over a cycle, without the first.
 const ROWS: usize = 48;
@@ -66,29 +68,31 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
 
 fn iteration(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     let rate = source.units.rates[0].name;
-    let [start, end] = ["start", "end"].map(|end| format!("speed at the {end}, {rate}"));
     if !regime.iteration.is_empty() {
-        let mut rows =
-            vec![["cycle", &start, &end, &format!("end - start, {rate}")].map(str::to_owned).to_vec()];
-        rows.extend(regime.iteration.iter().map(|turn| {
-            let number = turn.number.to_string();
-            vec![number, digits(turn.speed_start), digits(turn.speed_end), format!("{:.3e}", turn.residual)]
-        }));
+        let row = |turn: &Turn| {
+            let [start, end] = [turn.speed_start, turn.speed_end].map(digits);
+            vec![turn.number.to_string(), start, end, format!("{:.3e}", turn.residual)]
+        };
+        let [start, end] = ["start", "end"].map(|end| format!("speed at the {end}, {rate}"));
+        let head = ["cycle", &start, &end, &format!("end - start, {rate}")];
         page.caption("Iteration to the periodic regime from the mean speed (S fig. 10)");
-        page.rows(&rows);
+        page.rows(&head, &regime.iteration.iter().map(row).collect::<Vec<_>>());
     }
     if regime.trials.len() > 1 {
-        let mean = format!("mean speed, {rate}");
-        let mut rows =
-            vec![["trial", "ratio", "flywheel, kg m^2", &mean, "unevenness"].map(str::to_owned).to_vec()];
-        rows.extend(regime.trials.iter().map(|trial| {
-            let ratio = trial.ratio.map_or_else(|| "-".to_owned(), digits);
-            let number = trial.number.to_string();
-            vec![number, ratio, digits(trial.flywheel), digits(trial.mean_speed), digits(trial.unevenness)]
-        }));
+        let row = |trial: &Trial| {
+            let mut cells = vec![trial.number.to_string(), optional(trial.ratio, digits)];
+            cells.extend([trial.flywheel, trial.mean_speed, trial.unevenness].map(digits));
+            cells
+        };
+        let head = ["trial", "ratio", "flywheel, kg m^2", &format!("mean speed, {rate}"), "unevenness"];
         page.caption("Trials of ratio and flywheel, each with its periodic regime (S stage 6)");
-        page.rows(&rows);
+        page.rows(&head, &regime.trials.iter().map(row).collect::<Vec<_>>());
     }
+}
+
+/// A dash for what is not known.
+fn optional(value: Option<f64>, show: fn(f64) -> String) -> String {
+    value.map_or_else(|| "-".to_owned(), show)
 }
 
 /// Ten digits, so that an iteration shows how it closes.
@@ -107,24 +111,24 @@ fn course(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     // Every so many rows, both ends among them; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
-    let column = |head: &str, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| Column {
-        head: head.to_owned(),
-        unit: unit.name.to_owned(),
-        cells: Cells::Numbers(rows.iter().map(|row| value(row).map(|value| value * unit.factor)).collect()),
+    let column = |head: &str, unit: Unit, value: fn(&RegimePoint) -> Option<f64>| {
+        Column::of(rows.iter().copied(), head, unit, value)
     };
-    let key = column(&source.analysis.input.link, units.coordinate, &|row| Some(row.coordinate));
+    let key = column(&source.analysis.input.link, units.coordinate, |row| Some(row.coordinate));
     let mean = regime.mean_resistance;
     let columns = vec![
-        column("speed", units.rates[0], &|row| Some(row.speed)),
-        column("first turn", units.rates[0], &|row| row.first_turn),
-        column("loads", units.reduced[2], &|row| Some(row.load)),
-        column("drive", units.reduced[2], &|row| Some(row.drive)),
-        column("mean load", units.reduced[2], &|row| Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })),
-        column("J", units.reduced[0], &|row| Some(row.inertia)),
-        column("dJ/dq", units.reduced[1], &|row| Some(row.inertia_derivative)),
+        column("speed", units.rates[0], |row| Some(row.speed)),
+        column("first turn", units.rates[0], |row| row.first_turn),
+        column("loads", units.reduced[2], |row| Some(row.load)),
+        column("drive", units.reduced[2], |row| Some(row.drive)),
+        Column::of(rows.iter().copied(), "mean load", units.reduced[2], |row| {
+            Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })
+        }),
+        column("J", units.reduced[0], |row| Some(row.inertia)),
+        column("dJ/dq", units.reduced[1], |row| Some(row.inertia_derivative)),
     ];
-    page.caption("Speed in the regime and in the first turn (S fig. 9), moments and inertia reduced to the input (S fig. 12)");
-    page.table(&[key], vec![columns]);
+    let caption = "Speed in the regime and in the first turn (S fig. 9), moments and inertia reduced to the input (S fig. 12)";
+    page.table(caption, &[key], vec![columns]);
 }
 
 fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
@@ -149,26 +153,18 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
         page.paragraph(&format!("Warning: {warning}"));
     }
     if !motor.runners_up.is_empty() {
-        let head = ["motor", "catalogue", "kW", "rpm", "ratio", "mass, kg"];
-        let mut rows = vec![head.map(str::to_owned).to_vec()];
-        rows.extend(motor.runners_up.iter().take(10).map(|other| {
-            let mass = other.mass.map_or_else(|| "-".to_owned(), short);
-            let (kilowatts, speed) = (short(other.power / 1e3), short(other.rated_speed * RPM));
-            vec![
-                other.designation.clone(),
-                other.catalogue.clone(),
-                kilowatts,
-                speed,
-                single(other.ratio),
-                mass,
-            ]
-        }));
+        let row = |other: &RunnerUp| {
+            let [power, speed] = [other.power / 1e3, other.rated_speed * RPM].map(short);
+            let (name, catalogue) = (other.designation.clone(), other.catalogue.clone());
+            vec![name, catalogue, power, speed, single(other.ratio), optional(other.mass, short)]
+        };
+        let rows: Vec<_> = motor.runners_up.iter().take(10).map(row).collect();
         page.caption(&format!(
             "Other motors that would do, with the ratio that each would need (first {} of {})",
-            rows.len() - 1,
+            rows.len(),
             motor.runners_up.len()
         ));
-        page.rows(&rows);
+        page.rows(&["motor", "catalogue", "kW", "rpm", "ratio", "mass, kg"], &rows);
     }
 }
 
@@ -210,16 +206,23 @@ fn motor_lines(motor: &MotorReport, page: &mut Page) {
 
 fn flywheels(found: &Dynamics, page: &mut Page) {
     if !found.flywheel_methods.is_empty() {
-        let head = ["method", "flywheel, kg·m²", "from exact, %", "formula"];
-        let mut rows = vec![head.map(str::to_owned).to_vec()];
-        rows.extend(found.flywheel_methods.iter().map(|one| {
-            let off = one.difference.map_or_else(|| "-".to_owned(), |off| format!("{:.3}", 100.0 * off));
-            vec![one.method.to_owned(), single(one.flywheel), off, one.formula.to_owned()]
-        }));
+        let row = |one: &FlywheelByMethod| {
+            let difference = optional(one.difference, |part| format!("{:.3}", 100.0 * part));
+            vec![one.method.to_owned(), single(one.flywheel), difference, one.formula.to_owned()]
+        };
+        let rows: Vec<_> = found.flywheel_methods.iter().map(row).collect();
         page.caption("Flywheel by each method (all but the exact one take a constant drive: another excess work A than above)");
-        page.rows(&rows);
+        page.rows(&["method", "flywheel, kg·m²", "from exact, %", "formula"], &rows);
     }
     if !found.flywheel_places.is_empty() {
+        let rows = found.flywheel_places.iter().map(|one| {
+            let kept = if one.ok { "kept" } else { "EXCEEDED" };
+            let numbers = [one.inertia, 1e3 * one.diameter, 1e3 * one.width, one.mass, one.rim_speed];
+            let mut cells = vec![one.shaft.to_owned()];
+            cells.extend(numbers.map(single));
+            cells.extend([short(one.admissible_rim_speed), kept.to_owned()]);
+            cells
+        });
         let head = [
             "shaft",
             "J, kg·m²",
@@ -230,18 +233,9 @@ fn flywheels(found: &Dynamics, page: &mut Page) {
             "allowed",
             "rim speed",
         ];
-        let mut rows = vec![head.map(str::to_owned).to_vec()];
-        rows.extend(found.flywheel_places.iter().map(|one| {
-            let kept = if one.ok { "kept" } else { "EXCEEDED" };
-            let numbers = [one.inertia, 1e3 * one.diameter, 1e3 * one.width, one.mass, one.rim_speed];
-            let mut cells = vec![one.shaft.to_owned()];
-            cells.extend(numbers.map(single));
-            cells.extend([short(one.admissible_rim_speed), kept.to_owned()]);
-            cells
-        }));
         page.caption(
             "The two places of the flywheel (S fig. 13), as a steel disc of width b = 0.1 D: J = π ρ b D⁴/32, m = π ρ b D²/4",
         );
-        page.rows(&rows);
+        page.rows(&head, &rows.collect::<Vec<_>>());
     }
 }

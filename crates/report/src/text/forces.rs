@@ -1,56 +1,80 @@
-//! Reduction, reactions, and the balancing load.
+//! Reduction, reactions with their causes, and the balancing load.
 
+use assur_analysis::results::{Named, PairReaction, PositionResult};
 use assur_mechanism::{Balance, Place};
 
 use super::Source;
 use super::layout::{Column, Page};
 use super::motion::{column, keys};
-use super::number::single;
-use super::units::{ANGLE, FORCE, LENGTH, MOMENT, Unit};
-use assur_analysis::results::{PairReaction, PositionResult};
+use super::number::{short, single};
+use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     reduction(source, page);
     reactions(source, page);
     balancing(source, page);
+    causes(source, page);
 }
 
 fn reduction(source: &Source<'_>, page: &mut Page) {
     if !source.analysis.positions.iter().any(|position| position.reduced.is_some()) {
         return;
     }
-    let units = source.units.reduced;
+    let (units, keys) = (source.units.reduced, keys(source));
     page.section("Reduction to the input link");
-    page.caption("Inertia J, its derivative dJ/dq, and Q of all loads but the balancing one");
     let columns = vec![
         column(source, "J", units[0], |p| Some(p.reduced?.inertia)),
         column(source, "dJ/dq", units[1], |p| Some(p.reduced?.inertia_derivative)),
         column(source, "Q", units[2], |p| Some(p.reduced?.moment)),
     ];
-    page.table(&keys(source), vec![columns]);
-    super::point::write(source, page);
+    let caption = "Inertia J, its derivative dJ/dq, and Q of all loads but the balancing one";
+    page.table(caption, &keys, vec![columns]);
+    // E eqs. 4-6.
+    let dynamics = source.analysis.dynamics.as_ref();
+    let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };
+    let radius = point.radius;
+    let caption = format!(
+        "The same reduced to point {} of the input link: force F = Q/r along its motion, mass m = J/r², r = {} mm",
+        point.name,
+        short(1e3 * radius)
+    );
+    let columns = vec![
+        column(source, "m", KILOGRAM, |p| Some(p.reduced?.inertia / (radius * radius))),
+        column(source, "F", FORCE, |p| Some(p.reduced?.moment / radius)),
+    ];
+    page.table(&caption, &keys, vec![columns]);
 }
 
-/// Force of a pair on one of its links in one position.
-fn force(position: &PositionResult, pair: usize, link: usize) -> Option<[f64; 2]> {
-    let (_, reaction) = position.reactions.as_ref()?.0.get(pair)?;
-    reaction.forces.get(link).map(|(_, force)| *force)
+/// Force of a pair on one of its links; pairs and links by their places in the lists.
+fn force(reactions: &Named<PairReaction>, pair: usize, link: usize) -> Option<[f64; 2]> {
+    reactions.0.get(pair)?.1.forces.get(link).map(|(_, force)| *force)
 }
 
-/// Which links of a pair are shown: of two the first that moves (the other has the opposite), of more all.
-pub(super) fn shown(source: &Source<'_>, reaction: &PairReaction) -> Vec<usize> {
+/// Its modulus.
+pub(super) fn modulus(reactions: &Named<PairReaction>, pair: usize, link: usize) -> Option<f64> {
+    force(reactions, pair, link).map(|[x, y]| x.hypot(y))
+}
+
+/// The pairs with the links that are shown of each, by their places in the lists, with the names of both: of two links the
+/// first that moves (the other has the opposite), of more all.
+pub(super) fn shown<'r>(
+    source: &Source<'_>,
+    reactions: &'r Named<PairReaction>,
+) -> Vec<(usize, &'r str, Vec<(usize, &'r str)>)> {
     let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
-    match &reaction.forces[..] {
-        [(first, _), _] => vec![usize::from(&**first == ground)],
-        forces => (0..forces.len()).collect(),
-    }
+    let links = |reaction: &'r PairReaction| match &reaction.forces[..] {
+        [(first, _), _] => {
+            let moving = usize::from(&**first == ground);
+            vec![(moving, &*reaction.forces[moving].0)]
+        }
+        forces => forces.iter().map(|(name, _)| &**name).enumerate().collect(),
+    };
+    reactions.iter().enumerate().map(|(pair, (name, reaction))| (pair, name, links(reaction))).collect()
 }
 
 fn reactions(source: &Source<'_>, page: &mut Page) {
-    let Some(first) = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref())
-    else {
-        return;
-    };
+    let first = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref());
+    let Some(first) = first else { return };
     let keys = keys(source);
     page.section("Reactions");
     page.paragraph(
@@ -58,31 +82,26 @@ fn reactions(source: &Source<'_>, page: &mut Page) {
          direction from the x axis. Slides: M is the moment on the sliding link about its point; s is where along the guide, \
          from that point, the force alone would do the same.",
     );
-    for (pair, (name, reaction)) in first.iter().enumerate() {
-        let groups: Vec<_> =
-            shown(source, reaction).into_iter().map(|link| of_pair(source, pair, link, reaction)).collect();
-        let links: Vec<_> =
-            shown(source, reaction).into_iter().map(|link| &*reaction.forces[link].0).collect();
-        page.caption(&format!("{name} on {}", links.join(", ")));
-        page.table(&keys, groups);
+    for (pair, name, links) in shown(source, first) {
+        let slide = first.0[pair].1.moment.is_some();
+        let groups = links.iter().map(|(link, _)| of_pair(source, pair, *link, slide)).collect();
+        let links: Vec<_> = links.into_iter().map(|(_, name)| name).collect();
+        page.table(&format!("{name} on {}", links.join(", ")), &keys, groups);
     }
     greatest(source, first, page);
 }
 
-fn of_pair(source: &Source<'_>, pair: usize, link: usize, reaction: &PairReaction) -> Vec<Column> {
-    let f = move |p: &PositionResult| force(p, pair, link);
-    let of = |i: usize| {
-        move |p: &PositionResult| p.reactions.as_ref()?.0.get(i).map(|(_, r)| (r.moment, r.offset))
-    };
+fn of_pair(source: &Source<'_>, pair: usize, link: usize, slide: bool) -> Vec<Column> {
+    let f = |p: &PositionResult| force(p.reactions.as_ref()?, pair, link);
     let mut columns = vec![
-        column(source, "Rx", FORCE, move |p| f(p).map(|f| f[0])),
-        column(source, "Ry", FORCE, move |p| f(p).map(|f| f[1])),
-        column(source, "R", FORCE, move |p| f(p).map(|f| f[0].hypot(f[1]))),
-        column(source, "direction", ANGLE, move |p| f(p).and_then(direction)),
+        column(source, "Rx", FORCE, |p| f(p).map(|f| f[0])),
+        column(source, "Ry", FORCE, |p| f(p).map(|f| f[1])),
+        column(source, "R", FORCE, |p| f(p).map(|f| f[0].hypot(f[1]))),
+        column(source, "direction", ANGLE, |p| f(p).and_then(direction)),
     ];
-    if reaction.moment.is_some() {
-        columns.push(column(source, "M", MOMENT, move |p| of(pair)(p).and_then(|(moment, _)| moment)));
-        columns.push(column(source, "s", LENGTH, move |p| of(pair)(p).and_then(|(_, offset)| offset)));
+    if slide {
+        columns.push(column(source, "M", MOMENT, |p| p.reactions.as_ref()?.0.get(pair)?.1.moment));
+        columns.push(column(source, "s", LENGTH, |p| p.reactions.as_ref()?.0.get(pair)?.1.offset));
     }
     columns
 }
@@ -94,19 +113,12 @@ fn direction(force: [f64; 2]) -> Option<f64> {
     (modulus > 1e-9).then(|| y.atan2(x))
 }
 
-/// A coordinate with its unit.
-fn place(source: &Source<'_>, position: &PositionResult) -> Vec<String> {
+fn greatest(source: &Source<'_>, first: &Named<PairReaction>, page: &mut Page) {
     let unit = source.units.coordinate;
-    vec![position.index.to_string(), single(position.coordinate * unit.factor)]
-}
-
-fn greatest(source: &Source<'_>, first: &assur_analysis::results::Named<PairReaction>, page: &mut Page) {
-    let coordinate = format!("{}, {}", source.analysis.input.link, source.units.coordinate.name);
-    let head = ["pair", "on", "greatest R, N", "position", &coordinate, "RMS of R, N"];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for (name, reaction) in first.iter() {
-        for link in shown(source, reaction) {
-            let on = &*reaction.forces[link].0;
+    let coordinate = format!("{}, {}", source.analysis.input.link, unit.name);
+    let mut rows = Vec::new();
+    for (_, name, links) in shown(source, first) {
+        for (_, on) in links {
             let all = &source.analysis.cycle.reaction_extremes;
             let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
             rows.push(vec![
@@ -114,57 +126,87 @@ fn greatest(source: &Source<'_>, first: &assur_analysis::results::Named<PairReac
                 on.to_owned(),
                 single(found.greatest),
                 found.index.to_string(),
-                single(found.coordinate * source.units.coordinate.factor),
+                single(found.coordinate * unit.factor),
                 single(found.rms),
             ]);
         }
     }
     page.caption("Reactions over the cycle: greatest, and root mean square");
-    page.rows(&rows);
+    page.rows(&["pair", "on", "greatest R, N", "position", &coordinate, "RMS of R, N"], &rows);
 }
 
 fn balancing(source: &Source<'_>, page: &mut Page) {
-    let size = |p: &PositionResult| p.balancing;
-    if !source.analysis.positions.iter().any(|position| position.balancing.is_some()) {
-        return;
-    }
+    let Some(position) = greatest_balancing(&source.analysis.positions) else { return };
     let moment = source.analysis.input.balancing_is_moment;
-    let (name, sign, unit): (_, _, Unit) =
-        if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
+    let (name, sign, unit) = if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
     page.section(&format!("Balancing {name}"));
-    page.caption(&bears(source, name));
-    page.table(&keys(source), vec![vec![column(source, sign, unit, size)]]);
-    if let Some(position) = greatest_of(source.analysis.positions.iter(), size) {
-        let [index, coordinate] = [0, 1].map(|i| place(source, position)[i].clone());
-        page.caption(&format!(
-            "Greatest: {} {} in position {index} ({coordinate} {})",
-            single(position.balancing.unwrap_or_default()),
-            unit.name,
-            source.units.coordinate.name
-        ));
-    }
-}
-
-/// Which link bears the balancing load.
-fn bears(source: &Source<'_>, name: &str) -> String {
     let link = match source.mechanism.balance {
         Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => id,
         None => source.mechanism.input.link,
     };
-    format!("The {name} on `{}` that keeps the mechanism in its motion", source.mechanism.links[link].name)
+    let link = &source.mechanism.links[link].name;
+    let caption = format!("The {name} on `{link}` that keeps the mechanism in its motion");
+    page.table(&caption, &keys(source), vec![vec![column(source, sign, unit, |p| p.balancing)]]);
+    let coordinate = source.units.coordinate;
+    page.caption(&format!(
+        "Greatest: {} {} in position {} ({} {})",
+        single(position.balancing.unwrap_or_default()),
+        unit.name,
+        position.index,
+        single(position.coordinate * coordinate.factor),
+        coordinate.name
+    ));
 }
 
 /// The position with the greatest modulus, the first of those that are alike but for rounding: a cycle often has two.
-fn greatest_of<'p>(
-    positions: impl Iterator<Item = &'p PositionResult>,
-    size: impl Fn(&PositionResult) -> Option<f64>,
-) -> Option<&'p PositionResult> {
-    let mut best: Option<(&PositionResult, f64)> = None;
-    for position in positions {
-        let Some(modulus) = size(position).map(f64::abs) else { continue };
-        if best.is_none_or(|(_, most)| modulus > most * (1.0 + 1e-9)) {
-            best = Some((position, modulus));
+fn greatest_balancing(positions: &[PositionResult]) -> Option<&PositionResult> {
+    let with = positions.iter().filter_map(|position| Some((position, position.balancing?.abs())));
+    let greater = |best: (_, f64), next: (_, f64)| if next.1 > best.1 * (1.0 + 1e-9) { next } else { best };
+    with.reduce(greater).map(|(position, _)| position)
+}
+
+/// What each cause alone would do.
+fn causes(source: &Source<'_>, page: &mut Page) {
+    let positions = &source.analysis.positions;
+    let found = positions.iter().find_map(|p| Some((p.reactions.as_ref()?, p.by_cause.as_ref()?)));
+    let Some((reactions, by_cause)) = found else { return };
+    page.section("Reactions by cause");
+    page.paragraph(
+        "What each cause alone would do in the same position: projections and modulus of the force on the named link. \
+         Projections sum to those of the whole; moduli do not.",
+    );
+    let causes: Vec<&str> = by_cause.reactions_by_cause.iter().map(|(name, _)| name).collect();
+    for (pair, name, links) in shown(source, reactions) {
+        for (link, on) in links {
+            let share = |cause: &&str| {
+                components(source, cause, |p| {
+                    force(p.by_cause.as_ref()?.reactions_by_cause.get(cause)?, pair, link)
+                })
+            };
+            let mut groups: Vec<_> = causes.iter().map(share).collect();
+            groups.push(components(source, "whole", |p| force(p.reactions.as_ref()?, pair, link)));
+            page.table(&format!("{name} on {on}"), &keys(source), groups);
         }
     }
-    best.map(|(position, _)| position)
+    let unit = if source.analysis.input.balancing_is_moment { MOMENT } else { FORCE };
+    let share = |cause: &&str| {
+        let load = |p: &PositionResult| p.by_cause.as_ref()?.balancing_by_cause.get(cause).copied();
+        vec![column(source, *cause, unit, load)]
+    };
+    let mut groups: Vec<_> = causes.iter().map(share).collect();
+    groups.push(vec![column(source, "whole", unit, |p| p.balancing)]);
+    page.table("Balancing load", &keys(source), groups);
+}
+
+/// Projections and modulus.
+fn components(
+    source: &Source<'_>,
+    name: &str,
+    force: impl Fn(&PositionResult) -> Option<[f64; 2]>,
+) -> Vec<Column> {
+    vec![
+        column(source, format!("{name} Rx"), FORCE, |p| force(p).map(|f| f[0])),
+        column(source, "Ry", FORCE, |p| force(p).map(|f| f[1])),
+        column(source, "R", FORCE, |p| force(p).map(|f| f[0].hypot(f[1]))),
+    ]
 }

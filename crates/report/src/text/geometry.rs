@@ -1,5 +1,7 @@
 //! The section on dimensions and masses.
 
+use assur_mechanism::Link;
+
 use super::Source;
 use super::layout::Page;
 use super::number::short;
@@ -16,7 +18,7 @@ fn mm(value: f64) -> String {
 }
 
 fn points(source: &Source<'_>, page: &mut Page) {
-    let mut rows = vec![["link", "point", "x, mm", "y, mm"].map(String::from).to_vec()];
+    let mut rows = Vec::new();
     for (id, link) in source.mechanism.links.iter().enumerate() {
         for (point_id, point) in source.mechanism.points.iter().enumerate() {
             if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
@@ -25,7 +27,7 @@ fn points(source: &Source<'_>, page: &mut Page) {
         }
     }
     page.caption("Points in the frames of their links");
-    page.rows(&rows);
+    page.rows(&["link", "point", "x, mm", "y, mm"], &rows);
 }
 
 fn slides(source: &Source<'_>, page: &mut Page) {
@@ -33,7 +35,7 @@ fn slides(source: &Source<'_>, page: &mut Page) {
         return;
     }
     let header = ["slide", "point x, mm", "y, mm", "on", "through x, mm", "y, mm", "angle, deg", "tilt, deg"];
-    let mut rows = vec![header.map(String::from).to_vec()];
+    let mut rows = Vec::new();
     for slide in &source.mechanism.slides {
         rows.push(vec![
             slide.name.clone(),
@@ -49,20 +51,20 @@ fn slides(source: &Source<'_>, page: &mut Page) {
     page.caption(
         "Slides: the point of the sliding link, and the guide line in the frame of the link that carries it",
     );
-    page.rows(&rows);
+    page.rows(&header, &rows);
 }
 
 fn masses(source: &Source<'_>, page: &mut Page) {
-    let heavy = |link: &&assur_mechanism::Link| link.mass > 0.0 || link.inertia > 0.0;
-    let header = ["link", "mass, kg", "center x, mm", "y, mm", "inertia, kg·m²"];
-    let mut rows = vec![header.map(String::from).to_vec()];
-    rows.extend(source.mechanism.links.iter().skip(1).filter(heavy).map(|link| {
-        vec![link.name.clone(), short(link.mass), mm(link.center[0]), mm(link.center[1]), short(link.inertia)]
-    }));
-    if rows.len() == 1 {
+    let heavy = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
+    let row = |link: &Link| {
+        let [x, y] = link.center.map(mm);
+        vec![link.name.clone(), short(link.mass), x, y, short(link.inertia)]
+    };
+    let rows: Vec<_> = source.mechanism.links.iter().skip(1).filter(heavy).map(row).collect();
+    if rows.is_empty() {
         page.caption("All links are massless.");
         return;
     }
     page.caption("Masses, centers of mass in the frames of the links, moments of inertia about them");
-    page.rows(&rows);
+    page.rows(&["link", "mass, kg", "center x, mm", "y, mm", "inertia, kg·m²"], &rows);
 }

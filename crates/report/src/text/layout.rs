@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 use super::number;
+use super::units::Unit;
 use crate::to_ascii;
 
 /// Columns of the report.
@@ -15,39 +16,36 @@ const GAP: usize = 2;
 /// One column of a table of numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
-    /// What it shows.
-    pub(super) head: String,
-    /// Its unit; may be empty.
-    pub(super) unit: String,
-    /// One cell a row.
-    pub(super) cells: Cells,
+    head: String,
+    unit: &'static str,
+    cells: Cells,
 }
 
-/// What a column holds.
 #[derive(Debug, Clone)]
-pub(super) enum Cells {
+enum Cells {
     /// Text as it is.
     Text(Vec<String>),
     /// Numbers, which get their digits when it is known what stands beside them; `None` is a dash.
     Numbers(Vec<Option<f64>>),
 }
 
-/// A column whose cells are text.
-#[derive(Debug)]
-struct Ready {
-    head: String,
-    unit: String,
-    cells: Vec<String>,
-}
-
-impl Ready {
-    fn width(&self) -> usize {
-        let cells = self.cells.iter().map(|cell| cell.width());
-        cells.chain([self.head.width(), self.unit.width()]).max().unwrap_or(0)
-    }
-}
-
 impl Column {
+    /// A quantity of each row, from SI.
+    pub(super) fn of<'r, T: 'r>(
+        rows: impl IntoIterator<Item = &'r T>,
+        head: impl Into<String>,
+        unit: Unit,
+        value: impl Fn(&T) -> Option<f64>,
+    ) -> Self {
+        let values = rows.into_iter().map(|row| value(row).map(|value| value * unit.factor));
+        Self { head: head.into(), unit: unit.name, cells: Cells::Numbers(values.collect()) }
+    }
+
+    /// Texts under a head.
+    pub(super) fn texts(head: &str, cells: Vec<String>) -> Self {
+        Self { head: head.to_owned(), unit: "", cells: Cells::Text(cells) }
+    }
+
     /// The largest number.
     fn largest(&self) -> f64 {
         match &self.cells {
@@ -64,9 +62,23 @@ impl Column {
             Cells::Text(cells) => cells,
             Cells::Numbers(values) => number::column(&values, largest),
         };
-        let fold = |text: String| if ascii { to_ascii(&text).into_owned() } else { text };
-        Ready { head: fold(self.head), unit: fold(self.unit), cells }
+        let (head, unit) = (fold(&self.head, ascii).into_owned(), fold(self.unit, ascii).into_owned());
+        let all = cells.iter().chain([&head, &unit]);
+        Ready { width: all.map(|text| text.width()).max().unwrap_or(0), head, unit, cells }
     }
+}
+
+/// A column whose cells are text.
+#[derive(Debug)]
+struct Ready {
+    head: String,
+    unit: String,
+    cells: Vec<String>,
+    width: usize,
+}
+
+fn fold(text: &str, ascii: bool) -> Cow<'_, str> {
+    if ascii { to_ascii(text) } else { Cow::Borrowed(text) }
 }
 
 /// A report that is being written.
@@ -86,43 +98,32 @@ impl Page {
         self.text
     }
 
-    fn fold<'a>(&self, text: &'a str) -> Cow<'a, str> {
-        if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
-    }
-
     pub(super) fn title(&mut self, title: &str) {
-        let title = self.fold(title).into_owned();
-        self.underlined(&title, "=");
+        self.underlined(title, "=");
     }
 
     fn underlined(&mut self, line: &str, with: &str) {
-        self.text += line;
-        self.text += "\n";
-        self.text += &with.repeat(line.width());
-        self.text += "\n";
+        let line = fold(line, self.ascii);
+        self.text += &format!("{line}\n{}\n", with.repeat(line.width()));
     }
 
     /// A numbered heading.
     pub(super) fn section(&mut self, name: &str) {
         self.sections += 1;
-        let line = format!("{}. {name}", self.sections);
-        let gap = if self.text.is_empty() { "" } else { "\n" };
-        self.text += gap;
-        self.underlined(&line, "-");
+        if !self.text.is_empty() {
+            self.text.push('\n');
+        }
+        self.underlined(&format!("{}. {name}", self.sections), "-");
     }
 
     /// A line that names the table below it.
     pub(super) fn caption(&mut self, caption: &str) {
-        let caption = self.fold(caption).into_owned();
-        self.text += "\n";
-        self.text += &caption;
-        self.text += "\n";
+        self.text += &format!("\n{}\n", fold(caption, self.ascii));
     }
 
     /// Words, broken into lines.
     pub(super) fn paragraph(&mut self, words: &str) {
-        let words = self.fold(words).into_owned();
-        self.text += &wrap(&words, 0, 2);
+        self.text += &wrap(&fold(words, self.ascii), 0, 2);
     }
 
     /// Text that is laid out already.
@@ -130,79 +131,72 @@ impl Page {
         self.text += text;
     }
 
-    /// Rows of words in aligned columns, the first row above a line.
-    pub(super) fn rows(&mut self, rows: &[Vec<String>]) {
-        self.text += &columns(rows, self.ascii);
+    /// Rows of words in aligned columns below their heads.
+    pub(super) fn rows(&mut self, head: &[&str], rows: &[Vec<String>]) {
+        self.text += &columns(head, rows, self.ascii);
     }
 
-    /// A table of numbers in blocks of the page's width, each with the key columns in front. Columns of one group stay
-    /// together where they fit.
-    pub(super) fn table(&mut self, keys: &[Column], groups: Vec<Vec<Column>>) {
-        let keys: Vec<_> = keys.iter().cloned().map(|key| (key.largest(), key)).collect();
-        let keys: Vec<_> = keys.into_iter().map(|(largest, key)| key.ready(largest, self.ascii)).collect();
+    /// A table of numbers in blocks of the page's width, each with the key columns in front; nothing without groups.
+    /// Columns of one group stay together where they fit.
+    pub(super) fn table(&mut self, caption: &str, keys: &[Column], groups: Vec<Vec<Column>>) {
+        if groups.is_empty() {
+            return;
+        }
+        if !caption.is_empty() {
+            self.caption(caption);
+        }
+        let ready = |key: &Column| key.clone().ready(key.largest(), self.ascii);
+        let keys: Vec<_> = keys.iter().map(ready).collect();
         let room = WIDTH - total(&keys).min(WIDTH);
-        let mut block: Vec<Ready> = Vec::new();
-        let mut first = true;
+        let mut blocks: Vec<Vec<Ready>> = Vec::new();
         for group in pieces(groups, room, self.ascii) {
-            if !block.is_empty() && total(&block) + total(&group) > room {
-                self.block(&keys, &block, first);
-                (block, first) = (Vec::new(), false);
+            match blocks.last_mut().filter(|block| total(block) + total(&group) <= room) {
+                Some(block) => block.extend(group),
+                None => blocks.push(group),
             }
-            block.extend(group);
         }
-        if !block.is_empty() {
-            self.block(&keys, &block, first);
-        }
+        let blocks: Vec<_> = blocks.iter().map(|block| block_text(&keys, block)).collect();
+        self.text += &blocks.join("\n");
     }
+}
 
-    fn block(&mut self, keys: &[Ready], columns: &[Ready], first: bool) {
-        if !first {
-            self.text.push('\n');
-        }
-        let all: Vec<_> = keys.iter().chain(columns).collect();
-        let widths: Vec<_> = all.iter().map(|column| column.width()).collect();
-        self.line(all.iter().map(|column| column.head.as_str()), &widths);
-        if all.iter().any(|column| !column.unit.is_empty()) {
-            self.line(all.iter().map(|column| column.unit.as_str()), &widths);
-        }
-        let rule: Vec<_> = widths.iter().map(|width| "-".repeat(*width)).collect();
-        self.line(rule.iter().map(String::as_str), &widths);
-        for row in 0..all.iter().map(|column| column.cells.len()).max().unwrap_or(0) {
-            self.line(all.iter().map(|column| column.cells.get(row).map_or("", String::as_str)), &widths);
-        }
+/// Key columns and columns of a block, all flush right.
+fn block_text(keys: &[Ready], columns: &[Ready]) -> String {
+    let all: Vec<_> = keys.iter().chain(columns).collect();
+    let mut heads: Vec<Vec<&str>> = vec![all.iter().map(|column| column.head.as_str()).collect()];
+    if all.iter().any(|column| !column.unit.is_empty()) {
+        heads.push(all.iter().map(|column| column.unit.as_str()).collect());
     }
-
-    /// One line of cells, flush right.
-    fn line<'a>(&mut self, cells: impl Iterator<Item = &'a str>, widths: &[usize]) {
-        let mut line = String::new();
-        for (i, (cell, width)) in cells.zip(widths).enumerate() {
-            let gap = if i == 0 { 0 } else { GAP };
-            line += &" ".repeat(gap + width - cell.width());
-            line += cell;
-        }
-        self.text += line.trim_end();
-        self.text.push('\n');
-    }
+    let count = all.iter().map(|column| column.cells.len()).max().unwrap_or(0);
+    let cell = |column: &Ready, row: usize| -> String { column.cells.get(row).cloned().unwrap_or_default() };
+    let rows: Vec<Vec<String>> =
+        (0..count).map(|row| all.iter().map(|column| cell(column, row)).collect()).collect();
+    grid(&heads, &rows, &vec![true; all.len()])
 }
 
 /// Width of columns with the gaps in front of them.
 fn total(columns: &[Ready]) -> usize {
-    columns.iter().map(|column| column.width() + GAP).sum()
+    columns.iter().map(|column| column.width + GAP).sum()
 }
 
 /// Groups of columns, those that are wider than a page cut into single columns.
 fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Ready>> {
-    let scales = scales(&groups);
+    // The largest number of each unit.
+    let mut scales: Vec<(&str, f64)> = Vec::new();
+    for column in groups.iter().flatten() {
+        match scales.iter_mut().find(|(unit, _)| *unit == column.unit) {
+            Some((_, scale)) => *scale = scale.max(column.largest()),
+            None => scales.push((column.unit, column.largest())),
+        }
+    }
+    let largest = |unit: &str| scales.iter().find(|(known, _)| *known == unit).map_or(0.0, |found| found.1);
+    let ready = |column: Column| {
+        let largest = largest(column.unit);
+        column.ready(largest, ascii)
+    };
     let mut pieces = Vec::new();
     for group in groups {
-        let group: Vec<_> = group
-            .into_iter()
-            .map(|column| {
-                let largest =
-                    scales.iter().find(|(unit, _)| *unit == column.unit).map_or(0.0, |(_, largest)| *largest);
-                column.ready(largest, ascii)
-            })
-            .collect();
+        let group: Vec<_> = group.into_iter().map(ready).collect();
         if total(&group) <= room {
             pieces.push(group);
         } else {
@@ -212,61 +206,45 @@ fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Ready>>
     pieces
 }
 
-/// The largest number of each unit.
-fn scales(groups: &[Vec<Column>]) -> Vec<(String, f64)> {
-    let mut scales: Vec<(String, f64)> = Vec::new();
-    for column in groups.iter().flatten() {
-        let largest = column.largest();
-        match scales.iter_mut().find(|(unit, _)| *unit == column.unit) {
-            Some((_, scale)) => *scale = scale.max(largest),
-            None => scales.push((column.unit.clone(), largest)),
-        }
-    }
-    scales
+/// Rows of words in aligned columns below their heads and a line; columns of numbers are flush right.
+pub fn columns(head: &[&str], rows: &[Vec<String>], ascii: bool) -> String {
+    let head: Vec<_> = head.iter().map(|cell| fold(cell, ascii)).collect();
+    let fold_row = |row: &Vec<String>| row.iter().map(|cell| fold(cell, ascii).into_owned()).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(fold_row).collect();
+    let number = |cell: &String| cell == "-" || cell.is_empty() || cell.parse::<f64>().is_ok();
+    let is_numeric = |column: usize| rows.iter().filter_map(|row| row.get(column)).all(number);
+    let right: Vec<bool> = (0..head.len()).map(is_numeric).collect();
+    grid(&[head.iter().map(|cell| &**cell).collect()], &rows, &right)
 }
 
-/// Rows of words in aligned columns, the first row above a line; columns of numbers are flush right.
-pub fn columns(rows: &[Vec<String>], ascii: bool) -> String {
-    let fold = |cell: &String| if ascii { to_ascii(cell).into_owned() } else { cell.clone() };
-    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(fold).collect()).collect();
-    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let cells = |column: usize| rows.iter().filter_map(move |row| row.get(column));
-    let widths: Vec<usize> =
-        (0..count).map(|column| cells(column).map(|cell| cell.width()).max().unwrap_or(0)).collect();
-    let numeric: Vec<bool> = (0..count)
-        .map(|column| {
-            cells(column).skip(1).all(|cell| cell == "-" || cell.is_empty() || cell.parse::<f64>().is_ok())
-        })
-        .collect();
+/// Heads, a line, and rows; each column as wide as its widest cell, flush `right` or left.
+fn grid(heads: &[Vec<&str>], rows: &[Vec<String>], right: &[bool]) -> String {
+    let rows: Vec<Vec<&str>> = rows.iter().map(|row| row.iter().map(String::as_str).collect()).collect();
+    let width = |column: usize| {
+        heads
+            .iter()
+            .chain(&rows)
+            .filter_map(|row| row.get(column))
+            .map(|cell| cell.width())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..right.len()).map(width).collect();
+    let rule: Vec<_> = widths.iter().map(|width| "-".repeat(*width)).collect();
+    let rule: Vec<_> = rule.iter().map(String::as_str).collect();
     let mut text = String::new();
-    for (index, row) in rows.iter().enumerate() {
-        text += line_of(row, &widths, &numeric).trim_end();
-        text.push('\n');
-        if index == 0 {
-            let rule: Vec<_> = widths.iter().map(|width| "-".repeat(*width)).collect();
-            text += line_of(&rule, &widths, &numeric).trim_end();
-            text.push('\n');
+    for row in heads.iter().chain([&rule]).chain(&rows) {
+        let mut line = String::new();
+        for (column, cell) in row.iter().enumerate() {
+            let blanks = " ".repeat(widths[column] - cell.width());
+            let gap = " ".repeat(if column == 0 { 0 } else { GAP });
+            line +=
+                &if right[column] { format!("{gap}{blanks}{cell}") } else { format!("{gap}{cell}{blanks}") };
         }
+        text += line.trim_end();
+        text.push('\n');
     }
     text
-}
-
-fn line_of(row: &[String], widths: &[usize], numeric: &[bool]) -> String {
-    let mut line = String::new();
-    for (column, cell) in row.iter().enumerate() {
-        let blanks = " ".repeat(widths[column] - cell.width());
-        if column > 0 {
-            line += &" ".repeat(GAP);
-        }
-        if numeric[column] {
-            line += &blanks;
-            line += cell;
-        } else {
-            line += cell;
-            line += &blanks;
-        }
-    }
-    line
 }
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.

@@ -2,8 +2,6 @@
 //!
 //! Angles in degrees, lengths in millimeters, the rest in SI; each column with as many digits as its largest value needs.
 
-mod causes;
-mod condition;
 mod contact;
 mod course;
 mod drive;
@@ -12,7 +10,6 @@ mod geometry;
 mod layout;
 mod motion;
 mod number;
-mod point;
 mod structure;
 mod units;
 
@@ -45,9 +42,8 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
     course::write(&source, &mut page);
     drive::write(&source, &mut page);
     forces::write(&source, &mut page);
-    causes::write(&source, &mut page);
     contact::write(&source, &mut page);
-    condition::write(&source, &mut page);
+    motion::condition(&source, &mut page);
     if !analysis.notes.is_empty() {
         page.section("Notes");
         for note in &analysis.notes {
@@ -70,9 +66,7 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
 /// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what
 /// was not judged, and why.
 pub fn checks(checks: &[Check], ascii: bool) -> String {
-    let mut rows =
-        vec![["check", "residual", "position", "place", "limit", "result"].map(String::from).to_vec()];
-    rows.extend(checks.iter().map(|check| {
+    let row = |check: &Check| {
         vec![
             check.name.to_owned(),
             scientific(check.residual),
@@ -81,9 +75,10 @@ pub fn checks(checks: &[Check], ascii: bool) -> String {
             scientific(check.limit),
             verdict(check).to_owned(),
         ]
-    }));
+    };
+    let rows: Vec<_> = checks.iter().map(row).collect();
     let lines = not_judged(checks).iter().map(|line| wrapped(line, 2, ascii)).collect::<String>();
-    columns(&rows, ascii) + &lines
+    columns(&["check", "residual", "position", "place", "limit", "result"], &rows, ascii) + &lines
 }
 
 fn verdict(check: &Check) -> &'static str {

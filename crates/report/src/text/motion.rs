@@ -1,9 +1,15 @@
-//! Positions, transfer functions, velocities and accelerations.
+//! Positions, transfer functions, velocities and accelerations; how near the groups come to singular positions.
+
+use assur_analysis::results::{Named, PositionResult};
+use assur_mechanism::GROUND;
 
 use super::Source;
-use super::layout::{Cells, Column, Page};
+use super::layout::{Column, Page};
 use super::units::{MOVING, TURNING, Unit};
-use assur_analysis::results::PositionResult;
+
+/// A column of a table over the positions: its head (`*` stands for the name of what it belongs to), its unit, and the value
+/// of the i-th thing in a position.
+type Part = (&'static str, Unit, fn(&PositionResult, usize) -> Option<f64>);
 
 /// A column of one quantity over the positions.
 pub(super) fn column(
@@ -12,24 +18,16 @@ pub(super) fn column(
     unit: Unit,
     value: impl Fn(&PositionResult) -> Option<f64>,
 ) -> Column {
-    let values: Vec<_> = source
-        .analysis
-        .positions
-        .iter()
-        .map(|position| value(position).map(|value| value * unit.factor))
-        .collect();
-    Column { head: head.into(), unit: unit.name.to_owned(), cells: Cells::Numbers(values) }
+    Column::of(&source.analysis.positions, head, unit, value)
 }
 
 /// Number and coordinate of the positions.
 pub(super) fn keys(source: &Source<'_>) -> [Column; 2] {
     let numbers = source.analysis.positions.iter().map(|position| position.index.to_string());
-    let number =
-        Column { head: "No.".to_owned(), unit: String::new(), cells: Cells::Text(numbers.collect()) };
     let coordinate = column(source, &source.analysis.input.link, source.units.coordinate, |position| {
         Some(position.coordinate)
     });
-    [number, coordinate]
+    [Column::texts("No.", numbers.collect()), coordinate]
 }
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
@@ -43,83 +41,88 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     }
 }
 
-/// Points of a position that move, by index: those of the ground stand among the dimensions.
-fn moving<'a, T>(
-    source: &Source<'_>,
-    points: &'a assur_analysis::results::Named<T>,
-) -> Vec<(usize, &'a str)> {
-    let fixed = |name: &str| {
-        let id = source.mechanism.point(name);
-        id.is_some_and(|id| source.mechanism.place_in(id, assur_mechanism::GROUND).is_some())
+/// 1 / determinant of the groups.
+pub(super) fn condition(source: &Source<'_>, page: &mut Page) {
+    let Some(first) = source.analysis.positions.first().filter(|first| !first.condition.is_empty()) else {
+        return;
     };
-    points.iter().map(|(name, _)| name).enumerate().filter(|(_, name)| !fixed(name)).collect()
+    page.section("Condition of the groups");
+    page.paragraph(
+        "1 / (dimensionless determinant): 1 is the best there is; errors of PF1 grow with it, those of PF2 with its square; \
+         infinite at a singular position.",
+    );
+    let unit = Unit { name: "", factor: 1.0 };
+    let groups = first.condition.iter().map(|(name, _)| {
+        let head = format!("group {}", name.parse::<usize>().unwrap_or_default() + 1);
+        vec![column(source, head, unit, |p| p.condition.get(name).copied())]
+    });
+    page.table("Groups", &keys(source), groups.collect());
 }
 
-/// The `i`-th of a list of names and values.
-fn at<T>(named: &assur_analysis::results::Named<T>, i: usize) -> Option<&T> {
+/// All names by index.
+fn all<T>(named: &Named<T>) -> Vec<(usize, &str)> {
+    named.iter().map(|(name, _)| name).enumerate().collect()
+}
+
+/// Points of a position that move: those of the ground stand among the dimensions.
+fn moving<'a, T>(source: &Source<'_>, points: &'a Named<T>) -> Vec<(usize, &'a str)> {
+    let fixed = |name: &str| {
+        let id = source.mechanism.point(name);
+        id.is_some_and(|id| source.mechanism.place_in(id, GROUND).is_some())
+    };
+    all(points).into_iter().filter(|(_, name)| !fixed(name)).collect()
+}
+
+/// The `i`-th value of a list.
+fn at<T>(named: &Named<T>, i: usize) -> Option<&T> {
     named.0.get(i).map(|(_, value)| value)
 }
 
-fn positions(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
-    let (keys, units) = (keys(source), &source.units);
-    page.section("Positions");
-    let of_points = moving(source, &first.points).into_iter().map(|(i, name)| {
-        let axis = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf0[axis]);
-        vec![
-            column(source, format!("{name} x"), units.length[0], axis(0)),
-            column(source, format!("{name} y"), units.length[0], axis(1)),
-        ]
-    });
-    table(page, "Points", &keys, of_points.collect());
-    let of_links = first.links.iter().enumerate().map(|(i, (name, _))| {
-        vec![column(source, name, units.angle[0], move |p| at(&p.links, i).map(|motion| motion.pf0))]
-    });
-    table(page, "Angles of the links", &keys, of_links.collect());
-    let of_slides = first.slides.iter().enumerate().map(|(i, (name, _))| {
-        vec![column(source, name, units.length[0], move |p| at(&p.slides, i).map(|motion| motion.pf0))]
-    });
-    table(page, "Displacements of the slides", &keys, of_slides.collect());
+/// A group of columns for each named thing.
+fn groups(source: &Source<'_>, named: Vec<(usize, &str)>, parts: &[Part]) -> Vec<Vec<Column>> {
+    let of = |(i, name): (usize, &str)| {
+        let part = |(head, unit, value): &Part| {
+            column(source, head.replace('*', name), *unit, |p: &PositionResult| value(p, i))
+        };
+        parts.iter().map(part).collect()
+    };
+    named.into_iter().map(of).collect()
 }
 
-fn table(page: &mut Page, caption: &str, keys: &[Column], groups: Vec<Vec<Column>>) {
-    if !groups.is_empty() {
-        page.caption(caption);
-        page.table(keys, groups);
-    }
+fn positions(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
+    let (keys, angle, length) = (keys(source), source.units.angle[0], source.units.length[0]);
+    page.section("Positions");
+    let parts: [Part; 2] = [
+        ("* x", length, |p, i| Some(at(&p.points, i)?.pf0[0])),
+        ("* y", length, |p, i| Some(at(&p.points, i)?.pf0[1])),
+    ];
+    page.table("Points", &keys, groups(source, moving(source, &first.points), &parts));
+    let parts: [Part; 1] = [("*", angle, |p, i| Some(at(&p.links, i)?.pf0))];
+    page.table("Angles of the links", &keys, groups(source, all(&first.links), &parts));
+    let parts: [Part; 1] = [("*", length, |p, i| Some(at(&p.slides, i)?.pf0))];
+    page.table("Displacements of the slides", &keys, groups(source, all(&first.slides), &parts));
 }
 
 fn transfer(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
-    let (keys, units) = (keys(source), &source.units);
+    let (keys, angle, length) = (keys(source), source.units.angle, source.units.length);
     page.section("Transfer functions (derivatives by the input coordinate)");
-    let of_links = first.links.iter().enumerate().map(|(i, (name, _))| {
-        vec![
-            column(source, format!("{name} PF1"), units.angle[1], move |p| {
-                at(&p.links, i).map(|motion| motion.pf1)
-            }),
-            column(source, "PF2", units.angle[2], move |p| at(&p.links, i).map(|motion| motion.pf2)),
-        ]
-    });
-    table(page, "Links", &keys, of_links.collect());
-    let of_points = moving(source, &first.points).into_iter().map(|(i, name)| {
-        let pf1 = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf1[axis]);
-        let pf2 = |axis: usize| move |p: &PositionResult| at(&p.points, i).map(|motion| motion.pf2[axis]);
-        vec![
-            column(source, format!("{name} PF1 x"), units.length[1], pf1(0)),
-            column(source, "PF1 y", units.length[1], pf1(1)),
-            column(source, "PF2 x", units.length[2], pf2(0)),
-            column(source, "PF2 y", units.length[2], pf2(1)),
-        ]
-    });
-    table(page, "Points", &keys, of_points.collect());
-    let of_slides = first.slides.iter().enumerate().map(|(i, (name, _))| {
-        vec![
-            column(source, format!("{name} PF1"), units.length[1], move |p| {
-                at(&p.slides, i).map(|motion| motion.pf1)
-            }),
-            column(source, "PF2", units.length[2], move |p| at(&p.slides, i).map(|motion| motion.pf2)),
-        ]
-    });
-    table(page, "Slides", &keys, of_slides.collect());
+    let parts: [Part; 2] = [
+        ("* PF1", angle[1], |p, i| Some(at(&p.links, i)?.pf1)),
+        ("PF2", angle[2], |p, i| Some(at(&p.links, i)?.pf2)),
+    ];
+    page.table("Links", &keys, groups(source, all(&first.links), &parts));
+    let parts: [Part; 4] = [
+        ("* PF1 x", length[1], |p, i| Some(at(&p.points, i)?.pf1[0])),
+        ("PF1 y", length[1], |p, i| Some(at(&p.points, i)?.pf1[1])),
+        ("PF2 x", length[2], |p, i| Some(at(&p.points, i)?.pf2[0])),
+        ("PF2 y", length[2], |p, i| Some(at(&p.points, i)?.pf2[1])),
+    ];
+    page.table("Points", &keys, groups(source, moving(source, &first.points), &parts));
+    let parts: [Part; 2] = [
+        ("* PF1", length[1], |p, i| Some(at(&p.slides, i)?.pf1)),
+        ("PF2", length[2], |p, i| Some(at(&p.slides, i)?.pf2)),
+    ];
+    page.table("Slides", &keys, groups(source, all(&first.slides), &parts));
 }
 
 fn rates(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
@@ -129,48 +132,34 @@ fn rates(source: &Source<'_>, first: &PositionResult, page: &mut Page) {
         column(source, "speed", source.units.rates[0], |p| p.speed),
         column(source, "acceleration", source.units.rates[1], |p| p.acceleration),
     ];
-    table(page, "Input", &keys, vec![of_input]);
+    page.table("Input", &keys, vec![of_input]);
     let Some(velocities) = &first.velocities else { return };
-    table(
-        page,
-        "Angular velocities (w) and accelerations (e) of the links",
-        &keys,
-        links(source, velocities),
-    );
-    table(page, "Points", &keys, points(source, velocities));
-    table(page, "Slides, relative", &keys, slides(source, velocities));
+    let parts: [Part; 2] = [
+        ("* w", TURNING[0], |p, i| at(&p.velocities.as_ref()?.links, i).copied()),
+        ("e", TURNING[1], |p, i| at(&p.accelerations.as_ref()?.links, i).copied()),
+    ];
+    let caption = "Angular velocities (w) and accelerations (e) of the links";
+    page.table(caption, &keys, groups(source, all(&velocities.links), &parts));
+    let parts: [Part; 6] = [
+        ("* vx", MOVING[0], |p, i| Some(velocity(p, i)?[0])),
+        ("vy", MOVING[0], |p, i| Some(velocity(p, i)?[1])),
+        ("v", MOVING[0], |p, i| velocity(p, i).map(|[x, y]| x.hypot(y))),
+        ("ax", MOVING[1], |p, i| Some(acceleration(p, i)?[0])),
+        ("ay", MOVING[1], |p, i| Some(acceleration(p, i)?[1])),
+        ("a", MOVING[1], |p, i| acceleration(p, i).map(|[x, y]| x.hypot(y))),
+    ];
+    page.table("Points", &keys, groups(source, moving(source, &velocities.points), &parts));
+    let parts: [Part; 2] = [
+        ("* v", MOVING[0], |p, i| at(&p.velocities.as_ref()?.slides, i).copied()),
+        ("a", MOVING[1], |p, i| at(&p.accelerations.as_ref()?.slides, i).copied()),
+    ];
+    page.table("Slides, relative", &keys, groups(source, all(&velocities.slides), &parts));
 }
 
-fn links(source: &Source<'_>, velocities: &assur_analysis::results::Rates) -> Vec<Vec<Column>> {
-    let each = velocities.links.iter().enumerate().map(|(i, (name, _))| {
-        let w = move |p: &PositionResult| at(&p.velocities.as_ref()?.links, i).copied();
-        let e = move |p: &PositionResult| at(&p.accelerations.as_ref()?.links, i).copied();
-        vec![column(source, format!("{name} w"), TURNING[0], w), column(source, "e", TURNING[1], e)]
-    });
-    each.collect()
+fn velocity(position: &PositionResult, i: usize) -> Option<[f64; 2]> {
+    at(&position.velocities.as_ref()?.points, i).copied()
 }
 
-fn points(source: &Source<'_>, velocities: &assur_analysis::results::Rates) -> Vec<Vec<Column>> {
-    let each = moving(source, &velocities.points).into_iter().map(|(i, name)| {
-        let v = move |p: &PositionResult| at(&p.velocities.as_ref()?.points, i).copied();
-        let a = move |p: &PositionResult| at(&p.accelerations.as_ref()?.points, i).copied();
-        vec![
-            column(source, format!("{name} vx"), MOVING[0], move |p| v(p).map(|v| v[0])),
-            column(source, "vy", MOVING[0], move |p| v(p).map(|v| v[1])),
-            column(source, "v", MOVING[0], move |p| v(p).map(|v| v[0].hypot(v[1]))),
-            column(source, "ax", MOVING[1], move |p| a(p).map(|a| a[0])),
-            column(source, "ay", MOVING[1], move |p| a(p).map(|a| a[1])),
-            column(source, "a", MOVING[1], move |p| a(p).map(|a| a[0].hypot(a[1]))),
-        ]
-    });
-    each.collect()
-}
-
-fn slides(source: &Source<'_>, velocities: &assur_analysis::results::Rates) -> Vec<Vec<Column>> {
-    let each = velocities.slides.iter().enumerate().map(|(i, (name, _))| {
-        let v = move |p: &PositionResult| at(&p.velocities.as_ref()?.slides, i).copied();
-        let a = move |p: &PositionResult| at(&p.accelerations.as_ref()?.slides, i).copied();
-        vec![column(source, format!("{name} v"), MOVING[0], v), column(source, "a", MOVING[1], a)]
-    });
-    each.collect()
+fn acceleration(position: &PositionResult, i: usize) -> Option<[f64; 2]> {
+    at(&position.accelerations.as_ref()?.points, i).copied()
 }

@@ -35,7 +35,7 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
 fn pairs(source: &Source<'_>, page: &mut Page) {
     let name =
         |link: usize| -> &str { source.mechanism.links.get(link).map_or("", |link: &Link| &link.name) };
-    let mut rows = vec![["pair", "sort", "links", "count"].map(String::from).to_vec()];
+    let mut rows = Vec::new();
     for pin in source.mechanism.points.iter().filter(|point| point.is_pin()) {
         let links: Vec<_> = pin.places.iter().map(|place| name(place.link)).collect();
         let sort = if links.len() > 2 { "R, multiple joint" } else { "R" };
@@ -46,7 +46,7 @@ fn pairs(source: &Source<'_>, page: &mut Page) {
         rows.push(vec![slide.name.clone(), "P".to_owned(), links, "1".to_owned()]);
     }
     page.caption("Pairs (R: turning, P: sliding)");
-    page.rows(&rows);
+    page.rows(&["pair", "sort", "links", "count"], &rows);
 }
 
 fn groups(source: &Source<'_>, page: &mut Page) {
@@ -54,8 +54,7 @@ fn groups(source: &Source<'_>, page: &mut Page) {
     if groups.is_empty() {
         return;
     }
-    let header = ["group", "kind", "class", "type", "order", "links", "inner", "outer", "way", "ways"];
-    let mut rows = vec![header.map(String::from).to_vec()];
+    let mut rows = Vec::new();
     for (index, group) in groups.iter().enumerate() {
         rows.push(vec![
             (index + 1).to_string(),
@@ -71,5 +70,6 @@ fn groups(source: &Source<'_>, page: &mut Page) {
         ]);
     }
     page.caption("Assur groups in solving order (way: the assembly in the first position, counted from 0)");
-    page.rows(&rows);
+    let head = ["group", "kind", "class", "type", "order", "links", "inner", "outer", "way", "ways"];
+    page.rows(&head, &rows);
 }

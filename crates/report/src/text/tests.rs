@@ -25,9 +25,10 @@ fn single_numbers_have_six_digits() {
 
 #[test]
 fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
-    let rows = [["pair", "N"], ["A", "1.5"], ["größe", "-12.25"]].map(|row| row.map(String::from).to_vec());
-    assert_eq!(columns(&rows, false), "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
-    assert!(columns(&rows, true).contains("groesse  -12.25\n"));
+    let head = ["pair", "N"];
+    let rows = [["A", "1.5"], ["größe", "-12.25"]].map(|row| row.map(String::from).to_vec());
+    assert_eq!(columns(&head, &rows, false), "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
+    assert!(columns(&head, &rows, true).contains("groesse  -12.25\n"));
 }
 
 #[test]

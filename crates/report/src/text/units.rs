@@ -31,6 +31,10 @@ pub(super) struct Units {
     pub(super) reduced: [Unit; 3],
 }
 
+/// kg.
+pub(super) const KILOGRAM: Unit = unit("kg", 1.0);
+/// s.
+pub(super) const SECOND: Unit = unit("s", 1.0);
 /// N m.
 pub(super) const MOMENT: Unit = unit("N·m", 1.0);
 /// N.
