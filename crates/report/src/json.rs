@@ -3,12 +3,60 @@
 use std::io::{self, Write};
 
 use serde::Serialize;
+use serde_json::Value;
 use serde_json::ser::{Formatter, Serializer};
 
 /// A result can't be written as JSON.
 #[derive(Debug, thiserror::Error)]
-#[error("the result can't be written as JSON: {0}")]
-pub struct JsonError(#[from] serde_json::Error);
+pub enum JsonError {
+    /// The writer refuses.
+    #[error("the result can't be written as JSON: {0}")]
+    Write(#[from] serde_json::Error),
+    /// A number is not finite.
+    #[error(transparent)]
+    NotFinite(#[from] NotFinite),
+}
+
+/// A number of the results is not finite: nothing is written, in no form.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the number found for `{place}` is not finite, so the results are not written")]
+pub struct NotFinite {
+    /// Where it stands in the JSON: `positions[3].links.rocker.pf1`.
+    pub place: String,
+}
+
+/// The results, if all their numbers are finite.
+///
+/// # Errors
+///
+/// [`NotFinite`] with the first number that is not.
+pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
+    let strict = result.serialize(&mut Serializer::with_formatter(io::sink(), Strict { ascii: false }));
+    match strict.is_err().then(|| serde_json::to_value(result).ok().and_then(|value| null(&value))).flatten()
+    {
+        Some(place) => Err(NotFinite { place }),
+        None => Ok(result),
+    }
+}
+
+/// Where the first `null` stands, which a number that is not finite becomes; results hold no others.
+fn null(value: &Value) -> Option<String> {
+    match value {
+        Value::Null => Some(String::new()),
+        Value::Array(values) => {
+            values.iter().enumerate().find_map(|(i, value)| Some(format!("[{i}]{}", null(value)?)))
+        }
+        Value::Object(values) => values.iter().find_map(|(key, value)| {
+            let rest = null(value)?;
+            Some(if rest.is_empty() || rest.starts_with('[') {
+                key.clone() + &rest
+            } else {
+                format!("{key}.{rest}")
+            })
+        }),
+        _ => None,
+    }
+}
 
 /// Compact JSON in which a number that is not finite is a fault, not a `null`.
 struct Strict {
@@ -18,10 +66,7 @@ struct Strict {
 impl Formatter for Strict {
     /// Results hold no empty options, so this is only asked for NaN and infinity.
     fn write_null<W: ?Sized + Write>(&mut self, _writer: &mut W) -> io::Result<()> {
-        Err(io::Error::new(
-            io::ErrorKind::InvalidData,
-            "a number is not finite; this is a bug of the program",
-        ))
+        Err(io::Error::new(io::ErrorKind::InvalidData, "a number is not finite"))
     }
 
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
@@ -45,10 +90,13 @@ impl Formatter for Strict {
 ///
 /// # Errors
 ///
-/// [`JsonError`] for a number that is not finite: a bug of the program, never written silently.
+/// [`JsonError`] for a number that is not finite.
 pub fn to_json<T: Serialize>(result: &T, ascii: bool) -> Result<String, JsonError> {
     let mut bytes = Vec::with_capacity(1 << 16);
-    result.serialize(&mut Serializer::with_formatter(&mut bytes, Strict { ascii }))?;
+    if let Err(error) = result.serialize(&mut Serializer::with_formatter(&mut bytes, Strict { ascii })) {
+        finite(result)?;
+        return Err(error.into());
+    }
     bytes.push(b'\n');
     // The serializer writes UTF-8 only.
     Ok(String::from_utf8_lossy(&bytes).into_owned())

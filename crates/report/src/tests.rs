@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::csv::{CsvError, to_csv};
+use crate::csv::{Cell, CsvError, to_csv, write};
 use crate::json::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
@@ -86,9 +86,16 @@ fn ascii_json_reads_back_the_same() {
 #[test]
 fn numbers_that_are_not_finite_are_never_written() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert!(to_json(&analysis(bad), false).unwrap_err().to_string().contains("not finite"));
+        let fault = to_json(&analysis(bad), false).unwrap_err().to_string();
+        assert!(fault.contains("`positions[0].links.größe.pf0` is not finite"), "{fault}");
         let fault = to_csv(&analysis(bad), false).unwrap_err();
-        assert!(matches!(&fault, CsvError::NotFinite { column } if column == "größe_angle_rad"), "{fault}");
+        assert!(
+            matches!(&fault, CsvError::NotFinite { column, row: 1 } if column == "größe_angle_rad"),
+            "{fault}"
+        );
+        let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
+        let fault = crate::text::report(&analysis(bad), &scene, false).unwrap_err();
+        assert_eq!(fault.place, "positions[0].links.größe.pf0");
     }
 }
 
@@ -112,4 +119,11 @@ fn ascii_spells_signs_and_letters() {
     assert_eq!(to_ascii("kg·m², 5°"), "kg*m^2, 5 deg");
     assert_eq!(to_ascii("Жёлтый Щит"), "Zheltyy Shchit");
     assert_eq!(to_ascii("漢 crank"), "? crank");
+}
+
+#[test]
+fn columns_are_harmless_and_have_one_name_each() {
+    let cells = [Cell::Number(1.0), Cell::Text("-sum(A1)"), Cell::Number(3.0), Cell::Empty];
+    let text = write(&["=a", "b", "ä", "ae"], [cells], true).unwrap();
+    assert_eq!(text, "_=a,b,ae,ae_2\n1,_-sum(A1),3,\n");
 }

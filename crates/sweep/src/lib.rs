@@ -1,7 +1,7 @@
 //! A scene over a grid of parameters: one row of results for each point.
 //!
-//! [`Sweep::of`] takes the text of a scene and the parameters; [`Sweep::run`] gives a [`Table`], which [`csv`] and
-//! [`parquet`] write to memory. Each point is the text of the scene with other values in it, read by [`assur_scene::read`]: every
+//! [`Sweep::of`] takes the text of a scene and the parameters; [`Sweep::run`] gives a [`Table`], which is written
+//! to memory as CSV ([`Table::to_csv`]) or as [`parquet`]. Each point is the text of the scene with other values in it, read by [`assur_scene::read`]: every
 //! check of the reader applies, and a unit means what it means in a scene. Nothing here opens a file or prints.
 //!
 //! # The grid
@@ -36,7 +36,6 @@
 //! Extremes are over the positions of the scene; of equal ones the first counts. Columns of what no point has are left out.
 
 mod axis;
-pub mod csv;
 mod error;
 mod measure;
 pub mod parquet;
@@ -50,7 +49,7 @@ mod vary;
 
 pub use error::SweepError;
 pub use sweep::{MOST_POINTS, Sweep};
-pub use table::{Cell, Status, Table};
+pub use table::{Status, Table};
 pub use vary::Vary;
 
 #[cfg(test)]

@@ -9,7 +9,9 @@ use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{Type, TypePtr};
 
-use crate::{Cell, Table};
+use assur_report::csv::Cell;
+
+use crate::Table;
 
 /// Rows of one group.
 const GROUP: usize = 65_536;

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use assur_report::csv::{Cell, CsvError, unique, write};
+
 use crate::row::Row;
 
 /// How the calculation of a point ended.
@@ -30,17 +32,6 @@ impl Status {
             Self::Refused => "refused",
         }
     }
-}
-
-/// One cell.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Cell<'a> {
-    /// Does not apply.
-    Empty,
-    /// A number, SI; finite.
-    Number(f64),
-    /// A text.
-    Text(&'a str),
 }
 
 /// What a column holds.
@@ -84,12 +75,22 @@ impl Table {
             columns.push(Column::Motor);
             header.push("motor".to_owned());
         }
-        Self { header, columns, rows, places, layouts }
+        Self { header: unique(header), columns, rows, places, layouts }
     }
 
     /// Names of the columns.
     pub fn header(&self) -> &[String] {
         &self.header
+    }
+
+    /// The table as CSV: one header row, comma separated, numbers with all their digits; `ascii`: no character beyond ASCII.
+    ///
+    /// # Errors
+    ///
+    /// [`CsvError`] where the writer refuses.
+    pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
+        let row = |row| (0..self.header.len()).map(move |column| self.cell(row, column));
+        write(&self.header, (0..self.len()).map(row), ascii)
     }
 
     /// How many rows there are.

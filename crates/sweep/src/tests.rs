@@ -10,7 +10,9 @@ use std::num::NonZeroUsize;
 use assur_all as _;
 use assur_analysis::Options;
 
-use crate::{Cell, Sweep, SweepError, Table, Vary};
+use assur_report::csv::Cell;
+
+use crate::{Sweep, SweepError, Table, Vary};
 
 /// A slider-crank whose places are known in closed form: crank r, rod l, slide along x.
 const SLIDER: &str = r#"[ground]

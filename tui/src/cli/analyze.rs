@@ -32,7 +32,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             output::write_folder(folder, &files)?;
         }
         (Format::Text | Format::Csv, _) => {
-            let mut text = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            let report = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            let mut text = report.map_err(Fault::other)?;
             text += &plans::text(&analysis, style);
             output::print_or_write(&text, target)?;
         }

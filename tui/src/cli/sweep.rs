@@ -4,7 +4,7 @@ use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{Sweep, SweepError, Table, Vary, csv, parquet};
+use assur_sweep::{Sweep, SweepError, Table, Vary, parquet};
 use clap::Args;
 
 use super::args::MethodArgs;
@@ -69,8 +69,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     let table = table.map_err(fault)?;
     match form {
         Form::Csv => {
-            let text = csv::to_csv(&table).map_err(Fault::other)?;
-            let text = if style.ascii_data { style.text(&text) } else { text.as_str().into() };
+            let text = table.to_csv(style.ascii_data).map_err(Fault::other)?;
             output::print_or_write(&text, target)?;
         }
         Form::Parquet => {

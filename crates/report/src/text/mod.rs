@@ -17,6 +17,7 @@ use assur_mechanism::Mechanism;
 
 use assur_analysis::results::{Analysis, Check};
 
+use crate::json::{NotFinite, finite};
 use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;
@@ -30,7 +31,12 @@ struct Source<'a> {
 }
 
 /// The whole report; `ascii`: no character beyond ASCII.
-pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String {
+///
+/// # Errors
+///
+/// [`NotFinite`] for a number that is not finite.
+pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> Result<String, NotFinite> {
+    let analysis = finite(analysis)?;
     let source = Source { analysis, mechanism, units: Units::of(analysis.input.angular) };
     let mut page = Page::new(ascii);
     if !analysis.title.is_empty() {
@@ -60,7 +66,7 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> String
         page.section("Checks");
         page.text(&checks(&analysis.checks, ascii));
     }
-    page.finish()
+    Ok(page.finish())
 }
 
 /// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what

@@ -6,7 +6,9 @@ use std::num::NonZeroUsize;
 use assur_analysis::Options;
 
 use super::{SLIDER, column, numbers, run, sweep};
-use crate::{Cell, Status};
+use assur_report::csv::Cell;
+
+use crate::Status;
 
 fn close(found: f64, known: f64) {
     assert!((found - known).abs() <= 1e-12 * (1.0 + known.abs()), "{found} is not {known}");

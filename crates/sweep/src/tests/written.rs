@@ -8,7 +8,9 @@ use ::parquet::record::Field;
 use assur_analysis::Options;
 
 use super::{SLIDER, run, sweep};
-use crate::{Cell, csv, parquet};
+use assur_report::csv::Cell;
+
+use crate::parquet;
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
 
@@ -17,14 +19,14 @@ fn one_thread_and_four_write_the_same_bytes() {
     let (one, four) = (run(SLIDER, &GRID, 1), run(SLIDER, &GRID, 4));
     assert!(one.failures().count() > 0, "some points have no solution");
     assert!(one.failures().count() < one.len(), "and some have");
-    assert_eq!(csv::to_csv(&one).unwrap(), csv::to_csv(&four).unwrap());
+    assert_eq!(one.to_csv(false).unwrap(), four.to_csv(false).unwrap());
     assert_eq!(parquet::to_parquet(&one).unwrap(), parquet::to_parquet(&four).unwrap());
 }
 
 #[test]
 fn csv_reads_back_as_the_same_numbers() {
     let table = run(SLIDER, &GRID, 2);
-    let text = csv::to_csv(&table).unwrap();
+    let text = table.to_csv(false).unwrap();
     let mut reader = ::csv::Reader::from_reader(text.as_bytes());
     assert_eq!(reader.headers().unwrap(), table.header());
     let records: Vec<_> = reader.records().map(Result::unwrap).collect();

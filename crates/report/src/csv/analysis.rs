@@ -1,23 +1,11 @@
-//! CSV: one header row with the unit in the name, comma separated, numbers with all their digits.
+//! The results of a scene as CSV: one file for the positions, one for reactions, one for the motion over time.
 
-use ::csv::Writer;
-
-use crate::to_ascii;
 use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, Rates, ScalarMotion};
 
-/// A result can't be written as CSV.
-#[derive(Debug, thiserror::Error)]
-pub enum CsvError {
-    /// The writer refuses.
-    #[error("the result can't be written as CSV: {0}")]
-    Write(#[from] ::csv::Error),
-    /// A number is not finite: a bug of the program.
-    #[error("column {column} has a number that is not finite; this is a bug of the program")]
-    NotFinite {
-        /// The column.
-        column: String,
-    },
-}
+use super::{Cell, CsvError, write};
+
+/// The names of all files that [`to_csv`] may give.
+pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
 
 /// One CSV file: its name and its text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,14 +20,14 @@ pub struct CsvFile {
 ///
 /// # Errors
 ///
-/// [`CsvError`] for a number that is not finite: a bug of the program.
+/// [`CsvError`] for a number that is not finite.
 pub fn to_csv(analysis: &Analysis, ascii: bool) -> Result<Vec<CsvFile>, CsvError> {
-    let mut files = vec![CsvFile { name: "positions.csv", text: positions(analysis, ascii)? }];
+    let mut files = vec![CsvFile { name: FILES[0], text: positions(analysis, ascii)? }];
     if analysis.positions.iter().any(|position| position.balancing.is_some()) {
-        files.push(CsvFile { name: "reactions.csv", text: reactions(analysis, ascii)? });
+        files.push(CsvFile { name: FILES[1], text: reactions(analysis, ascii)? });
     }
     if !analysis.trajectory.is_empty() {
-        files.push(CsvFile { name: "trajectory.csv", text: trajectory(analysis, ascii)? });
+        files.push(CsvFile { name: FILES[2], text: trajectory(analysis, ascii)? });
     }
     Ok(files)
 }
@@ -87,38 +75,17 @@ impl Row {
     }
 }
 
-/// Writes rows under the header of the first one that has the most columns; a row without a column has an empty cell.
+/// Rows under all columns that any of them has; a row without a column has an empty cell.
 fn table(rows: &[Row], ascii: bool) -> Result<String, CsvError> {
-    let mut writer = Writer::from_writer(Vec::new());
     let header = rows.iter().max_by_key(|row| row.cells.len()).map(|row| &row.cells[..]).unwrap_or_default();
-    if !header.is_empty() {
-        writer.write_record(
-            header.iter().map(|(name, _)| if ascii { to_ascii(name).into_owned() } else { name.clone() }),
-        )?;
-    }
-    for row in rows {
-        let mut record = Vec::with_capacity(header.len());
+    let names: Vec<&str> = header.iter().map(|(name, _)| name.as_str()).collect();
+    let cells = rows.iter().map(|row| {
         let mut cells = row.cells.iter().peekable();
-        for (column, _) in header {
-            match cells.next_if(|(name, _)| name == column) {
-                Some((_, value)) if value.is_finite() => record.push(number(*value)),
-                Some(_) => return Err(CsvError::NotFinite { column: column.clone() }),
-                None => record.push(String::new()),
-            }
-        }
-        writer.write_record(record)?;
-    }
-    let bytes = writer.into_inner().map_err(|error| ::csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
-/// The shortest text that reads back as the same number; whole numbers without a point.
-fn number(value: f64) -> String {
-    if value != 0.0 && !(1e-5..1e15).contains(&value.abs()) {
-        format!("{value:e}")
-    } else {
-        format!("{value}")
-    }
+        names.iter().map(move |column| {
+            cells.next_if(|(name, _)| name == column).map_or(Cell::Empty, |(_, value)| Cell::Number(*value))
+        })
+    });
+    write(&names, cells, ascii)
 }
 
 /// The columns that say which position a row is.

@@ -1,0 +1,100 @@
+//! CSV: one header row with the unit in the name, comma separated, numbers with all their digits.
+
+mod analysis;
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use ::csv::Writer;
+
+use crate::to_ascii;
+
+pub use analysis::{CsvFile, FILES, to_csv};
+
+/// A table can't be written as CSV.
+#[derive(Debug, thiserror::Error)]
+pub enum CsvError {
+    /// The writer refuses.
+    #[error("the result can't be written as CSV: {0}")]
+    Write(#[from] ::csv::Error),
+    /// A number is not finite.
+    #[error("column `{column}`, row {row}: the number found is not finite, and is not written")]
+    NotFinite {
+        /// The column.
+        column: String,
+        /// The row, counted from 1 below the header.
+        row: usize,
+    },
+}
+
+/// One cell of a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cell<'a> {
+    /// Does not apply.
+    Empty,
+    /// A number, SI.
+    Number(f64),
+    /// A text.
+    Text(&'a str),
+}
+
+/// Writes a table; `ascii`: no character beyond ASCII. Columns of one name are told apart by numbers, and a text that a
+/// spreadsheet would take for a formula (`=`, `+`, `-` or `@` in front) gets an underscore in front.
+///
+/// # Errors
+///
+/// [`CsvError`] for a number that is not finite.
+pub fn write<'a, R>(
+    header: &[impl AsRef<str>],
+    rows: impl IntoIterator<Item = R>,
+    ascii: bool,
+) -> Result<String, CsvError>
+where
+    R: IntoIterator<Item = Cell<'a>>,
+{
+    let mut writer = Writer::from_writer(Vec::new());
+    if !header.is_empty() {
+        writer.write_record(unique(header.iter().map(|name| harmless(name.as_ref(), ascii).into_owned())))?;
+    }
+    for (index, row) in rows.into_iter().enumerate() {
+        for (cell, name) in row.into_iter().zip(header) {
+            match cell {
+                Cell::Empty => writer.write_field("")?,
+                Cell::Number(value) if value.is_finite() => writer.write_field(number(value))?,
+                Cell::Number(_) => {
+                    return Err(CsvError::NotFinite { column: name.as_ref().to_owned(), row: index + 1 });
+                }
+                Cell::Text(text) => writer.write_field(&*harmless(text, ascii))?,
+            }
+        }
+        writer.write_record(None::<&[u8]>)?;
+    }
+    let bytes = writer.into_inner().map_err(|error| ::csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The names, each only once: a second one of a name gets a number.
+pub fn unique(names: impl IntoIterator<Item = String>) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    let unique = |name: String| {
+        let numbered = (2..).map(|number| format!("{name}_{number}"));
+        let mut names = std::iter::once(name.clone()).chain(numbered);
+        names.find(|name| used.insert(name.clone())).unwrap_or_default()
+    };
+    names.into_iter().map(unique).collect()
+}
+
+/// A text that no spreadsheet takes for a formula.
+fn harmless(text: &str, ascii: bool) -> Cow<'_, str> {
+    let text = if ascii { to_ascii(text) } else { Cow::Borrowed(text) };
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("_{text}").into() } else { text }
+}
+
+/// The shortest text that reads back as the same number; whole numbers without a point.
+fn number(value: f64) -> String {
+    if value != 0.0 && !(1e-5..1e15).contains(&value.abs()) {
+        format!("{value:e}")
+    } else {
+        format!("{value}")
+    }
+}
