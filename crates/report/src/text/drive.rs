@@ -5,7 +5,7 @@ use super::layout::{Column, Page};
 use super::number::{short, single};
 use super::units::Unit;
 use assur_analysis::results::{
-    Dynamics, FlywheelByMethod, MotorReport, RegimePoint, RegimeReport, RunnerUp, Trial, Turn,
+    Dynamics, FlywheelByMethod, Iteration, MotorReport, RegimePoint, RegimeReport, RunnerUp, Trial,
 };
 
 /// Rows of the course over a cycle, without the first.
@@ -69,7 +69,7 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
 fn iteration(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     let rate = source.units.rates[0].name;
     if !regime.iteration.is_empty() {
-        let row = |turn: &Turn| {
+        let row = |turn: &Iteration| {
             let [start, end] = [turn.speed_start, turn.speed_end].map(digits);
             vec![turn.number.to_string(), start, end, format!("{:.3e}", turn.residual)]
         };
