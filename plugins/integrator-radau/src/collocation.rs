@@ -4,7 +4,8 @@ use assur_integrator::{
     Attempt, Control, Dense, Equation, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
 };
 
-use crate::linear::{Matrix, inverse, product, times};
+use nalgebra::{Matrix3, Vector3};
+
 use crate::table::{A, C, E, GAMMA};
 
 /// Most iterations of Newton's method.
@@ -19,17 +20,17 @@ const DIVERGED: Attempt =
 pub(crate) struct Collocation {
     h: f64,
     /// Increments of coordinate and speed at the three nodes.
-    increments: [[f64; 3]; 2],
+    increments: [Vector3<f64>; 2],
     /// Partials at the start of the present step, with the state that they belong to.
     partials: Option<(State, Partials)>,
     /// The last good step, to start the iteration from: its end, its length and its speed increments.
-    before: Option<(State, f64, [f64; 3])>,
+    before: Option<(State, f64, Vector3<f64>)>,
     /// The last attempt passed. If not, or if there was none, the error is filtered twice where it is large.
     passed: bool,
 }
 
 /// Cubic through 0 at 0 and these values at the nodes, at `theta`; and its slope.
-fn interpolate(values: &[f64; 3], theta: f64) -> (f64, f64) {
+fn interpolate(values: &Vector3<f64>, theta: f64) -> (f64, f64) {
     let nodes = [0.0, C[0], C[1], C[2]];
     let (mut value, mut slope) = (0.0, 0.0);
     for i in 1..4 {
@@ -45,12 +46,12 @@ fn interpolate(values: &[f64; 3], theta: f64) -> (f64, f64) {
 
 impl Collocation {
     /// Coordinates of the stages from their speeds: h A w.
-    fn coordinates(&self, speed: f64, speeds: &[f64; 3]) -> [f64; 3] {
-        times(&A, &speeds.map(|increment| self.h * (speed + increment)))
+    fn coordinates(&self, speed: f64, speeds: &Vector3<f64>) -> Vector3<f64> {
+        A * speeds.map(|increment| self.h * (speed + increment))
     }
 
     /// First guess of the stage speeds: the last step's polynomial continued, else uniformly accelerated.
-    fn guess(&self, from: &Node) -> [f64; 3] {
+    fn guess(&self, from: &Node) -> Vector3<f64> {
         match self.before {
             // A step that was cut at an event ended elsewhere; its polynomial is of no use then.
             Some((end, h, increments)) if end == from.state => {
@@ -76,7 +77,7 @@ impl Collocation {
         let (mut before, mut rate) = (0.0, 1.0_f64);
         for iteration in 0..ITERATIONS {
             let coordinates = self.coordinates(speed, &speeds);
-            let mut accelerations = [0.0; 3];
+            let mut accelerations = Vector3::zeros();
             for i in 0..3 {
                 accelerations[i] = equation.acceleration(&State {
                     time: time + C[i] * h,
@@ -84,12 +85,10 @@ impl Collocation {
                     speed: speed + speeds[i],
                 })?;
             }
-            let wanted = times(&A, &accelerations);
-            let residual: [f64; 3] = std::array::from_fn(|i| h * wanted[i] - speeds[i]);
-            let change = times(&newton, &residual);
-            speeds = std::array::from_fn(|i| speeds[i] + change[i]);
+            let change = newton * (A * accelerations * h - speeds);
+            speeds += change;
             self.increments = [self.coordinates(speed, &speeds), speeds];
-            let moved = times(&A, &change.map(|c| h * c));
+            let moved = A * change * h;
             let end =
                 State { time, coordinate: coordinate + self.increments[0][2], speed: speed + speeds[2] };
             let size = (0..3).map(|i| scale.norm(&end, moved[i], change[i])).fold(0.0, f64::max);
@@ -121,7 +120,7 @@ impl Collocation {
         scale: &Scale,
     ) -> Result<f64, MotionError> {
         let State { time, coordinate, speed } = from.state;
-        let sums = self.increments.map(|z| (E[0] * z[0] + E[1] * z[1] + E[2] * z[2]) / self.h);
+        let sums = self.increments.map(|z| E.dot(&z) / self.h);
         let shift = GAMMA / self.h;
         // (shift, -1; -q, shift - w) x = b
         let solve = |b: [f64; 2]| {
@@ -152,18 +151,10 @@ impl Collocation {
     }
 }
 
-/// Inverse of I - h A de/dw - h² A² de/dq.
-fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix> {
-    let square = product(&A, &A);
-    let mut matrix: Matrix = std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            -h * (A[i][j] * partials.by_speed + h * square[i][j] * partials.by_coordinate)
-        })
-    });
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += 1.0;
-    }
-    inverse(&matrix)
+/// Inverse of I - h A de/dw - h² A² de/dq; none for a singular matrix.
+fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
+    let matrix = A * (h * partials.by_speed) + A * A * (h * h * partials.by_coordinate);
+    (Matrix3::identity() - matrix).try_inverse()
 }
 
 /// The tolerance of the error of order 3 that makes the solution of order 5 as exact as asked (Hairer's code RADAU5).

@@ -11,7 +11,6 @@
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, drive, inventory};
 
 mod collocation;
-mod linear;
 mod table;
 
 /// The method.
