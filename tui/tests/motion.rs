@@ -185,7 +185,7 @@ fn forty_parallelograms_have_reactions_of_a_bearable_size() {
 }
 
 #[test]
-fn no_forces_are_told_at_a_change_point() {
+fn no_reactions_are_given_at_a_change_point() {
     // Prescribed motion through the flat positions 6 and 18 of 24.
     let scene = variant(
         "n-four-bar-2",
@@ -193,7 +193,7 @@ fn no_forces_are_told_at_a_change_point() {
     );
     let output = assur(&["analyze", scene.path().to_str().unwrap(), "--format", "json"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    assert!(err(&output).contains("note: No forces in positions 6, 18"), "{}", err(&output));
+    assert!(err(&output).contains("note: No reactions in positions 6, 18"), "{}", err(&output));
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     let without = |index: usize| found["positions"][index].get("reactions").is_none();
     assert_eq!((0..24).filter(|index| without(*index)).collect::<Vec<_>>(), [6, 18]);

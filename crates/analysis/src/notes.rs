@@ -11,7 +11,7 @@ use crate::{Calculation, Options};
 /// Change points of several groups nearer than this are one, rad or m.
 const SAME: f64 = 1e-6;
 
-/// Where no forces are told, in words.
+/// Why no reactions are given at a change point.
 const LOST: &str = "the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group \
                     coincide there and its reactions are not determined";
 
@@ -23,11 +23,11 @@ impl Calculation {
         notes.extend(self.poles());
         notes.extend(self.barriers());
         if !positions.is_empty() {
-            notes.push(format!("No forces in {}: {LOST}.", listed("position", positions)));
+            notes.push(format!("No reactions in {}: {LOST}.", listed("position", positions)));
         }
         if samples.at_change_points > 0 {
             let count = counted("sample", samples.at_change_points);
-            notes.push(format!("No forces at {count} of the motion: {LOST}."));
+            notes.push(format!("No reactions at {count} of the motion: {LOST}."));
         }
         if let Some(reason) = &samples.reason {
             notes.push(format!(

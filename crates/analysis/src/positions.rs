@@ -66,7 +66,7 @@ struct Positions<'a> {
     reader: Reader<'a>,
     found: Vec<PositionResult>,
     failures: Vec<Failure>,
-    /// Positions at a change point, where forces are not determined.
+    /// Positions at a change point, where reactions are not determined.
     without_forces: Vec<usize>,
 }
 
@@ -97,6 +97,7 @@ impl<'a> Positions<'a> {
         }
         if self.reader.has_forces() && calculation.positions_have_forces() {
             if calculation.linkage.is_at_change_point(&self.reader.position) {
+                result.balancing = self.reader.balancing_alone(&state);
                 self.without_forces.push(index);
             } else {
                 match self.reader.forces(&state) {

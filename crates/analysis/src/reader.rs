@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use assur_force::{AnalyzerPlugin, ForceError, JointReaction, Loads, Reactions, State, joint_reactions};
+use assur_force::{
+    AnalyzerPlugin, ForceError, JointReaction, Loads, Reactions, State, applicable, joint_reactions,
+};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{Mechanism, PairId};
@@ -108,6 +110,16 @@ impl<'a> Reader<'a> {
     /// The balancing load in a state; `None` without force analysis.
     pub(crate) fn balancing(&mut self, state: &State) -> Option<Result<f64, ForceError>> {
         Some(self.forces.as_mut()?.solve(self.linkage, state, &self.position))
+    }
+
+    /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
+    /// method that finds it without reactions. `None` where there is none.
+    pub(crate) fn balancing_alone(&mut self, state: &State) -> Option<f64> {
+        let method = applicable(self.linkage).into_iter().find(|plugin| !plugin.gives_reactions)?;
+        let mut wrenches = self.forces.as_ref()?.loads.total(state, &self.position.bodies);
+        let mut found = Reactions::new(self.linkage);
+        method.instance.solve(self.linkage, &self.position, &mut wrenches, &mut found).ok()?;
+        Some(found.balancing)
     }
 
     /// Reactions and balancing load in a state; `None` without force analysis.

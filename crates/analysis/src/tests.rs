@@ -5,6 +5,7 @@ use assur_all as _;
 
 use crate::{AnalysisError, Calculation, Options, unwatched};
 
+mod forces;
 mod watched;
 
 fn text(name: &str) -> String {

@@ -91,6 +91,7 @@ impl Calculation {
     ) {
         if self.linkage.is_at_change_point(&reader.position) {
             without.at_change_points += usize::from(reader.has_forces());
+            sample.balancing = reader.balancing_alone(state);
             return;
         }
         match reader.forces(state) {

@@ -32,8 +32,10 @@ pub struct Check {
 }
 
 impl Check {
-    /// A check of one number against its limit, which belongs to no position.
+    /// A check of one number against its limit, both in parts of what is compared, which belongs to no position. With a limit
+    /// of the size of what is compared only a residual that exceeds it says something.
     pub fn of(name: &'static str, residual: f64, limit: f64, place: &str, reason: &'static str) -> Self {
+        let proves_nothing = residual <= limit && limit > JUDGES;
         Self {
             name,
             residual,
@@ -42,9 +44,9 @@ impl Check {
             place: place.to_owned(),
             reason,
             left_out: 0,
-            why_left_out: "",
-            judged: true,
-            ok: residual <= limit,
+            why_left_out: if proves_nothing { LIMIT_TOO_WIDE } else { "" },
+            judged: !proves_nothing,
+            ok: residual <= limit && !proves_nothing,
         }
     }
 
@@ -57,6 +59,9 @@ impl Check {
 /// Part of the size of what is compared up to which a limit judges: beyond, not even a wrong first digit would be noticed,
 /// and a residual below such a limit proves nothing.
 const JUDGES: f64 = 0.1;
+
+const LIMIT_TOO_WIDE: &str =
+    "the limit exceeds a tenth of what is compared, so that keeping it proves nothing";
 
 const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
 

@@ -15,7 +15,8 @@ const GRID: usize = 720;
 /// Golden sections: 0.618^40 of two cells is some 1e-10 of the cycle; the place at an extreme is then right to its square.
 const SECTIONS: usize = 40;
 
-/// An argument may be off by so much, relative: rounding of coordinates and of the extremes.
+/// An argument may be off by so much, in parts of itself, of the period, or of 1 rad, m or s: rounding of coordinates and of
+/// the extremes. More than what the compiled loads take for rounding, so that a place that they take to lie on a jump does here.
 const ROUNDING: f64 = 1e-11;
 
 /// Everything that the size of a load may depend on.
@@ -43,7 +44,7 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
                 Over::Time => at.state.time,
                 Over::Speed => at.state.speed,
             };
-            let tolerance = ROUNDING * x.abs().max(period.unwrap_or(0.0)).max(1e-3);
+            let tolerance = ROUNDING * x.abs().max(period.unwrap_or(1.0));
             around(table, x, tolerance, period)
         }
         Value::Stroke { axis, forward, back } => on_stroke(*axis, [forward, back], at),
@@ -68,15 +69,21 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     }
 }
 
-/// Least and greatest value of a table where the argument may be off by a tolerance.
+/// Least and greatest value of a table where the argument may be off by a tolerance: at a jump that is so near, both of its
+/// ends count.
 fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
     let first = table.rows.first().map_or(0.0, |row| row[0]);
-    let value = |x: f64| match period {
-        Some(period) => table.at(first + (x - first).rem_euclid(period)),
-        None => table.at(x),
+    let place = |x: f64| period.map_or(x, |period| first + (x - first).rem_euclid(period));
+    let apart = |row: f64| {
+        let distance = (row - place(x)).abs();
+        period.map_or(distance, |period| distance.min((period - distance).abs()))
     };
-    let all = [value(x - tolerance), value(x), value(x + tolerance)];
-    [all[0].min(all[1]).min(all[2]), all[0].max(all[1]).max(all[2])]
+    let beside = [x - tolerance, x, x + tolerance].map(|x| table.at(place(x)));
+    let rows = table.rows.iter().filter(|row| apart(row[0]) <= tolerance).map(|row| row[1]);
+    beside
+        .into_iter()
+        .chain(rows)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
 /// Extremes of a place along an axis over the cycle; where the mechanism can't take the whole cycle, over the range.

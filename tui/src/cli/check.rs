@@ -17,9 +17,14 @@ pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     for check in checks.iter().filter(|check| check.failed()) {
         style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
     }
+    let judged = checks.is_empty() || checks.iter().any(|check| check.judged);
+    if !judged {
+        style.tell("not judged: no check could judge any position, so that nothing is proved");
+    }
     let failures = study.failures();
     analyze::tell_failures(&failures, style);
     analyze::tell_no_motion(study.no_motion.as_deref(), style);
-    let holds = failures.is_empty() && study.no_motion.is_none() && !checks.iter().any(Check::failed);
+    let holds =
+        failures.is_empty() && study.no_motion.is_none() && judged && !checks.iter().any(Check::failed);
     Ok(if holds { Status::Done } else { Status::Failed })
 }

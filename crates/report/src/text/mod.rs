@@ -109,7 +109,9 @@ pub fn not_judged(checks: &[Check]) -> Vec<String> {
         let positions = if count == 1 { "position" } else { "positions" };
         format!("not judged in {count} {positions}: {}: {why}", names.join(", "))
     };
-    kinds.into_iter().map(sentence).collect()
+    let alone = checks.iter().filter(|check| !check.judged && check.left_out == 0);
+    let alone = alone.map(|check| format!("not judged: {}: {}", check.name, check.why_left_out));
+    kinds.into_iter().map(sentence).chain(alone).collect()
 }
 
 /// Broken into lines of the report's width, the ones after the first `indent` columns in.

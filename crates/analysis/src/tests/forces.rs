@@ -1,0 +1,64 @@
+//! Forces of motions: what a check of them sees, and what is left at a change point.
+
+use assur_force::Loads;
+use assur_kinematics::Linkage;
+use assur_mechanism::{Direction, Mechanism};
+
+use super::{analyzed, study};
+use crate::unwatched;
+
+/// A slider-crank that runs down against a force over the stroke, a weight and a moment.
+const TRANSIENT: &str = "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n\
+    [link.crank]\npoints = { O = 0, A = 0.1 }\ninertia = 0.5\nmass = 1\ncenter = 0.03\n\
+    [link.rod]\npoints = { A = 0, B = 0.35 }\nmass = 0.7\ncenter = 0.1\ninertia = 0.01\n\
+    [link.slider]\npoints = { B = 0 }\nmass = 1\n[[slide]]\nlink = \"slider\"\non = \"ground\"\n[assembly]\nB = [0.4, 0]\n\
+    [[force]]\nlink = \"slider\"\nat = \"B\"\nangle = \"180 deg\"\n\
+    value = { over = \"stroke\", axis = 0, forward = [[0, 0], [1, 100]], back = 0 }\n\
+    [[moment]]\nlink = \"rod\"\nvalue = { over = \"time\", table = [[0, 0], [1, 30]] }\n\
+    [input]\nlink = \"crank\"\nfrom = \"10 deg\"\npositions = 12\n\
+    [motion]\nkind = \"transient\"\nspeed = 40\nuntil = \"0.1 s\"\n";
+
+/// Names of the checks that fail where the loads are those of a changed mechanism.
+fn failing(change: impl FnOnce(&mut Mechanism)) -> Vec<&'static str> {
+    let mut calculation = study(TRANSIENT).unwrap();
+    let mut mechanism = calculation.linkage.mechanism.clone();
+    change(&mut mechanism);
+    calculation.loads = Some(Loads::compile(&Linkage::compile(mechanism).unwrap()).unwrap());
+    let checks = calculation.checks(&mut unwatched).unwrap();
+    checks.iter().filter(|check| check.failed()).map(|check| check.name).collect()
+}
+
+#[test]
+fn a_wrong_load_in_a_transient_motion_is_caught() {
+    assert_eq!(failing(|_| ()), [""; 0]);
+    type Change = fn(&mut Mechanism);
+    let changes: [(&str, Change); 4] = [
+        ("weights upwards", |m| m.gravity = m.gravity.map(|g| g.map(|g| -g))),
+        ("force turned round", |m| m.forces[0].direction = Direction::Ground(0.0)),
+        ("mass by 1e-6", |m| m.links[2].mass *= 1.0 + 1e-6),
+        ("inertia negative", |m| m.links[2].inertia *= -1.0),
+    ];
+    for (what, change) in changes {
+        let caught = failing(change);
+        assert!(caught.contains(&"loads"), "{what}: {caught:?}");
+    }
+}
+
+#[test]
+fn the_balancing_moment_at_a_change_point_follows_from_the_powers() {
+    // A parallelogram lies flat at 0 and 180 degrees, where its reactions are not determined. Both masses move with the
+    // crank's pin: M = (2 + 3) g r cos q.
+    let scene = "gravity = 9.81\n[ground]\npoints = { O = [0, 0], C = [3, 0] }\n\
+        [link.crank]\npoints = { O = 0, A = 1 }\nmass = 2\ncenter = \"A\"\n[link.coupler]\npoints = { A = 0, B = 3 }\n\
+        [link.rocker]\npoints = { C = 0, B = 1 }\nmass = 3\ncenter = \"B\"\n\
+        [assembly]\nB = [3.5, 0.87]\n[input]\nlink = \"crank\"\nfrom = \"60 deg\"\npositions = 12\n";
+    let found = analyzed(scene);
+    let flat = found.positions.iter().filter(|position| position.reactions.is_none());
+    assert_eq!(flat.map(|position| position.index).collect::<Vec<_>>(), [4, 10]);
+    for position in &found.positions {
+        let wanted = 5.0 * 9.81 * position.coordinate.cos();
+        let balancing = position.balancing.unwrap();
+        assert!((balancing - wanted).abs() < 1e-8, "{}: {balancing} for {wanted}", position.index);
+    }
+    assert!(found.notes.iter().any(|note| note.starts_with("No reactions in positions 4, 10: ")));
+}
