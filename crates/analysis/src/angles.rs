@@ -26,9 +26,9 @@ impl Angles {
     /// The angles in a solved position, rad: in (-pi, pi] at first, then continuous.
     ///
     /// The mechanism is followed through places between far positions; where one can't be assembled, the nearest angle is
-    /// taken. None where no link is told.
-    pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position, told: &[LinkId]) -> &[f64] {
-        if told.is_empty() {
+    /// taken. None where no link is wanted.
+    pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position, wanted: &[LinkId]) -> &[f64] {
+        if wanted.is_empty() {
             return &[];
         }
         let unit = linkage.coordinate_unit();

@@ -51,7 +51,7 @@ impl Calculation {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
-        // A load that can't be compiled for want of a position is told by the positions themselves.
+        // Without a single position no load can be compiled; the positions themselves report why.
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
         let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };

@@ -84,7 +84,7 @@ impl InputMotion {
     }
 }
 
-/// Counts what is told of a motion.
+/// Turns the states that a motion is evaluated in into progress.
 struct Counter {
     steady: bool,
     start: f64,

@@ -128,7 +128,7 @@ impl Calculation {
         ends.map(curve).collect()
     }
 
-    /// A contact whose arc can't be followed through its interval is left out; the positions tell why.
+    /// A contact whose arc can't be followed through its interval is left out: the failures of the positions say why.
     fn enveloping(&self) -> Vec<Enveloping> {
         if self.plan.is_partial() {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! The structure as results tell it.
+//! Mobility, groups and formula as results show them.
 
 use crate::results::{GroupReport, StructureReport};
 use assur_group::{Order, Pair};

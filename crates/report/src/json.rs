@@ -34,7 +34,7 @@ pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
     let strict = result.serialize(&mut Serializer::with_formatter(io::sink(), Strict { ascii: false }));
     match strict.is_err().then(|| serde_json::to_value(result).ok().and_then(|value| null(&value))).flatten()
     {
-        Some(place) => Err(NotFinite { place }),
+        Some(place) => Err(NotFinite { place: place.trim_start_matches('.').to_owned() }),
         None => Ok(result),
     }
 }
@@ -46,14 +46,9 @@ fn null(value: &Value) -> Option<String> {
         Value::Array(values) => {
             values.iter().enumerate().find_map(|(i, value)| Some(format!("[{i}]{}", null(value)?)))
         }
-        Value::Object(values) => values.iter().find_map(|(key, value)| {
-            let rest = null(value)?;
-            Some(if rest.is_empty() || rest.starts_with('[') {
-                key.clone() + &rest
-            } else {
-                format!("{key}.{rest}")
-            })
-        }),
+        Value::Object(values) => {
+            values.iter().find_map(|(key, value)| Some(format!(".{key}{}", null(value)?)))
+        }
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use assur_scene::SceneErrors;
 
-/// Why a sweep can't begin, or has no row worth writing. What is wrong at one point is part of the table.
+/// Why a sweep can't begin, or has no row to write. What is wrong at one point is part of the table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {

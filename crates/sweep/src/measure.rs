@@ -44,7 +44,7 @@ fn health(analysis: &Analysis, groups: usize, units: Units, cells: &mut Cells) {
     }
     // A group whose determinant is zero has no condition.
     let least = |position: &PositionResult| match position.condition.len() {
-        told if told < groups => 0.0,
+        known if known < groups => 0.0,
         _ => position.condition.iter().map(|(_, condition)| 1.0 / condition).fold(f64::INFINITY, f64::min),
     };
     // The least is the greatest of the negatives.

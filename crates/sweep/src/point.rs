@@ -5,11 +5,11 @@ use assur_analysis::{AnalysisError, Calculation, Options, unwatched};
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Mechanism, Motion};
 
-use crate::row::{Layouts, Row};
+use crate::row::{Row, SharedNames};
 use crate::{Status, measure};
 
-/// Calculates a mechanism and keeps what the columns tell.
-pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) -> Row {
+/// Calculates a mechanism and keeps the values of the columns.
+pub(crate) fn row(mechanism: Mechanism, options: &Options, names: &SharedNames) -> Row {
     let refused = |error: AnalysisError| {
         let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
         Row::without(status, &error.to_string(), None)
@@ -32,13 +32,13 @@ pub(crate) fn row(mechanism: Mechanism, options: &Options, layouts: &Layouts) ->
     let transient = matches!(calculation.linkage.mechanism.motion, Some(Motion::Transient { .. }));
     let cells = measure::cells(&analysis, groups, transient);
     if let Some(column) = cells.not_finite() {
-        let message = format!("{column} is not a finite number; this is a bug of the program");
+        let message = format!("the number found for `{column}` is not finite");
         return Row::without(Status::Error, &message, Some(0));
     }
     let motor = analysis.dynamics.and_then(|found| found.motor).map(|motor| motor.designation);
     Row {
         motor,
-        layout: layouts.shared(cells.names),
+        names: names.shared(cells.names),
         values: cells.values,
         ..Row::without(Status::Ok, "", Some(0))
     }

@@ -1,5 +1,6 @@
 //! What was found at one point.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::Status;
@@ -15,7 +16,7 @@ pub(crate) struct Row {
     /// Positions without a solution; `None` where none was tried.
     pub(crate) failed: Option<usize>,
     /// Names of the values.
-    pub(crate) layout: Arc<[String]>,
+    pub(crate) names: Arc<[String]>,
     pub(crate) values: Vec<f64>,
     /// Designation of the motor.
     pub(crate) motor: Option<String>,
@@ -30,7 +31,7 @@ impl Row {
             status,
             message,
             failed,
-            layout: Arc::new([]),
+            names: Arc::new([]),
             values: Vec::new(),
             motor: None,
         }
@@ -63,20 +64,20 @@ impl Cells {
     }
 }
 
-/// The layouts met so far: nearly always one, that all rows share.
+/// The lists of names met so far: nearly always one, that all rows share.
 #[derive(Debug, Default)]
-pub(crate) struct Layouts(Mutex<Vec<Arc<[String]>>>);
+pub(crate) struct SharedNames(Mutex<BTreeSet<Arc<[String]>>>);
 
-impl Layouts {
+impl SharedNames {
     /// The one copy of these names.
     pub(crate) fn shared(&self, names: Vec<String>) -> Arc<[String]> {
-        // The list is whole even where another thread panicked.
+        // The set is whole even where another thread panicked.
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = known.iter().find(|layout| ***layout == *names) {
+        if let Some(found) = known.get(&*names) {
             return Arc::clone(found);
         }
-        let layout: Arc<[String]> = names.into();
-        known.push(Arc::clone(&layout));
-        layout
+        let names: Arc<[String]> = names.into();
+        known.insert(Arc::clone(&names));
+        names
     }
 }

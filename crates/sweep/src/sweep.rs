@@ -11,7 +11,7 @@ use rayon::ThreadPoolBuilder;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::axis::{Axis, AxisValue};
-use crate::row::{Layouts, Row};
+use crate::row::{Row, SharedNames};
 use crate::{Status, SweepError, Table, Vary, point};
 
 /// Points that one grid may have.
@@ -69,9 +69,9 @@ impl Sweep {
         let threads = threads.get().min(self.points);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| SweepError::Threads { threads, problem: error.to_string() })?;
-        let (done, layouts) = (AtomicUsize::new(0), Layouts::default());
+        let (done, names) = (AtomicUsize::new(0), SharedNames::default());
         let one = |index| {
-            let row = self.row(index, options, &layouts);
+            let row = self.row(index, options, &names);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
             row
         };
@@ -105,10 +105,10 @@ impl Sweep {
         assur_scene::read(&self.file, &replaced(&self.scene, edits))
     }
 
-    fn row(&self, index: usize, options: &Options, layouts: &Layouts) -> Row {
+    fn row(&self, index: usize, options: &Options, names: &SharedNames) -> Row {
         let values = self.values(index);
         let row = match self.mechanism(&values) {
-            Ok(mechanism) => point::row(mechanism, options, layouts),
+            Ok(mechanism) => point::row(mechanism, options, names),
             Err(errors) => {
                 let first = errors.errors.first();
                 let message = first.map(|error| format!("{} (line {})", error.message, error.line));

@@ -1,7 +1,5 @@
 //! The rows of a sweep.
 
-use std::sync::Arc;
-
 use assur_report::csv::{Cell, CsvError, unique, write};
 
 use crate::row::Row;
@@ -51,20 +49,16 @@ pub struct Table {
     header: Vec<String>,
     columns: Vec<Column>,
     rows: Vec<Row>,
-    /// By number of the row's layout: where each result column is among the values of the row.
-    places: Vec<Vec<Option<usize>>>,
-    /// By row: its layout.
-    layouts: Vec<usize>,
 }
 
 impl Table {
-    pub(crate) fn of(parameters: Vec<String>, rows: Vec<Row>) -> Self {
-        let (distinct, layouts) = distinct_layouts(&rows);
-        let names = union(&distinct);
-        let places = distinct
-            .iter()
-            .map(|layout| names.iter().map(|name| layout.iter().position(|own| own == name)).collect())
-            .collect();
+    pub(crate) fn of(parameters: Vec<String>, mut rows: Vec<Row>) -> Self {
+        let names = union(&rows);
+        for row in rows.iter_mut().filter(|row| !row.names.is_empty() && *row.names != *names) {
+            let own = |name| row.names.iter().position(|own| own == name).map(|at| row.values[at]);
+            // What a row lacks is no number, and an empty cell.
+            row.values = names.iter().map(|name| own(name).unwrap_or(f64::NAN)).collect();
+        }
         let mut columns: Vec<Column> = (0..parameters.len()).map(Column::Parameter).collect();
         columns.extend([Column::Status, Column::Message, Column::Failed]);
         columns.extend((0..names.len()).map(Column::Value));
@@ -75,7 +69,7 @@ impl Table {
             columns.push(Column::Motor);
             header.push("motor".to_owned());
         }
-        Self { header: unique(header), columns, rows, places, layouts }
+        Self { header: unique(header), columns, rows }
     }
 
     /// Names of the columns.
@@ -129,12 +123,10 @@ impl Table {
             Column::Message => text(&found.message),
             Column::Failed => found.failed.map_or(Cell::Empty, |count| Cell::Number(count as f64)),
             Column::Motor => text(found.motor.as_deref().unwrap_or_default()),
-            Column::Value(index) => {
-                let place = self.places[self.layouts[row]][index];
-                place
-                    .and_then(|place| found.values.get(place))
-                    .map_or(Cell::Empty, |value| Cell::Number(*value))
-            }
+            Column::Value(index) => match found.values.get(index) {
+                Some(value) if value.is_finite() => Cell::Number(*value),
+                _ => Cell::Empty,
+            },
         }
     }
 }
@@ -143,25 +135,18 @@ fn text(text: &str) -> Cell<'_> {
     if text.is_empty() { Cell::Empty } else { Cell::Text(text) }
 }
 
-/// The layouts in the order of their first rows, and the layout of each row.
-fn distinct_layouts(rows: &[Row]) -> (Vec<Arc<[String]>>, Vec<usize>) {
-    let mut distinct: Vec<Arc<[String]>> = Vec::new();
-    let mut number = |layout: &Arc<[String]>| {
-        distinct.iter().position(|known| known == layout).unwrap_or_else(|| {
-            distinct.push(Arc::clone(layout));
-            distinct.len() - 1
-        })
-    };
-    let layouts = rows.iter().map(|row| number(&row.layout)).collect();
-    (distinct, layouts)
-}
-
-/// All names; one that an earlier layout lacks comes after its neighbor to the left.
-fn union(layouts: &[Arc<[String]>]) -> Vec<String> {
+/// The names of all rows; one that an earlier row lacks comes after its neighbor to the left.
+fn union(rows: &[Row]) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
-    for layout in layouts {
+    let mut last: &[String] = &[];
+    for row in rows {
+        // Rows that share their names bring nothing new.
+        if *row.names == *last {
+            continue;
+        }
+        last = &row.names;
         let mut after = 0;
-        for name in layout.iter() {
+        for name in last {
             if let Some(at) = all.iter().position(|known| known == name) {
                 after = at + 1;
             } else {

@@ -41,7 +41,7 @@ pub(crate) enum Takes {
 }
 
 /// What a value can be: quantities of each kind are tried on the reader of scenes, so that there is no second list of what
-/// its keys measure. `accepts` tells whether the scene can be read with this in the place of the value; `texts` are
+/// its keys measure. `accepts` says whether the scene can be read with this in the place of the value; `texts` are
 /// quantities whose numbers are tried: the value of the scene, which is within every bound, and the ends of the range.
 pub(crate) fn takes(texts: &[&str], accepts: impl Fn(&str) -> bool) -> Takes {
     let takes = |dimension: Dimension| texts.iter().any(|text| accepts(&as_quantity(text, dimension)));

@@ -10,7 +10,7 @@ impl Sheet {
         self.guide(slide.id, slide.body, slide.along_angle)
     }
 
-    /// Tells the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.
+    /// Sets the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.
     pub fn rod_angle(&mut self, body: usize, rod: &Rod, along: &[Expr; 2]) -> Expr {
         let [x, y] = along;
         self.link_angle(body, &(y.atan2(x) - &rod.beta))
@@ -30,12 +30,12 @@ impl Sheet {
         if value == 0.0 { Expr::zero() } else { self.given(&name, value, "m", what) }
     }
 
-    /// Tells the pose of a link by a point of it and its angle with derivatives.
+    /// Sets the pose of a link by a point of it and its angle with derivatives.
     pub fn place(&mut self, body: usize, base: &Point, at: [f64; 2], phi: [Expr; 3]) {
         self.set_pose(body, Pose { base: base.clone(), at, phi });
     }
 
-    /// Writes the angle of a link that can't turn against a body, and its equal derivatives; tells the pose.
+    /// Writes the angle of a link that can't turn against a body, and its equal derivatives; sets the pose.
     pub fn place_turned(&mut self, body: usize, base: &Point, at: [f64; 2], from: &Expr, carrier: usize) {
         let phi = self.link_angle(body, from);
         let [_, first, second] = self.angle(carrier);

@@ -65,12 +65,12 @@ impl Sheet {
         pose.map_or_else(|| [Expr::zero(), Expr::zero(), Expr::zero()], |pose| pose.phi.clone())
     }
 
-    /// Pose of a body, once it is told.
+    /// Pose of a body, once it is set.
     pub fn pose(&self, body: usize) -> Option<&Pose> {
         self.poses[body].as_ref()
     }
 
-    /// Tells the pose of a link, so that its points can be asked for.
+    /// Sets the pose of a link, so that its points can be asked for.
     pub fn set_pose(&mut self, body: usize, pose: Pose) {
         self.poses[body] = Some(pose);
     }
@@ -86,7 +86,7 @@ impl Sheet {
         name
     }
 
-    /// Tells PF0, PF1 and PF2 of a point that a group has found.
+    /// Sets PF0, PF1 and PF2 of a point that a group has found.
     pub fn set_point(&mut self, body: usize, at: [f64; 2], pf: [[Expr; 2]; 3]) -> Point {
         let name = self.place_name(body, at);
         let point = Point { name, pf };

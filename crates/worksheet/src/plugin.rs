@@ -16,7 +16,7 @@ pub struct WorkingPlugin {
     pub group: &'static str,
     /// The crate that registers it.
     pub crate_name: &'static str,
-    /// Writes positions, PF1 and PF2, and must tell the sheet the pose of every link of the group.
+    /// Writes positions, PF1 and PF2, and must set the pose of every link of the group.
     pub motion: Write,
     /// Writes the reactions in all pairs of the group, and must hand those of the outer pairs on.
     pub reactions: Write,

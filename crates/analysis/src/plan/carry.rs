@@ -58,8 +58,8 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> 
     carrying
 }
 
-/// Links outside the input link on which something acts always against the motion: whether their points stand is told by
-/// PF1 against PF2.
+/// Whether a load that is always against the motion acts outside the input link: PF1 beside PF2 shows whether its point is at
+/// rest.
 pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
     let far = |link: LinkId| link != GROUND && link != mechanism.input.link;
     let against = |direction| matches!(direction, assur_mechanism::Direction::AgainstMotion);

@@ -8,10 +8,10 @@ use crate::plan::{Plan, carry};
 
 /// The order of a plan whose stages are decided, with what needs it in words.
 pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> (Order, Vec<&'static str>) {
-    let tells = !plan.wanted.has_no_motion();
+    let shows = !plan.wanted.has_no_motion();
     let second = [
-        (tells, "results tell them"),
-        (plan.velocities, "accelerations of what is told"),
+        (shows, "results show them"),
+        (plan.velocities, "accelerations in the results"),
         (plan.reduction && !plan.inertia_constant, "dJ/dq"),
         (plan.inertia_loads && carry::heavy_groups(mechanism, structure), "accelerations of masses"),
         (

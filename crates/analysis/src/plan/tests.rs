@@ -142,7 +142,7 @@ fn the_order_is_what_something_needs() {
     assert_eq!((none.order, none.groups_needed.clone()), (Order::Place, vec![false, false]));
     // Transfer functions are told wherever a link is.
     let told = shaper_with(|text| STILL(&massless(&text, &[])), "[output]\nlinks = [\"rocker\"]\n");
-    assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec!["results tell them"]));
+    assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec!["results show them"]));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What is told about the reactions as a whole, the contact and the plans.
+//! The reactions as a whole, contacts, and plans.
 
 use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use serde::Serialize;

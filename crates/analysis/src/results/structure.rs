@@ -1,4 +1,4 @@
-//! The structure as results tell it.
+//! Mobility, groups and formula as results show them.
 
 use serde::Serialize;
 

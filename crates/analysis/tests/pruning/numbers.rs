@@ -26,10 +26,10 @@ fn compare(mechanism: &Mechanism, parts: usize, rng: &mut Rng, count: &mut Count
 fn shipped_scenes() {
     let mut rng = Rng::new(1);
     let mut names: Vec<_> = assur_fixtures::SCENES.iter().map(|(name, _)| *name).collect();
-    names.sort();
+    names.sort_unstable();
     assert!(names.len() > 15);
     for name in names {
-        let mechanism = mechanism(&text(&name));
+        let mechanism = mechanism(&text(name));
         let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
         let mut count = Count::default();
         compare(&mechanism, if found { 2 } else { 12 }, &mut rng, &mut count);

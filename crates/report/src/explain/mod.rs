@@ -27,7 +27,8 @@ pub fn explain(
 ) -> String {
     let mut text = String::new();
     if !mechanism.title.is_empty() {
-        text += &format!("{}\n\n", mechanism.title);
+        text.push_str(&mechanism.title);
+        text += "\n\n";
     }
     text += "Structure\n";
     describe_structure(&mut text, mechanism, structure, plan);

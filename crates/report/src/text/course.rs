@@ -9,7 +9,7 @@ use assur_analysis::results::{Event, Integration, MotionSample};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
-/// Events that are told.
+/// Events that are listed.
 const EVENTS: usize = 20;
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {

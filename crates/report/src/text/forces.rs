@@ -55,12 +55,11 @@ pub(super) fn modulus(reactions: &Named<PairReaction>, pair: usize, link: usize)
     force(reactions, pair, link).map(|[x, y]| x.hypot(y))
 }
 
-/// The pairs with the links that are shown of each, by their places in the lists, with the names of both: of two links the
-/// first that moves (the other has the opposite), of more all.
-pub(super) fn shown<'r>(
-    source: &Source<'_>,
-    reactions: &'r Named<PairReaction>,
-) -> Vec<(usize, &'r str, Vec<(usize, &'r str)>)> {
+/// A pair and the links on which its force is shown: indices in the lists of reactions and forces, and names.
+type Shown<'r> = (usize, &'r str, Vec<(usize, &'r str)>);
+
+/// All pairs, each with the links that are shown: of two links the first that moves (the other has the opposite), of more all.
+pub(super) fn shown<'r>(source: &Source<'_>, reactions: &'r Named<PairReaction>) -> Vec<Shown<'r>> {
     let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
     let links = |reaction: &'r PairReaction| match &reaction.forces[..] {
         [(first, _), _] => {

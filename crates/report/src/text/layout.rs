@@ -104,7 +104,14 @@ impl Page {
 
     fn underlined(&mut self, line: &str, with: &str) {
         let line = fold(line, self.ascii);
-        self.text += &format!("{line}\n{}\n", with.repeat(line.width()));
+        self.lines(&[&line, &with.repeat(line.width())]);
+    }
+
+    fn lines(&mut self, lines: &[&str]) {
+        for line in lines {
+            self.text += line;
+            self.text.push('\n');
+        }
     }
 
     /// A numbered heading.
@@ -118,7 +125,7 @@ impl Page {
 
     /// A line that names the table below it.
     pub(super) fn caption(&mut self, caption: &str) {
-        self.text += &format!("\n{}\n", fold(caption, self.ascii));
+        self.lines(&["", &fold(caption, self.ascii)]);
     }
 
     /// Words, broken into lines.
@@ -238,8 +245,8 @@ fn grid(heads: &[Vec<&str>], rows: &[Vec<String>], right: &[bool]) -> String {
         for (column, cell) in row.iter().enumerate() {
             let blanks = " ".repeat(widths[column] - cell.width());
             let gap = " ".repeat(if column == 0 { 0 } else { GAP });
-            line +=
-                &if right[column] { format!("{gap}{blanks}{cell}") } else { format!("{gap}{cell}{blanks}") };
+            let (before, after) = if right[column] { (&*blanks, "") } else { ("", &*blanks) };
+            line.extend([&gap, before, cell, after]);
         }
         text += line.trim_end();
         text.push('\n');
