@@ -1,13 +1,14 @@
 //! `assur analyze`.
 
 use assur_analysis::results::Failure;
-use assur_analysis::unwatched;
 use assur_report::{csv, json};
 
 use super::args::{AnalyzeArgs, Format};
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, plans, scene};
+use crate::files;
+use crate::progress::ProgressLine;
 
 /// Failures that are told in full.
 const MOST: usize = 3;
@@ -18,8 +19,10 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     }
     let study = scene::study(&args.scene, style)?;
     args.plans.refuse(args.format, &study)?;
-    let mut analysis = study.analyze(&mut unwatched).map_err(Fault::other)?;
-    analysis.checks = study.checks(&mut unwatched).map_err(Fault::other)?;
+    let line = ProgressLine::new();
+    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
+    analysis.checks = study.checks(&mut line.watch()).map_err(Fault::other)?;
+    drop(line);
     let added = args.plans.add(&study, &args.scene, style, &mut analysis)?;
     let target = args.output.as_deref();
     match (args.format, target) {
@@ -29,7 +32,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         }
         (Format::Csv, Some(folder)) => {
             let files = csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?;
-            output::write_folder(folder, &files)?;
+            files::write_folder(folder, &files)?;
         }
         (Format::Text | Format::Csv, _) => {
             let report = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);

@@ -1,14 +1,12 @@
 //! `assur chart`: lends the clock, shows the progress, listens for Ctrl-C.
 
-use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
 
 use assur_kinematics::Linkage;
-use assur_study::chart::{self, ChartData, ChartError, Clock, Options, Progress};
+use assur_study::chart::{self, ChartData, ChartError, Options};
 use clap::Args;
 use signal_hook::consts::SIGINT;
 
@@ -16,6 +14,8 @@ use super::args::Format;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
+use crate::clock::SystemClock;
+use crate::progress::ProgressLine;
 
 /// Exit status after Ctrl-C, as shells have it.
 const INTERRUPTED: u8 = 130;
@@ -35,15 +35,6 @@ pub(crate) struct ChartArgs {
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-}
-
-/// The clock of this machine.
-struct SystemClock(Instant);
-
-impl Clock for SystemClock {
-    fn seconds(&mut self) -> f64 {
-        self.0.elapsed().as_secs_f64()
-    }
 }
 
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
@@ -87,44 +78,17 @@ fn charted(
     let mechanism = scene::read(path, style)?;
     let linkage = Linkage::compile(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?;
     let options = if quick { Options::QUICK } else { Options::THOROUGH };
-    let mut bar = Bar { shown: !quick && std::io::stderr().is_terminal(), last: None };
-    let mut clock = SystemClock(Instant::now());
+    let line = ProgressLine::new();
+    let mut clock = SystemClock::default();
     let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
-        bar.show(progress);
+        line.show(|| format!("{}: {} of {}", progress.stage.heading(), progress.done, progress.total));
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    bar.clear();
+    drop(line);
     match found {
         Err(error @ (ChartError::Compile(_) | ChartError::Load(_))) => {
             Err(scene::in_file(path, &error.to_string()))
         }
         other => Ok(other),
-    }
-}
-
-/// A bar on standard error.
-struct Bar {
-    shown: bool,
-    last: Option<Progress>,
-}
-
-impl Bar {
-    const WIDTH: usize = 30;
-
-    fn show(&mut self, progress: Progress) {
-        if !self.shown || self.last == Some(progress) {
-            return;
-        }
-        self.last = Some(progress);
-        let full = Self::WIDTH * progress.done.min(progress.total) / progress.total.max(1);
-        let (full, rest) = ("#".repeat(full), ".".repeat(Self::WIDTH - full));
-        let line = format!("\r[{full}{rest}] {}\x1b[K", progress.stage.heading());
-        let _ = std::io::stderr().lock().write_all(line.as_bytes());
-    }
-
-    fn clear(&mut self) {
-        if self.last.take().is_some() {
-            let _ = std::io::stderr().lock().write_all(b"\r\x1b[K");
-        }
     }
 }

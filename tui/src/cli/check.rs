@@ -1,18 +1,18 @@
 //! `assur check`.
 
 use assur_analysis::results::Check;
-use assur_analysis::unwatched;
 use assur_report::text;
 
 use super::args::SceneArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{analyze, output, scene};
+use crate::progress::ProgressLine;
 
 pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever the scene asks for.
     let study = scene::whole_study(args, style)?;
-    let checks = study.checks(&mut unwatched).map_err(Fault::other)?;
+    let checks = study.checks(&mut ProgressLine::new().watch()).map_err(Fault::other)?;
     output::print(&text::checks(&checks, style.ascii))?;
     for check in checks.iter().filter(|check| check.failed()) {
         style.tell(&format!("FAILED: {}: {}", check.name, check.reason));

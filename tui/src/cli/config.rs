@@ -1,10 +1,14 @@
 //! `assur config`, and the file of the user.
 
+#[cfg(test)]
+mod tests;
+
 use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
+use crate::files;
 use crate::screen::{Config, default_text};
 
 /// Where it stands below the folder of configurations.
@@ -27,7 +31,7 @@ pub(crate) fn load(style: Style) -> (Config, Option<String>) {
 }
 
 fn read(path: &Path, style: Style) -> Result<Config, Fault> {
-    let text = scene::text_of(path)?;
+    let text = files::read(path)?;
     Config::read(&path.display().to_string(), &text).map_err(|errors| scene::faults(&errors, style))
 }
 
@@ -36,25 +40,4 @@ fn path(variable: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
     let own = variable("XDG_CONFIG_HOME").filter(|folder| folder.is_absolute());
     let home = || variable("HOME").filter(|home| home.is_absolute()).map(|home| home.join(".config"));
     own.or_else(home).map(|folder| folder.join(FILE))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::path;
-    use std::path::{Path, PathBuf};
-
-    fn with(pairs: &[(&str, &str)]) -> Option<PathBuf> {
-        path(|name| pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| PathBuf::from(value)))
-    }
-
-    #[test]
-    fn the_folder_of_the_user_or_the_one_in_his_home() {
-        let file = |name: &str| Some(Path::new(name).to_owned());
-        let home = ("HOME", "/home/u");
-        assert_eq!(with(&[home]), file("/home/u/.config/assur/config.toml"));
-        assert_eq!(with(&[("XDG_CONFIG_HOME", "/x"), home]), file("/x/assur/config.toml"));
-        assert_eq!(with(&[("XDG_CONFIG_HOME", ""), home]), with(&[home]));
-        assert_eq!(with(&[("XDG_CONFIG_HOME", "relative"), home]), with(&[home]));
-        assert_eq!(with(&[]), None);
-    }
 }

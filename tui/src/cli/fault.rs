@@ -1,8 +1,9 @@
 //! What ends a command.
 
 use std::io;
-use std::path::PathBuf;
 use std::process::ExitCode;
+
+use crate::files::FileError;
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,25 +32,9 @@ impl From<Status> for ExitCode {
 /// Why a command could not do its work; all end with status 2, but a reader that went away with 0.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Fault {
-    /// The reader of standard output has gone (`| head`): nothing to tell, nobody to tell it to.
-    #[error("the reader of the output has gone")]
-    Reader,
-    /// A file can't be read.
-    #[error("error: {}: {problem}", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        problem: String,
-    },
-    /// A file can't be written; what was there is untouched.
-    #[error("error: can't write {}: {problem}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        problem: String,
-    },
+    /// A file can't be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// Standard output refuses.
     #[error("error: can't write to standard output: {0}")]
     Stdout(io::Error),
@@ -73,6 +58,6 @@ impl Fault {
 
     /// From writing to standard output.
     pub(crate) fn stdout(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { Self::Reader } else { Self::Stdout(error) }
+        if error.kind() == io::ErrorKind::BrokenPipe { FileError::Reader.into() } else { Self::Stdout(error) }
     }
 }

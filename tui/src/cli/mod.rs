@@ -27,10 +27,10 @@ use clap::error::ErrorKind;
 
 use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
 use fault::{Fault, Status};
-pub(crate) use output::write;
 use plans::PlanArgs;
-pub(crate) use scene::{located, text_of};
 use style::Style;
+
+use crate::files::FileError;
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
 /// scene or usage.
@@ -43,7 +43,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let style = Style::of(cli.ascii);
     match command(cli, style) {
         Ok(status) => status.into(),
-        Err(Fault::Reader) => ExitCode::SUCCESS,
+        Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
         Err(fault) => {
             style.tell(&fault.to_string());
             Status::Bad.into()

@@ -8,13 +8,18 @@ use super::args::{Format, StabilityArgs};
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
+use crate::progress::ProgressLine;
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let mechanism = scene::read(path, style)?;
-    let ControlFlow::Continue(found) = stability(mechanism, &mut |_, _| ControlFlow::Continue(())) else {
-        return Err(Fault::other("the study was stopped"));
-    };
+    let line = ProgressLine::new();
+    let found = stability(mechanism, &mut |done, total| {
+        line.show(|| format!("{done} of {total}"));
+        ControlFlow::Continue(())
+    });
+    drop(line);
+    let ControlFlow::Continue(found) = found else { return Err(Fault::other("the study was stopped")) };
     let found = found.map_err(|error| scene::in_file(path, &error.to_string()))?;
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,

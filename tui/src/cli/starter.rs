@@ -5,9 +5,10 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use super::fault::{Fault, Status};
+use crate::files::FileError;
 
 pub(crate) fn run(path: &Path) -> Result<Status, Fault> {
-    let fault = |problem: String| Fault::Write { path: path.to_owned(), problem };
+    let fault = |problem: String| FileError::write(path, problem);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
         fault(match error.kind() {
             ErrorKind::AlreadyExists => "it exists already; name a new file".to_owned(),
@@ -18,7 +19,7 @@ pub(crate) fn run(path: &Path) -> Result<Status, Fault> {
         drop(file);
         // Half a scene is worse than none.
         let _ = std::fs::remove_file(path);
-        return Err(fault(error.to_string()));
+        return Err(fault(error.to_string()).into());
     }
     Ok(Status::Done)
 }

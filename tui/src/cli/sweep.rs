@@ -1,6 +1,5 @@
 //! `assur sweep`: reads the scene, shows the progress, writes the table.
 
-use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -11,9 +10,8 @@ use super::args::MethodArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
-
-/// Steps of the progress.
-const STEPS: usize = 200;
+use crate::files::{self, FileError};
+use crate::progress::ProgressLine;
 
 /// What the columns are, where their names don't say it.
 const COLUMNS: &str = "\
@@ -63,9 +61,11 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     let file = args.scene.display().to_string();
     let fault = |error| fault(&args.scene, error, style);
     let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?).map_err(fault)?;
-    let bar = Bar { shown: std::io::stderr().is_terminal(), points: sweep.points() };
-    let table = sweep.run(&options, threads(args), &|done| bar.show(done));
-    bar.clear();
+    let line = ProgressLine::new();
+    let points = sweep.points();
+    let table =
+        sweep.run(&options, threads(args), &|done| line.show(|| format!("{done} of {points} points")));
+    drop(line);
     let table = table.map_err(fault)?;
     match form {
         Form::Csv => {
@@ -74,7 +74,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
         }
         Form::Parquet => {
             let bytes = parquet::to_parquet(&table).map_err(Fault::other)?;
-            target.map_or(Ok(()), |path| output::write(path, bytes))?;
+            target.map_or(Ok(()), |path| files::write(path, bytes))?;
         }
     }
     Ok(told(&table, &sweep, style))
@@ -83,7 +83,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
 /// The form that the name of the file asks for; known before anything is calculated.
 fn form(path: &Path) -> Result<Form, Fault> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let fault = |problem: String| Fault::Write { path: path.to_owned(), problem };
+    let fault = |problem: String| FileError::write(path, problem).into();
     let form = match extension.as_deref() {
         // `/dev/null` and its kind.
         None | Some("csv") => Form::Csv,
@@ -117,25 +117,4 @@ fn told(table: &Table, sweep: &Sweep, style: Style) -> Status {
     let point = sweep.describe(row);
     style.tell(&format!("error: no solution at {count} of {points} points; the first, {point}: {message}"));
     Status::Failed
-}
-
-/// Progress on standard error.
-struct Bar {
-    shown: bool,
-    points: usize,
-}
-
-impl Bar {
-    fn show(&self, done: usize) {
-        if self.shown && done.is_multiple_of(self.points.div_ceil(STEPS)) {
-            let line = format!("\r{done} of {} points\x1b[K", self.points);
-            let _ = std::io::stderr().lock().write_all(line.as_bytes());
-        }
-    }
-
-    fn clear(&self) {
-        if self.shown {
-            let _ = std::io::stderr().lock().write_all(b"\r\x1b[K");
-        }
-    }
 }

@@ -11,26 +11,26 @@ use assur_scene::{Dimension, SceneErrors};
 
 pub(crate) use default::text as default_text;
 
-use super::command::{COMMANDS, Command, named};
-use super::draw::raster::Marker;
-use super::key::Key;
-use super::keymap::Keymap;
-use super::state::{Look, View};
-use super::text::{ENGLISH, fill};
-use super::theme::Theme;
-use super::view::header;
+use super::command::COMMANDS;
+use super::state::{Command, Key, Keymap, Look, Marker, Theme, View};
 
 const KEYS: &[&str] = &["theme", "marker", "ascii", "fps", "cell_ratio", "mouse", "keys"];
 /// Without a key for this command nobody would find the way out.
 const OUT: &str = "quit";
 
 /// What the configuration says; what it does not say is the default.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Config {
     pub(crate) look: Look,
     /// Capture the mouse.
     pub(crate) mouse: bool,
     pub(crate) keys: Keymap,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self { look: Look::default(), mouse: false, keys: Keymap::of(COMMANDS) }
+    }
 }
 
 impl Config {
@@ -43,7 +43,7 @@ impl Config {
         document::read(file_name, text, "the configuration", KEYS, |root| Self {
             look: look(root),
             mouse: root.get("mouse").and_then(|entry| entry.flag()).unwrap_or_default(),
-            keys: root.get("keys").map(|keys| keymap(&keys)).unwrap_or_default(),
+            keys: root.get("keys").map_or_else(|| Keymap::of(COMMANDS), |keys| keymap(&keys)),
         })
     }
 }
@@ -69,37 +69,42 @@ fn ratio(entry: &Entry<'_>) -> Option<f64> {
     if Look::RATIO.contains(&ratio) {
         return Some(ratio);
     }
-    let message = fill(ENGLISH.config_ratio, &[&entry.name, Look::RATIO.start(), Look::RATIO.end(), &ratio]);
+    let message = format!(
+        "`{}` wants a number from {} to {}, got {ratio}",
+        entry.name,
+        Look::RATIO.start(),
+        Look::RATIO.end()
+    );
     entry.fault(message, "");
     None
 }
 
 /// A key as the file has it.
 struct Written {
-    command: &'static Command,
+    command: &'static str,
     key: Key,
     span: Range<usize>,
 }
 
 fn keymap(table: &Entry<'_>) -> Keymap {
-    let (mut keymap, mut written) = (Keymap::default(), Vec::new());
-    for entry in table.named(ENGLISH.config_keys_table, ENGLISH.config_keys_label) {
-        let Some(command) = named(&entry.name) else {
+    let (mut keymap, mut written) = (Keymap::of(COMMANDS), Vec::new());
+    for entry in table.named("a table", "write [keys] and a line for each command") {
+        let Some(command) = COMMANDS.iter().find(|command| command.name == entry.name) else {
             entry.unknown(
-                ENGLISH.config_command,
+                "command",
                 COMMANDS.iter().map(|command| command.name),
-                ENGLISH.config_commands,
+                "`assur config` prints all commands with their keys",
             );
             continue;
         };
         let keys = keys(&entry, command);
         if keys.is_empty() && command.name == OUT {
-            entry.fault(fill(ENGLISH.config_no_way_out, &[&OUT]), fill(ENGLISH.config_such_as, &[&OUT]));
+            entry.fault(format!("`{OUT}` needs a key"), format!("such as {OUT} = \"q\""));
         }
-        keymap.bind(command, keys.iter().map(|written| written.key).collect());
+        keymap.bind(command.name, keys.iter().map(|written| written.key).collect());
         written.extend(keys);
     }
-    for clash in keymap.clashes() {
+    for clash in keymap.clashes(COMMANDS) {
         table.note(fault(clash, &written, table));
     }
     keymap
@@ -107,16 +112,16 @@ fn keymap(table: &Entry<'_>) -> Keymap {
 
 /// The keys of one command: a text, or a list of texts.
 fn keys(entry: &Entry<'_>, command: &'static Command) -> Vec<Written> {
-    let items = if entry.is_list() { entry.list(ENGLISH.config_a_key) } else { vec![entry.clone()] };
+    let items = if entry.is_list() { entry.list("the name of a key") } else { vec![entry.clone()] };
     let key = |item: &Entry<'_>| {
-        let name = item.text(ENGLISH.config_a_key)?;
+        let name = item.text("the name of a key")?;
         let key = Key::parse(name);
         if key.is_none() {
-            let message = fill(ENGLISH.config_no_key, &[&command.name, &name]);
-            let help = fill(ENGLISH.config_keys_known, &[&Key::names()]);
+            let message = format!("`{}`: there is no key `{name}`", command.name);
+            let help = format!("a key is a character, C- and a character, or one of: {}", Key::names());
             item.note(Fault::new(item.span.clone(), message).help(help));
         }
-        Some(Written { command, key: key?, span: item.span.clone() })
+        Some(Written { command: command.name, key: key?, span: item.span.clone() })
     };
     items.iter().filter_map(key).collect()
 }
@@ -127,20 +132,20 @@ fn fault(
     written: &[Written],
     table: &Entry<'_>,
 ) -> Fault {
-    let at = |command: &'static Command| {
-        written.iter().find(|written| written.command.name == command.name && written.key == key)
-    };
+    let at = |name: &str| written.iter().find(|written| written.command == name && written.key == key);
     let [one, two] = both;
-    let (here, other) = match (at(one), at(two)) {
+    let (here, other) = match (at(one.name), at(two.name)) {
         (Some(first), Some(second)) if first.span.start > second.span.start => (Some(first), two),
         (Some(first), None) => (Some(first), two),
         (_, second) => (second, one),
     };
-    let view = header::name_in(&ENGLISH, view);
-    let message = fill(ENGLISH.config_clash, &[&key.name(), &one.name, &two.name, &view]);
-    let label = if at(other).is_some() { ENGLISH.config_also } else { ENGLISH.config_by_default };
+    let message = format!("`{}` means both `{}` and `{}` in {}", key.name(), one.name, two.name, view.name());
+    let other = other.name;
+    let label = match at(other) {
+        Some(_) => format!("also a key of `{other}`"),
+        None => format!("a default key of `{other}`"),
+    };
     let span = here.map_or(table.span.clone(), |written| written.span.clone());
-    Fault::new(span, message)
-        .label(fill(label, &[&other.name]))
-        .help(fill(ENGLISH.config_clash_help, &[&other.name]))
+    let help = format!("give one of them another key, or none at all: {other} = []");
+    Fault::new(span, message).label(label).help(help)
 }

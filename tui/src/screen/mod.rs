@@ -1,39 +1,19 @@
 //! The terminal UI.
 //!
-//! [`run`] is the way in. Inside, the state, the one table of commands and the views are separate: commands change the
-//! state, views are pure functions from it to a frame, the session waits for events and draws only after one that
-//! changed something. Nothing here calculates; reading and calculating run in a thread beside.
+//! [`run`] is the way in. The layers, from below: `state` is all that a frame depends on; `draw` puts figures, curves and
+//! text into cells; `view` is pure functions from the state to a frame; `command` changes the state, in one table of
+//! commands that is handed to the state, so that views show its keys without knowing it; `session` waits for events and
+//! draws only after one that changed something. Nothing here calculates; reading and calculating run in a thread beside
+//! (`work`).
 
-mod accuracy;
-mod act;
-mod asking;
 mod command;
-mod compare;
 mod config;
-mod csv;
 mod draw;
-mod found;
-mod key;
-mod keymap;
-mod line;
-mod menu;
-mod number;
-mod plans;
-mod prompt;
-mod quantities;
-mod running;
-mod series;
 mod session;
 mod state;
-mod study;
-mod svg;
 mod terminal;
-mod text;
-mod theme;
 mod view;
-mod whatif;
 mod work;
-mod writing;
 
 #[cfg(test)]
 mod tests;
@@ -41,11 +21,10 @@ mod tests;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
+use command::COMMANDS;
 pub use config::Config;
 pub(crate) use config::default_text;
-use state::{Look, State};
-use study::Source;
-use theme::Theme;
+use state::{Look, Marker, Source, State, Theme};
 
 /// What the command line asks of the terminal UI.
 #[derive(Debug, Clone, Default)]
@@ -90,21 +69,20 @@ pub enum ScreenError {
 /// [`ScreenError`], with the terminal untouched or given back: a bad scene, no terminal, a terminal that refuses.
 #[expect(clippy::needless_pass_by_value, reason = "the command line gives its options away")]
 pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
-    let study = match path {
+    let scene = match path {
         Some(path) => Some(work::open(Source::File(path)).map_err(ScreenError::Scene)?),
         None => None,
     };
     if !(std::io::stdin().is_terminal() && std::io::stdout().is_terminal()) {
         return Err(ScreenError::NoTerminal);
     }
-    let mut state = State::new(study, look(&options));
-    state.keys = options.config.keys.clone();
-    state.fault = options.config_fault.clone().map(|fault| (state.texts.config_title, fault));
+    let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
+    let title = "The configuration was not taken; the defaults hold. Any key goes on.";
+    state.fault = options.config_fault.clone().map(|fault| (title, fault));
     state.size = crossterm::terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
-    state.analyze(false);
-    act::preview_menu(&mut state);
+    command::start(&mut state);
     session::run(state, options.mouse || options.config.mouse)?;
     Ok(0)
 }
@@ -117,7 +95,7 @@ fn look(options: &Options) -> Look {
     let ascii = options.ascii || configured.ascii || !crate::locale::is_utf8(variable);
     Look {
         ascii,
-        marker: if ascii { draw::raster::Marker::Ascii } else { configured.marker },
+        marker: if ascii { Marker::Ascii } else { configured.marker },
         theme: if colorless { Theme::Mono } else { configured.theme },
         ratio: options.cell_ratio.filter(|ratio| Look::RATIO.contains(ratio)).unwrap_or(configured.ratio),
         fps: options.fps.filter(|fps| Look::FPS.contains(fps)).unwrap_or(configured.fps),

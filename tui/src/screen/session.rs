@@ -9,10 +9,9 @@ use crossterm::event::{self, Event as Input, KeyEventKind};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
 use signal_hook::iterator::Signals;
 
-use super::state::{State, Wish};
+use super::state::{Report, State, Wish};
 use super::terminal::{self, Screen};
-use super::work::{self, Report};
-use super::{command, view, writing};
+use super::{command, view, work};
 
 /// What can wake the loop.
 #[derive(Debug)]
@@ -63,7 +62,7 @@ fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) ->
                 Ok(event) => event,
                 Err(RecvTimeoutError::Timeout) => {
                     *next_tick = Instant::now() + Duration::from_secs(1) / u32::from(state.look.fps.max(1));
-                    state.tick();
+                    state.step(1);
                     return true;
                 }
                 Err(RecvTimeoutError::Disconnected) => return false,
@@ -96,7 +95,7 @@ fn apply(state: &mut State, event: Event) -> bool {
             command::press(state, key);
             true
         }
-        Event::Input(Input::Mouse(mouse)) => view::click(state, mouse),
+        Event::Input(Input::Mouse(mouse)) => command::click(state, mouse),
         Event::Input(Input::Resize(columns, rows)) => {
             state.size = (columns, rows);
             true
@@ -107,7 +106,7 @@ fn apply(state: &mut State, event: Event) -> bool {
             false
         }
         Event::Input(_) => false,
-        Event::Work(report) => state.take_report(report),
+        Event::Work(report) => command::take(state, report),
         Event::Suspend => {
             state.wishes.push(Wish::Suspend);
             true
@@ -134,8 +133,12 @@ fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Eve
             signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
             screen.retake()?;
         }
-        Wish::Work(job) => work::start(job, sender.clone()),
-        Wish::Write(file) => writing::grant(state, file),
+        Wish::Work(job) => {
+            let sender = sender.clone();
+            // Where nobody listens any more the program is leaving.
+            work::start(job, move |report| drop(sender.send(Event::Work(report))));
+        }
+        Wish::Write(file) => command::grant(state, file),
     }
     Ok(())
 }

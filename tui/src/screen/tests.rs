@@ -4,7 +4,6 @@ mod compare;
 mod forces;
 mod frames;
 mod keys;
-mod language;
 mod reading;
 mod running;
 mod sizes;
@@ -17,9 +16,9 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
-use super::state::{Look, State, View, Wish};
-use super::study::{Source, Study};
-use super::{command, view, work, writing};
+use super::command::{self, COMMANDS};
+use super::state::{Job, Key, Keymap, Look, Purpose, Scene, Source, State, View, Wish};
+use super::{view, work};
 
 const VIEWS: [View; 9] = [
     View::Mechanism,
@@ -35,29 +34,32 @@ const VIEWS: [View; 9] = [
 
 /// The state of a shipped scene, its analysis done.
 fn opened(name: &'static str) -> State {
-    let text = super::menu::SCENES.iter().find(|scene| scene.0 == name).unwrap().1;
-    state_of(Study::read(Source::Shipped(name), text).unwrap())
+    state_of(Scene::read(Source::Shipped(name), assur_fixtures::scene(name)).unwrap())
 }
 
 /// The state of a scene given as text, its analysis done.
 fn scene(text: &str) -> State {
-    state_of(Study::read(Source::File("scene.toml".into()), text).unwrap())
+    state_of(Scene::read(Source::File("scene.toml".into()), text).unwrap())
 }
 
-fn state_of(study: Study) -> State {
-    let mut state = State::new(Some(study), Look::default());
-    state.analyze(false);
+fn empty(scene: Option<Scene>) -> State {
+    State::new(scene, Look::default(), COMMANDS, Keymap::of(COMMANDS))
+}
+
+fn state_of(scene: Scene) -> State {
+    let mut state = empty(Some(scene));
+    command::ask(&mut state, Purpose::Main);
     settle(&mut state);
     state.message = None;
     state
 }
 
 /// Does a job and takes all its reports.
-fn run(state: &mut State, job: &work::Job) {
+fn run(state: &mut State, job: &Job) {
     let told = std::cell::RefCell::new(Vec::new());
     let last = work::run(job, &|report| told.borrow_mut().push(report));
     told.into_inner().into_iter().chain([last]).for_each(|report| {
-        state.take_report(report);
+        command::take(state, report);
     });
 }
 
@@ -67,7 +69,7 @@ fn settle(state: &mut State) {
         for wish in std::mem::take(&mut state.wishes) {
             match wish {
                 Wish::Work(job) => run(state, &job),
-                Wish::Write(file) => writing::grant(state, file),
+                Wish::Write(file) => command::grant(state, file),
                 _ => {}
             }
         }
@@ -92,7 +94,7 @@ fn text(state: &State, width: u16, height: u16) -> String {
 
 fn press(state: &mut State, keys: &str) {
     for name in keys.split(' ') {
-        let code = super::key::Key::parse(name).unwrap();
+        let code = Key::parse(name).unwrap();
         let modifiers = if code.control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
         command::press(state, KeyEvent::new(code.code, modifiers));
         settle(state);

@@ -3,39 +3,53 @@
 use assur_scene::edit::quoted;
 
 use super::Config;
-use crate::screen::command::{COMMANDS, Command, Group};
-use crate::screen::draw::raster::Marker;
-use crate::screen::key::Key;
-use crate::screen::state::Look;
-use crate::screen::text::{ENGLISH, fill};
-use crate::screen::theme::Theme;
-use crate::screen::view::{footer, help};
+use crate::screen::command::COMMANDS;
+use crate::screen::state::{Command, Group, Key, Look, Marker, Theme};
 
 /// Where the comments of the keys begin.
 const COMMENT_AT: usize = 40;
 
 /// The file.
 pub(crate) fn text() -> String {
-    let (config, texts) = (Config::default(), &ENGLISH);
+    let config = Config::default();
     let names = |names: &[&str]| names.join(", ");
     let themes = names(&Theme::ALL.map(Theme::name));
     let markers = names(&Marker::ALL.map(Marker::name));
-    let fps = fill(texts.config_fps, &[Look::FPS.start(), Look::FPS.end()]);
-    let ratio = fill(texts.config_cell, &[Look::RATIO.start(), Look::RATIO.end()]);
+    let fps = format!("frames a second of the animation, {} to {}", Look::FPS.start(), Look::FPS.end());
+    let ratio = format!(
+        "height of a character cell in its widths, {} to {}, for drawings to scale",
+        Look::RATIO.start(),
+        Look::RATIO.end()
+    );
     let mut lines = Vec::new();
     let mut setting = |help: &str, name: &str, value: &str| {
         lines.push(String::new());
         lines.extend(help.lines().map(|line| format!("# {line}")));
         lines.push(format!("{name} = {value}"));
     };
-    setting(&fill(texts.config_theme, &[&themes]), "theme", &quoted(config.look.theme.name()));
-    setting(&fill(texts.config_marker, &[&markers]), "marker", &quoted(config.look.marker.name()));
-    setting(texts.config_ascii, "ascii", &config.look.ascii.to_string());
+    setting(
+        &format!("colors: {themes} (NO_COLOR=1 always gives mono)"),
+        "theme",
+        &quoted(config.look.theme.name()),
+    );
+    setting(&format!("dots of drawings and curves: {markers}"), "marker", &quoted(config.look.marker.name()));
+    setting(
+        "only ASCII characters; where the locale is not UTF-8 it is so anyway",
+        "ascii",
+        &config.look.ascii.to_string(),
+    );
     setting(&fps, "fps", &config.look.fps.to_string());
     setting(&ratio, "cell_ratio", &format!("{:?}", config.look.ratio));
-    setting(texts.config_mouse, "mouse", &config.mouse.to_string());
-    let head = texts.config_head.lines().map(|line| format!("# {line}"));
-    let keys = fill(texts.config_keys, &[&Key::names()]);
+    setting("capture the mouse: a click on a curve chooses the position", "mouse", &config.mouse.to_string());
+    let head = "Configuration of assur's terminal UI. Every value here is the default; keep what you change.
+It is read from $XDG_CONFIG_HOME/assur/config.toml, or else from ~/.config/assur/config.toml.
+Options of the command line go before it."
+        .lines()
+        .map(|line| format!("# {line}"));
+    let keys = format!("The keys of each command; the first one is shown in the hints, [] means none. A key is a character, C- and a
+character (with Ctrl), or one of:
+{}.
+Two commands that meet in a view can't share a key.", Key::names());
     let keys = keys.lines().map(|line| format!("# {line}"));
     let all: Vec<String> = head
         .chain(lines)
@@ -48,14 +62,14 @@ pub(crate) fn text() -> String {
 }
 
 /// The commands of a group of the help screen, under its title.
-fn of_group(group: Group) -> Vec<String> {
-    let title = [String::new(), format!("# {}", help::title(&ENGLISH, group))];
+fn of_group((group, title): (Group, &str)) -> Vec<String> {
+    let title = [String::new(), format!("# {title}")];
     let commands = COMMANDS.iter().filter(|command| command.group == group);
     title.into_iter().chain(commands.map(of_command)).collect()
 }
 
 fn of_command(command: &Command) -> String {
-    let keys: Vec<String> = command.keys.iter().map(|key| quoted(&key.name())).collect();
+    let keys: Vec<String> = command.default_keys().iter().map(|key| quoted(&key.name())).collect();
     let line = format!("{} = [{}]", command.name, keys.join(", "));
-    format!("{line:COMMENT_AT$} # {}", footer::texts_of(&ENGLISH, command.name).0)
+    format!("{line:COMMENT_AT$} # {}", command.help)
 }

@@ -1,11 +1,8 @@
 //! The default read back, and the text of each fault.
 
 use super::{Config, default_text};
-use crate::screen::command::{COMMANDS, named};
-use crate::screen::draw::raster::Marker;
-use crate::screen::key::Key;
-use crate::screen::state::Look;
-use crate::screen::theme::Theme;
+use crate::screen::command::COMMANDS;
+use crate::screen::state::{Key, Look, Marker, Theme};
 
 fn read(text: &str) -> Config {
     Config::read("config.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
@@ -30,10 +27,10 @@ fn the_printed_default_is_the_default_and_says_all() {
         let line =
             keys_of(&text).lines().find(|line| line.starts_with(&format!("{} = ", command.name))).unwrap();
         let keys = line.split('[').nth(1).unwrap().split(']').next().unwrap();
-        assert_eq!(keys.matches('"').count(), 2 * command.keys.len(), "{line}");
+        assert_eq!(keys.matches('"').count(), 2 * command.default_keys().len(), "{line}");
         assert!(line.contains("# "), "{line}");
     }
-    for name in super::KEYS.iter().filter(|name| **name != "keys") {
+    for name in crate::screen::config::KEYS.iter().filter(|name| **name != "keys") {
         assert!(text.lines().any(|line| line.starts_with(&format!("{name} = "))), "{name}");
     }
 }
@@ -69,11 +66,11 @@ fn every_setting_is_taken() {
     );
     let look = Look { ascii: true, marker: Marker::HalfBlock, theme: Theme::Mono, ratio: 1.9, fps: 25 };
     assert_eq!((config.look, config.mouse), (look, true));
-    let keys = |name: &str| config.keys.of(named(name).unwrap()).to_vec();
+    let keys = |name: &str| config.keys.keys(name).to_vec();
     assert_eq!(keys("play"), [Key::parse("p").unwrap()]);
     assert_eq!(keys("next-position"), ["n", "C-n", "F5"].map(|key| Key::parse(key).unwrap()));
     assert_eq!(keys("write"), []);
-    assert_eq!(keys("quit"), named("quit").unwrap().keys);
+    assert_eq!(keys("quit"), ["q", "C-c"].map(|key| Key::parse(key).unwrap()));
 }
 
 #[test]
@@ -88,7 +85,7 @@ fn two_commands_on_one_key_are_refused_by_name() {
     assert!(both.contains("`y` means both `play` and `theme`"), "{both}");
     assert!(both.contains("line 3, column 14") && both.contains("also a key of `theme`"), "{both}");
     // Another view, another meaning: that is no clash; and the two are told once, not for each view.
-    assert_eq!(read("[keys]\nsort = \"b\"\n").keys.of(named("sort").unwrap()).len(), 1);
+    assert_eq!(read("[keys]\nsort = \"b\"\n").keys.keys("sort").len(), 1);
     assert_eq!(faults("[keys]\nforward = \"?\"\n").matches("error:").count(), 1);
 }
 

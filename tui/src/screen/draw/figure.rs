@@ -1,5 +1,8 @@
 //! What of a mechanism is drawn: segments of links, blocks on guides, pins, hatched ground.
 
+#[cfg(test)]
+mod tests;
+
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, LinkId};
@@ -122,17 +125,4 @@ fn half_hull(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
         chain.push(p);
     }
     chain
-}
-
-#[cfg(test)]
-mod tests {
-    use super::hull;
-
-    #[test]
-    fn a_hull_drops_what_lies_inside_or_on_a_line() {
-        assert_eq!(hull(&[[0.0, 0.0], [1.0, 0.0], [0.5, 0.0]]), [[0.0, 0.0], [1.0, 0.0]]);
-        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5]];
-        assert_eq!(hull(&square), square[..4]);
-        assert!(hull(&[]).is_empty());
-    }
 }

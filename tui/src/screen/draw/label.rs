@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
-use super::raster::{Raster, short};
+use super::raster::{Raster, short, whole};
 
 /// The cells that are taken, of one area.
 #[derive(Debug)]
@@ -80,8 +80,18 @@ impl Labels {
             && x + width as f64 <= f64::from(self.area.width)
             && y < f64::from(self.area.height);
         inside.then(|| {
-            let (x, y) = (super::raster::whole(x), super::raster::whole(y));
+            let (x, y) = (whole(x), whole(y));
             Rect::new(self.area.x + short(x), self.area.y + short(y), short(width), 1)
         })
+    }
+}
+
+/// The character of an arrow's head; the direction is right and down on the screen, in widths of a cell.
+pub(super) fn head([right, down]: [f64; 2]) -> &'static str {
+    match (right.abs() >= down.abs(), right > 0.0, down > 0.0) {
+        (true, true, _) => ">",
+        (true, false, _) => "<",
+        (false, _, true) => "v",
+        (false, _, false) => "^",
     }
 }

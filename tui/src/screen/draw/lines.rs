@@ -1,31 +1,25 @@
-//! Curves given by points of both axes, told apart by dashes and by a number at their ends, not by color alone.
+//! Curves given by points of both axes, told apart by dashes and by a number on them, not by color alone.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::axis::{LABELS, ValueAxis};
 use super::label::Labels;
 use super::raster::{Raster, Stroke, short};
-use crate::screen::number::plain;
-use crate::screen::series::axis_range;
-use crate::screen::state::Look;
-use crate::screen::theme::Role;
-use crate::screen::view::put;
+use super::text::put;
+use crate::number::plain;
+use crate::screen::state::{Look, Role, axis_range, extent};
 
-/// Columns for the axis labels.
-const LABELS: u16 = 11;
 /// Strokes and roles of the curves in their order.
 const STYLES: [(Stroke, Role); 3] =
     [(Stroke::Solid, Role::First), (Stroke::Dotted(3), Role::Third), (Stroke::Dotted(6), Role::Second)];
-
-/// A curve with its name.
-pub(crate) type Line<'a> = (&'a str, Vec<[f64; 2]>);
 
 /// A plot.
 #[derive(Debug)]
 pub(crate) struct Lines<'a> {
     pub(crate) title: &'a str,
-    /// At most three.
-    pub(crate) curves: Vec<Line<'a>>,
+    /// At most three, each with its name.
+    pub(crate) curves: Vec<(&'a str, Vec<[f64; 2]>)>,
     /// What the horizontal axis is, with its unit.
     pub(crate) axis: &'a str,
     /// Where the cursor is on the horizontal axis.
@@ -46,22 +40,15 @@ impl Lines<'_> {
             width: area.width - LABELS - 1,
             height: area.height - 3,
         };
-        let points = || self.curves.iter().flat_map(|line| &line.1).filter(|at| at[1].is_finite());
-        let (Some([left, right]), Some([low, high])) =
-            (range(points().map(|at| at[0])), range(points().map(|at| at[1])))
-        else {
-            return;
-        };
+        let (Some([left, right]), Some(values)) = (self.range(0), self.range(1)) else { return };
+        let vertical = ValueAxis::new(values, plot.height);
         let cell = |at: [f64; 2]| {
-            [
-                (at[0] - left) / (right - left) * f64::from(plot.width - 1) + 0.5,
-                (high - at[1]) / (high - low) * (f64::from(plot.height) - 0.25) + 0.1,
-            ]
+            [(at[0] - left) / (right - left) * f64::from(plot.width - 1) + 0.5, vertical.row(at[1])]
         };
         let mut raster = Raster::new(plot, look.marker);
         let mut labels = Labels::new(plot);
         if let Some(at) = self.cursor {
-            let ends = [cell([at, low]), cell([at, high])];
+            let ends = [cell([at, vertical.low]), cell([at, vertical.high])];
             raster.line(ends[0], ends[1], Stroke::Dotted(2), look.theme.style(Role::Dim));
         }
         for (number, ((_, points), (stroke, role))) in self.curves.iter().zip(STYLES).enumerate() {
@@ -77,7 +64,8 @@ impl Lines<'_> {
         }
         raster.paint(plot, buffer);
         labels.write(&raster, buffer);
-        self.axes(area, [left, right], [low, high], look, buffer);
+        vertical.draw(area, look, false, buffer);
+        self.horizontal_axis([left, right], area, look, buffer);
     }
 
     /// `moments, N m: 1 drive  2 resistance`; where that is too long, the names alone: what the numbers mean must be seen.
@@ -92,31 +80,17 @@ impl Lines<'_> {
         }
     }
 
-    fn axes(
-        &self,
-        area: Rect,
-        [left, right]: [f64; 2],
-        [low, high]: [f64; 2],
-        look: Look,
-        buffer: &mut Buffer,
-    ) {
-        let style = look.theme.style(Role::Plain);
-        for (row, value) in [(1, high), (area.height - 3, low)] {
-            let text = plain(value);
-            put(buffer, area, LABELS.saturating_sub(short(text.len()) + 1), row, &text, style);
-        }
-        for row in 1..area.height - 2 {
-            put(buffer, area, LABELS - 1, row, "│", style);
-        }
-        put(buffer, area, LABELS, area.height - 2, &plain(left), style);
-        let end = plain(right);
-        put(buffer, area, area.width.saturating_sub(short(end.len()) + 1), area.height - 2, &end, style);
-        put(buffer, area, LABELS, area.height - 1, self.axis, look.theme.style(Role::Dim));
+    /// Least and greatest coordinate of the points that have a value, never the same.
+    fn range(&self, axis: usize) -> Option<[f64; 2]> {
+        let points = self.curves.iter().flat_map(|(_, points)| points).filter(|at| at[1].is_finite());
+        extent(&points.map(|at| at[axis]).collect::<Vec<_>>()).map(|extent| axis_range(extent, 0.0))
     }
-}
 
-/// Least and greatest, never the same.
-fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let finite = values.filter(|value| value.is_finite()).map(|value| [value, value]);
-    finite.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).map(|extent| axis_range(extent, 0.0))
+    fn horizontal_axis(&self, [left, right]: [f64; 2], area: Rect, look: Look, buffer: &mut Buffer) {
+        let style = look.theme.style(Role::Plain);
+        let (row, end) = (area.height - 2, plain(right));
+        put(buffer, area, LABELS, row, &plain(left), style);
+        put(buffer, area, area.width.saturating_sub(short(end.len()) + 1), row, &end, style);
+        put(buffer, area, LABELS, row + 1, self.axis, look.theme.style(Role::Dim));
+    }
 }

@@ -5,12 +5,10 @@ use assur_mechanism::GROUND;
 use ratatui::style::Style;
 
 use super::figure::{Shape, figure};
-use super::label::Labels;
-use super::raster::{Marker, Raster, Stroke, whole};
+use super::label::{Labels, head};
+use super::raster::{Raster, Stroke, whole};
 use super::scale::Scale;
-use crate::screen::state::Look;
-use crate::screen::study::Study;
-use crate::screen::theme::Role;
+use crate::screen::state::{Look, Marker, Role, Scene};
 
 /// Half sizes of a block, in widths of a cell.
 const BLOCK: [f64; 2] = [2.0, 1.1];
@@ -27,8 +25,8 @@ pub(crate) struct Pen<'a> {
 }
 
 /// Draws the mechanism in one position; the links in `marked` stand out.
-pub(crate) fn draw_figure(pen: &mut Pen<'_>, study: &Study, pose: &Position, marked: &[usize]) {
-    let parts = figure(&study.linkage, &pose.bodies, &study.strokes);
+pub(crate) fn draw_figure(pen: &mut Pen<'_>, scene: &Scene, pose: &Position, marked: &[usize]) {
+    let parts = figure(&scene.linkage, &pose.bodies, &scene.strokes);
     // What is marked is drawn last: where lines cross, the later one gives the cell its style.
     for round in [false, true] {
         for part in parts.iter().filter(|part| marked.contains(&part.link) == round) {
@@ -44,10 +42,10 @@ pub(crate) fn draw_figure(pen: &mut Pen<'_>, study: &Study, pose: &Position, mar
 }
 
 /// Draws the ground alone, for a position that does not exist.
-pub(crate) fn draw_ground(pen: &mut Pen<'_>, study: &Study) {
-    let nowhere = study.linkage.position();
+pub(crate) fn draw_ground(pen: &mut Pen<'_>, scene: &Scene) {
+    let nowhere = scene.linkage.position();
     let style = pen.look.theme.style(Role::Ground);
-    for part in figure(&study.linkage, &nowhere.bodies, &study.strokes) {
+    for part in figure(&scene.linkage, &nowhere.bodies, &scene.strokes) {
         if part.link == GROUND && !matches!(part.shape, Shape::Block(..)) {
             draw_shape(pen, part.shape, style);
         }
@@ -104,11 +102,11 @@ fn guide(pen: &mut Pen<'_>, a: [f64; 2], b: [f64; 2], style: Style) {
     for step in 0..=whole(steps) {
         let part = step as f64 / steps;
         let at = shift(shift(ca, hatch), [part * (cb[0] - ca[0]), part * (cb[1] - ca[1])]);
-        hatch_cell(pen, at, style);
+        pen.labels.faint(at, HATCH, style);
     }
 }
 
-/// A bearing: pin, two legs, hatched base.
+/// A bearing: a pin, two struts, a hatched base.
 fn bearing(pen: &mut Pen<'_>, at: [f64; 2], style: Style) {
     let [x, y] = pen.scale.cell(at);
     let row = y.floor() + 1.0;
@@ -118,14 +116,9 @@ fn bearing(pen: &mut Pen<'_>, at: [f64; 2], style: Style) {
         }
     }
     for column in -2..=2 {
-        hatch_cell(pen, [x + f64::from(column), row + 0.5], style);
+        pen.labels.faint([x + f64::from(column), row + 0.5], HATCH, style);
     }
     pen.labels.put([x, y], "o", style);
-}
-
-/// One hatched cell, where nothing else is drawn.
-fn hatch_cell(pen: &mut Pen<'_>, at: [f64; 2], style: Style) {
-    pen.labels.faint(at, HATCH, style);
 }
 
 /// An arrow from a place along a vector; `unit` is the length of one of it in widths of a cell.
@@ -139,25 +132,14 @@ pub(crate) fn arrow(pen: &mut Pen<'_>, at: [f64; 2], v: [f64; 2], unit: f64, str
     let arm = pen.scale.arm(along, length);
     let to = [from[0] + arm[0], from[1] + arm[1]];
     pen.raster.line(from, to, stroke, style);
-    pen.labels.put(to, head(along), style);
-}
-
-/// The character of an arrow's head.
-fn head(along: [f64; 2]) -> &'static str {
-    if along[0].abs() >= along[1].abs() {
-        if along[0] > 0.0 { ">" } else { "<" }
-    } else if along[1] > 0.0 {
-        "^"
-    } else {
-        "v"
-    }
+    pen.labels.put(to, head([along[0], -along[1]]), style);
 }
 
 /// The names of all points.
-pub(crate) fn names(pen: &mut Pen<'_>, study: &Study, pose: &Position) {
+pub(crate) fn point_names(pen: &mut Pen<'_>, scene: &Scene, pose: &Position) {
     let style = pen.look.theme.style(Role::Header);
-    for (id, point) in study.linkage.mechanism.points.iter().enumerate() {
-        let at = pen.scale.cell(study.linkage.point_motion(id, pose).pf0);
+    for (id, point) in scene.linkage.mechanism.points.iter().enumerate() {
+        let at = pen.scale.cell(scene.linkage.point_motion(id, pose).pf0);
         pen.labels.beside(pen.raster, at, &point.name, style);
     }
 }

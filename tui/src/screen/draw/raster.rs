@@ -4,48 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-/// What a dot becomes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Marker {
-    /// 2 x 4 dots a cell.
-    Braille,
-    /// 1 x 2 dots a cell.
-    HalfBlock,
-    /// One character a cell, chosen by the direction of the stroke.
-    Ascii,
-}
-
-impl Marker {
-    /// All, in the order of the key that changes them.
-    pub(crate) const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
-
-    /// As `:set marker` and the configuration name it.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Braille => "braille",
-            Self::HalfBlock => "half-block",
-            Self::Ascii => "ascii",
-        }
-    }
-
-    /// The next one, for the key that changes it.
-    pub(crate) fn next(self) -> Self {
-        match self {
-            Self::Braille => Self::HalfBlock,
-            Self::HalfBlock => Self::Ascii,
-            Self::Ascii => Self::Braille,
-        }
-    }
-
-    /// Dots of a cell: across, down.
-    fn dots(self) -> (usize, usize) {
-        match self {
-            Self::Braille => (2, 4),
-            Self::HalfBlock => (1, 2),
-            Self::Ascii => (1, 1),
-        }
-    }
-}
+use crate::screen::state::Marker;
 
 /// How a stroke is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +42,7 @@ impl Raster {
 
     /// Sets the dot at a place; outside is ignored.
     pub(crate) fn dot(&mut self, at: [f64; 2], letter: char, style: Style) {
-        let (across, down) = self.marker.dots();
+        let (across, down) = dots(self.marker);
         let (x, y) = ((at[0] * across as f64).floor(), (at[1] * down as f64).floor());
         if !(x >= 0.0 && y >= 0.0 && x < (self.columns * across) as f64 && y < (self.rows * down) as f64) {
             return;
@@ -98,7 +57,7 @@ impl Raster {
     /// Draws a straight line.
     pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], stroke: Stroke, style: Style) {
         let Some([from, to]) = self.clipped(from, to) else { return };
-        let (across, down) = self.marker.dots();
+        let (across, down) = dots(self.marker);
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let steps = (dx.abs() * across as f64).max(dy.abs() * down as f64).ceil().max(1.0);
         let letter = match stroke {
@@ -119,7 +78,7 @@ impl Raster {
             return;
         };
         // Dots at equal distances along the whole chain, whatever the length of its pieces.
-        let (across, down) = self.marker.dots();
+        let (across, down) = dots(self.marker);
         let gap = if self.marker == Marker::Braille { every as f64 } else { 1.0 };
         let mut travelled = gap;
         for two in points.windows(2) {
@@ -196,6 +155,15 @@ pub(crate) fn whole(x: f64) -> usize {
 /// A count as a screen coordinate.
 pub(crate) fn short(x: usize) -> u16 {
     u16::try_from(x).unwrap_or(u16::MAX)
+}
+
+/// Dots of a cell: across, down.
+fn dots(marker: Marker) -> (usize, usize) {
+    match marker {
+        Marker::Braille => (2, 4),
+        Marker::HalfBlock => (1, 2),
+        Marker::Ascii => (1, 1),
+    }
 }
 
 fn bit(marker: Marker, x: usize, y: usize) -> u8 {

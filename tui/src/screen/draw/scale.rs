@@ -2,45 +2,9 @@
 
 use ratatui::layout::Rect;
 
-/// A rectangle of the plane, m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) low: [f64; 2],
-    pub(crate) high: [f64; 2],
-}
-
-impl Bounds {
-    pub(crate) const EMPTY: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
-
-    pub(crate) fn add(&mut self, at: [f64; 2]) {
-        for ((low, high), x) in self.low.iter_mut().zip(&mut self.high).zip(at).filter(|(_, x)| x.is_finite())
-        {
-            *low = low.min(x);
-            *high = high.max(x);
-        }
-    }
-
-    pub(crate) fn size(&self) -> [f64; 2] {
-        [(self.high[0] - self.low[0]).max(0.0), (self.high[1] - self.low[1]).max(0.0)]
-    }
-
-    fn center(&self) -> [f64; 2] {
-        [0.5 * (self.low[0] + self.high[0]), 0.5 * (self.low[1] + self.high[1])]
-    }
-}
-
-/// Zoom and pan of a drawing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Zoom {
-    /// How many times larger than the whole.
-    pub(crate) factor: f64,
-    /// Shift of the middle in parts of the drawn size.
-    pub(crate) shift: [f64; 2],
-}
-
-impl Zoom {
-    pub(crate) const WHOLE: Self = Self { factor: 1.0, shift: [0.0; 2] };
-}
+use super::raster::whole;
+use crate::number::plain;
+use crate::screen::state::{Bounds, Zoom};
 
 /// Plane to cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,9 +31,8 @@ impl Scale {
             (width / room(area.width, MARGIN[0])).max(height / (room(area.height, MARGIN[1]) * ratio));
         let meters = if meters.is_finite() && meters > 0.0 { meters } else { 1.0 };
         let center = bounds.center();
-        let center =
-            [center[0] + zoom.shift[0] * width.max(height), center[1] + zoom.shift[1] * width.max(height)]
-                .map(|x| if x.is_finite() { x } else { 0.0 });
+        let center = [0, 1].map(|axis| center[axis] + zoom.shift[axis] * width.max(height));
+        let center = center.map(|x| if x.is_finite() { x } else { 0.0 });
         let middle = [f64::from(area.width) / 2.0, f64::from(area.height) / 2.0];
         Self { center, middle, meters: meters / zoom.factor, ratio }
     }
@@ -86,4 +49,22 @@ impl Scale {
     pub(crate) fn arm(&self, along: [f64; 2], widths: f64) -> [f64; 2] {
         [along[0] * widths, -along[1] * widths / self.ratio]
     }
+
+    /// A bar of a round length that is not above so many widths of a cell: `|----| 100 mm`; `factor` is the number of
+    /// units in one of the plane.
+    pub(crate) fn bar(&self, widths: f64, factor: f64, unit: &str) -> String {
+        let length = round_length(widths * self.meters);
+        let dashes = "-".repeat(whole((length / self.meters).round().clamp(2.0, 40.0)) - 1);
+        format!("|{dashes}| {} {unit}", plain(factor * length))
+    }
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
+pub(crate) fn round_length(most: f64) -> f64 {
+    if !(most.is_finite() && most > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(most.log10().floor());
+    let times = [5.0, 2.0, 1.0].into_iter().find(|times| times * power <= most);
+    times.unwrap_or(1.0) * power
 }

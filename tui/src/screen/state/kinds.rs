@@ -1,11 +1,6 @@
-//! What can be shown, and how: the small kinds of the state.
+//! What can be shown and chosen.
 
-use std::ops::RangeInclusive;
-
-use crate::screen::draw::raster::Marker;
-use crate::screen::theme::Theme;
-
-/// What is shown.
+/// A view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum View {
     Menu,
@@ -23,47 +18,49 @@ pub(crate) enum View {
     Values,
 }
 
+use View::{
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table, Values,
+};
+
 impl View {
-    /// All.
-    pub(crate) const ALL: [Self; 12] = [
-        Self::Menu,
-        Self::Mechanism,
-        Self::Curves,
-        Self::Forces,
-        Self::Plans,
-        Self::Motion,
-        Self::Drive,
-        Self::Checks,
-        Self::Accuracy,
-        Self::Structure,
-        Self::Table,
-        Self::Values,
-    ];
-}
+    /// Every view of a scene, in the order of the tabs.
+    pub(crate) const OF_SCENE: [Self; 10] =
+        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
+    /// The views of a scene in which Home, End and the page keys go through the positions.
+    pub(crate) const WITHOUT_PAGES: [Self; 9] =
+        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
-/// How things are drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Look {
-    /// Characters beyond ASCII are replaced.
-    pub(crate) ascii: bool,
-    pub(crate) marker: Marker,
-    pub(crate) theme: Theme,
-    /// Height of a cell in its widths.
-    pub(crate) ratio: f64,
-    /// Frames a second of the animation.
-    pub(crate) fps: u8,
-}
+    /// All views.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        [Menu, Values].into_iter().chain(Self::OF_SCENE)
+    }
 
-impl Look {
-    /// Frames a second that the animation may have.
-    pub(crate) const FPS: RangeInclusive<u8> = 1..=60;
-    /// Heights of a cell in its widths that fonts have.
-    pub(crate) const RATIO: RangeInclusive<f64> = 0.5..=5.0;
-}
+    /// The name on its tab, and the command that goes to it.
+    fn names(self) -> [&'static str; 2] {
+        match self {
+            Menu => ["Scenes", "menu"],
+            Mechanism => ["Mechanism", "mechanism"],
+            Curves => ["Curves", "curves"],
+            Forces => ["Forces", "forces"],
+            Plans => ["Plans", "plans"],
+            Motion => ["Motion", "motion"],
+            Drive => ["Drive", "drive"],
+            Checks => ["Checks", "checks"],
+            Accuracy => ["Methods", "accuracy"],
+            Structure => ["Groups", "structure"],
+            Table => ["Table", "table"],
+            Values => ["What if", "what-if"],
+        }
+    }
 
-impl Default for Look {
-    fn default() -> Self {
-        Self { ascii: false, marker: Marker::Braille, theme: Theme::Default, ratio: 2.0, fps: 10 }
+    /// The name on its tab.
+    pub(crate) fn name(self) -> &'static str {
+        self.names()[0]
+    }
+
+    /// The command that goes to it.
+    pub(crate) fn command(self) -> &'static str {
+        self.names()[1]
     }
 }
 
@@ -80,7 +77,7 @@ pub(crate) enum PlanKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pane {
     Table,
-    /// Of the forces alone.
+    /// Only in the view of the forces.
     Causes,
     Curves,
     Hodograph,
@@ -95,12 +92,24 @@ pub(crate) enum Arrows {
     Both,
 }
 
-/// Which paths the drawing has.
+/// Which paths of points the drawing has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Traces {
     All,
     Chosen,
     None,
+}
+
+/// The one of a list that follows, the first one after the last.
+pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
+    let index = all.iter().position(|one| *one == now).map_or(0, |index| (index + 1) % all.len());
+    all.get(index).copied().unwrap_or(now)
+}
+
+/// The index that lies `by` farther in a list of so many, round.
+pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
+    let count = isize::try_from(count.max(1)).unwrap_or(isize::MAX);
+    usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
 }
 
 /// The help screen.
@@ -110,13 +119,29 @@ pub(crate) struct Help {
     pub(crate) filter: String,
 }
 
+/// What the one-line input is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PromptKind {
+    Command,
+    Search,
+}
+
+/// The one-line input for `:` and `/` while it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Prompt {
+    pub(crate) kind: PromptKind,
+    pub(crate) text: String,
+    /// Number of the completion that Tab gave, and what was typed before.
+    pub(crate) completing: Option<(usize, String)>,
+}
+
 /// What is chosen in each view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Chosen {
-    /// Index in [`crate::screen::study::Study::transfers`].
+    /// Index in the scene's transfer functions.
     pub(crate) transfer: usize,
     pub(crate) group: usize,
-    /// Index in [`crate::screen::found::Found::reactions`].
+    /// Index in the reactions found.
     pub(crate) reaction: usize,
     pub(crate) check: usize,
     /// Group whose force polygon is drawn; the last is the input link.
@@ -127,7 +152,7 @@ pub(crate) struct Chosen {
     pub(crate) step: usize,
     /// First quantity of the motion view.
     pub(crate) motion: usize,
-    /// First line of the accuracy view.
+    /// First line of the report on the methods.
     pub(crate) line: usize,
     /// Column of the table.
     pub(crate) column: usize,

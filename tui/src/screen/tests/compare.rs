@@ -15,7 +15,7 @@ fn two_scenes_have_two_curves_and_a_difference() {
     let folder = tempfile::tempdir().unwrap();
     let longer = folder.path().join("longer.toml");
     std::fs::write(&longer, crank(130, 12)).unwrap();
-    let mut state = super::scene(&crank(100, 12));
+    let mut state = crate::screen::tests::scene(&crank(100, 12));
     press(&mut state, "2");
     write(&mut state, &format!(":compare {}", longer.display()));
     let frame = text(&state, 120, 40);
@@ -32,7 +32,7 @@ fn two_scenes_have_two_curves_and_a_difference() {
 
 #[test]
 fn what_can_not_be_compared_is_told() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, ":compare slider-crank.toml");
     assert!(text(&state, 120, 40).contains("slider-crank.toml has 24 positions, not 48"));
     write(&mut state, ":compare nowhere.toml");

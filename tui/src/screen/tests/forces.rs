@@ -4,11 +4,11 @@ use super::{opened, press, scene, text};
 
 #[test]
 fn every_pair_of_the_results_is_in_the_table_of_forces() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "3");
     let frame = text(&state, 80, 40);
-    let study = state.study.as_ref().unwrap();
-    let positions = &study.found.as_ref().unwrap().analysis.positions;
+    let scene = state.scene.as_ref().unwrap();
+    let positions = &scene.found.as_ref().unwrap().analysis.positions;
     for (pair, _) in positions[0].reactions.as_ref().unwrap().iter() {
         assert!(frame.contains(&format!("{pair} on ")), "{pair}: {frame}");
     }
@@ -16,7 +16,7 @@ fn every_pair_of_the_results_is_in_the_table_of_forces() {
 
 #[test]
 fn two_analyzers_agree_on_the_screen() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "3 d");
     let frame = text(&state, 80, 24);
     assert!(frame.contains("1 groups (line)  2 newton-euler (stars)   largest difference"), "{frame}");
@@ -32,14 +32,14 @@ fn row(frame: &str, start: &str) -> Vec<f64> {
 
 #[test]
 fn causes_sum_to_the_whole() {
-    for name in ["shaper.toml", "shaper-drive.toml", "press.toml"] {
+    for name in ["shaper", "shaper-drive", "press"] {
         let mut state = opened(name);
         press(&mut state, "3 b");
         for position in [0, 5, 11] {
             state.position = position;
             press(&mut state, "Down");
             let frame = text(&state, 80, 24);
-            let found = state.study.as_ref().unwrap().found.as_ref().unwrap();
+            let found = state.scene.as_ref().unwrap().found.as_ref().unwrap();
             let reaction = &found.reactions[state.chosen.reaction];
             let most = found.series[*reaction.series.last().unwrap()].values.iter().copied();
             let most = most.fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -54,7 +54,7 @@ fn causes_sum_to_the_whole() {
 
 #[test]
 fn every_cause_has_a_row() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "3 b");
     let frame = text(&state, 80, 24);
     for cause in ["1 weight", "2 inertia", "3 cutting", "sum", "whole, by `groups`"] {
@@ -64,7 +64,7 @@ fn every_cause_has_a_row() {
 
 #[test]
 fn arrows_are_velocities_where_there_is_a_motion() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     let frame = text(&state, 80, 24);
     assert!(frame.contains("velocity") && frame.contains(" m/s\n"), "{frame}");
     press(&mut state, "v");
@@ -74,7 +74,7 @@ fn arrows_are_velocities_where_there_is_a_motion() {
 
 #[test]
 fn arrows_are_transfer_functions_without_a_motion() {
-    let text_of = include_str!("../../../../fixtures/shaper.toml");
+    let text_of = assur_fixtures::scene("shaper");
     let start = text_of.find("[motion]").unwrap();
     let mut state = scene(&text_of[..start].replace("against_motion = true", "angle = 0"));
     let frame = text(&state, 80, 24);
@@ -90,7 +90,7 @@ fn many_causes_keep_their_sum_in_sight() {
         format!("\n[[moment]]\nname = \"m{number}\"\nlink = \"crank\"\nvalue = {}\n", number + 1)
     };
     let moments: String = (0..20).map(moment).collect();
-    let text_of = include_str!("../../../../fixtures/shaper.toml").to_owned() + &moments;
+    let text_of = assur_fixtures::scene("shaper").to_owned() + &moments;
     let mut state = scene(&text_of);
     press(&mut state, "3 b End");
     // The balancing load: 1 + 2 + ... + 20 N m of it are for the moments, which end in a row of their own.

@@ -3,17 +3,16 @@
 use ratatui::style::{Color, Modifier};
 
 use super::{View, frame, opened, press, scene, text};
-use crate::screen::draw::raster::Marker;
-use crate::screen::theme::Theme;
+use crate::screen::state::{Marker, Theme};
 
 /// Views that a scene has something for, each drawn.
 fn snapshots(scene: &'static str) {
     let mut state = opened(scene);
     state.position = 5;
-    for view in super::VIEWS {
+    for view in crate::screen::tests::VIEWS {
         if state.has(view) {
             state.view = view;
-            let name = format!("{}_{view:?}", scene.trim_end_matches(".toml").replace('-', "_"));
+            let name = format!("{}_{view:?}", scene.replace('-', "_"));
             insta::assert_snapshot!(name.to_lowercase(), without_rounding(&text(&state, 80, 24), view));
         }
     }
@@ -42,22 +41,22 @@ fn without_rounding(frame: &str, view: View) -> String {
 
 #[test]
 fn every_view_of_the_shaper() {
-    snapshots("shaper.toml");
+    snapshots("shaper");
 }
 
 #[test]
 fn every_view_of_the_press() {
-    snapshots("press.toml");
+    snapshots("press");
 }
 
 #[test]
 fn every_view_of_the_shaper_with_its_drive() {
-    snapshots("shaper-drive.toml");
+    snapshots("shaper-drive");
 }
 
 #[test]
 fn reactions_by_cause() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     state.position = 5;
     press(&mut state, "3 b Down");
     insta::assert_snapshot!(without_rounding(&text(&state, 80, 24), View::Forces));
@@ -65,7 +64,7 @@ fn reactions_by_cause() {
 
 #[test]
 fn styles_of_the_structure_view() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     state.view = View::Structure;
     let buffer = frame(&state, 80, 24);
     let sign = |cell: &ratatui::buffer::Cell| match (cell.symbol(), cell.modifier, cell.fg) {
@@ -82,7 +81,7 @@ fn styles_of_the_structure_view() {
 
 #[test]
 fn the_help_lists_every_command() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "?");
     state.size = (80, 200);
     let help = text(&state, 80, 200);
@@ -93,12 +92,12 @@ fn the_help_lists_every_command() {
 
 #[test]
 fn ascii_leaves_no_other_character() {
-    for scene in ["shaper.toml", "conveyor.toml", "andrews.toml"] {
+    for scene in ["shaper", "conveyor", "andrews"] {
         let mut state = opened(scene);
         state.look.ascii = true;
         for marker in [Marker::Ascii, Marker::Braille, Marker::HalfBlock] {
             state.look.marker = marker;
-            for view in super::VIEWS {
+            for view in crate::screen::tests::VIEWS {
                 state.view = view;
                 assert!(text(&state, 100, 30).is_ascii(), "{scene} {view:?} {marker:?}");
             }
@@ -108,8 +107,8 @@ fn ascii_leaves_no_other_character() {
 
 #[test]
 fn mono_has_the_same_text_and_no_color() {
-    let mut state = opened("shaper.toml");
-    for view in super::VIEWS {
+    let mut state = opened("shaper");
+    for view in crate::screen::tests::VIEWS {
         state.view = view;
         state.look.theme = Theme::Default;
         let colored = text(&state, 120, 40);
@@ -140,7 +139,7 @@ fn a_circle_is_as_wide_as_twice_its_rows() {
         state.look.marker = marker;
         state.arrows = crate::screen::state::Arrows::None;
         let buffer = frame(&state, 80, 24);
-        let color = state.look.theme.style(crate::screen::theme::Role::Trace).fg;
+        let color = state.look.theme.style(crate::screen::state::Role::Trace).fg;
         let is_path = |x: u16, y: u16| Some(buffer[(x, y)].fg) == color && buffer[(x, y)].symbol() != " ";
         // The last row of the drawing has the scale.
         let columns = (0..54).filter(|&x| (2..21).any(|y| is_path(x, y))).count();

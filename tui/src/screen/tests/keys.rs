@@ -3,12 +3,8 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{View, opened, press, settle, text, write};
-use crate::screen::accuracy::Measured;
 use crate::screen::command::{self, COMMANDS};
-use crate::screen::key::Key;
-use crate::screen::keymap::Keymap;
-use crate::screen::state::{Look, State, Wish};
-use crate::screen::whatif;
+use crate::screen::state::{Key, Keymap, Measured, State, Wish};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
@@ -20,15 +16,15 @@ fn fingerprint(state: &State) -> String {
 /// Goes to a view; the list of values is opened below the mechanism.
 fn enter(state: &mut State, view: View) {
     if state.values_open() != (view == View::Values) {
-        whatif::toggle(state);
+        command::toggle(state);
     }
     state.view = if view == View::Values { View::Mechanism } else { view };
 }
 
 #[test]
 fn every_key_in_every_view_is_survived() {
-    let mut state = opened("shaper.toml");
-    for view in View::ALL {
+    let mut state = opened("shaper");
+    for view in View::all() {
         for code in (' '..='~').map(KeyCode::Char).chain([
             KeyCode::Enter,
             KeyCode::Esc,
@@ -62,12 +58,12 @@ fn every_key_in_every_view_is_survived() {
 fn every_command_does_something() {
     for command in COMMANDS.iter().filter(|command| command.name != "close") {
         let mut acts = false;
-        for view in View::ALL.into_iter().filter(|view| command.fits(*view)) {
-            let mut state = opened("shaper.toml");
+        for view in View::all().filter(|view| command.fits(*view)) {
+            let mut state = opened("shaper");
             enter(&mut state, view);
             (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
             let chart = Err("line\n".repeat(90));
-            state.accuracy.measured = Some(Box::new(Measured { chart, stability: None }));
+            state.measured = Some(Box::new(Measured { chart, stability: None }));
             let before = fingerprint(&state);
             (command.run)(&mut state);
             acts |= fingerprint(&state) != before;
@@ -81,21 +77,21 @@ fn every_command_does_something() {
 
 #[test]
 fn no_key_means_two_things_in_a_view() {
-    let clashes = Keymap::default().clashes();
+    let clashes = Keymap::of(COMMANDS).clashes(COMMANDS);
     let names: Vec<_> = clashes.iter().map(|(key, view, both)| (key, view, both.map(|c| c.name))).collect();
     assert!(names.is_empty(), "{names:?}");
     // The search for clashes sees one that is there.
-    let mut keys = Keymap::default();
-    keys.bind(command::named("play").unwrap(), vec![Key::parse("q").unwrap()]);
-    assert_eq!(keys.clashes().len(), 1);
+    let mut keys = Keymap::of(COMMANDS);
+    keys.bind("play", vec![Key::parse("q").unwrap()]);
+    assert_eq!(keys.clashes(COMMANDS).len(), 1);
 }
 
 #[test]
 fn other_keys_are_what_counts_and_what_is_shown() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     for (name, key) in [("next-position", "n"), ("previous-position", "p"), ("help", "F1"), ("curves", "C-e")]
     {
-        state.keys.bind(command::named(name).unwrap(), vec![Key::parse(key).unwrap()]);
+        state.keys.bind(name, vec![Key::parse(key).unwrap()]);
     }
     let last = |state: &State| text(state, 80, 24).lines().last().unwrap().to_owned();
     assert!(
@@ -117,8 +113,9 @@ fn other_keys_are_what_counts_and_what_is_shown() {
 
 #[test]
 fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
-    let mut state = opened("shaper.toml");
-    state.fault = Some((state.texts.config_title, "error: two\n  config.toml, line 2, column 1".to_owned()));
+    let mut state = opened("shaper");
+    state.fault =
+        Some(("The configuration was not taken", "error: two\n  config.toml, line 2, column 1".to_owned()));
     let frame = text(&state, 80, 24);
     assert!(
         frame.contains("The configuration was not taken") && frame.contains("line 2, column 1"),
@@ -130,21 +127,16 @@ fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
 }
 
 #[test]
-fn every_command_has_its_texts() {
-    let texts = crate::screen::text::ENGLISH.commands;
+fn every_command_has_its_help_and_keys_that_are_read() {
     for command in COMMANDS {
-        assert!(
-            texts.iter().any(|(name, help, _)| *name == command.name && !help.is_empty()),
-            "{}",
-            command.name
-        );
+        assert!(!command.help.is_empty(), "{}", command.name);
+        assert_eq!(command.default_keys().len(), command.keys.split(' ').count(), "{}", command.name);
     }
-    assert_eq!(texts.len(), COMMANDS.len());
 }
 
 #[test]
 fn positions_go_round() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "Right");
     assert_eq!(state.position, 1);
     press(&mut state, "Left Left");
@@ -157,8 +149,8 @@ fn positions_go_round() {
 
 #[test]
 fn one_position_through_all_views() {
-    let mut state = opened("shaper.toml");
-    for view in super::VIEWS.into_iter().filter(|view| *view != View::Drive) {
+    let mut state = opened("shaper");
+    for view in crate::screen::tests::VIEWS.into_iter().filter(|view| *view != View::Drive) {
         state.view = view;
         let before = state.position;
         press(&mut state, "Right");
@@ -168,7 +160,7 @@ fn one_position_through_all_views() {
 
 #[test]
 fn quit_closes_the_help_first() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "?");
     assert!(state.help.is_some());
     press(&mut state, "q");
@@ -179,14 +171,14 @@ fn quit_closes_the_help_first() {
 
 #[test]
 fn the_line_understands_positions_points_views_and_settings() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, ":42");
     assert_eq!(state.position, 42);
     write(&mut state, ":position 12");
     assert_eq!(state.position, 12);
     write(&mut state, ":42");
     write(&mut state, ":point D");
-    assert_eq!(state.study.as_ref().unwrap().transfers[state.chosen.transfer].name, "point D x");
+    assert_eq!(state.scene.as_ref().unwrap().transfers[state.chosen.transfer].name, "point D x");
     write(&mut state, ":view checks");
     assert_eq!(state.view, View::Checks);
     write(&mut state, ":set theme mono");
@@ -197,7 +189,7 @@ fn the_line_understands_positions_points_views_and_settings() {
 
 #[test]
 fn the_line_says_what_it_does_not_know() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     for (line, answer) in [
         (":xx", "there is no command `xx`"),
         (":48", "there is no position 48: the last one is 47"),
@@ -214,7 +206,7 @@ fn the_line_says_what_it_does_not_know() {
 
 #[test]
 fn tab_completes() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, ": s e t Space t h Tab Tab");
     assert_eq!(state.prompt.as_ref().unwrap().text, "set theme mono");
     press(&mut state, "S-Tab Enter");
@@ -223,22 +215,22 @@ fn tab_completes() {
 
 #[test]
 fn search_finds_rows_and_columns() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "t");
     write(&mut state, "/31");
     assert_eq!(state.position, 31);
     write(&mut state, "/ram");
-    let study = state.study.as_ref().unwrap();
-    assert!(study.column(state.chosen.column).unwrap().of.contains("ram"));
+    let scene = state.scene.as_ref().unwrap();
+    assert!(scene.column(state.chosen.column).unwrap().of.contains("ram"));
 }
 
 #[test]
 fn search_among_the_forces_finds_pairs() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "3");
     for (wanted, pair) in [("c", "C"), ("A", "A"), ("stone4", "stone4/ram"), ("ram", "ram/ground")] {
         write(&mut state, &format!("/{wanted}"));
-        let found = state.study.as_ref().unwrap().found.as_ref().unwrap();
+        let found = state.scene.as_ref().unwrap().found.as_ref().unwrap();
         assert_eq!(found.reactions[state.chosen.reaction].pair, pair);
     }
     write(&mut state, "/31");
@@ -247,17 +239,17 @@ fn search_among_the_forces_finds_pairs() {
 
 #[test]
 fn the_worst_position_of_a_check_is_reached() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "7 Down Down Enter 1");
-    let study = state.study.as_ref().unwrap();
-    let at = study.found.as_ref().unwrap().checks[2].at.unwrap();
+    let scene = state.scene.as_ref().unwrap();
+    let at = scene.found.as_ref().unwrap().checks[2].at.unwrap();
     assert!(text(&state, 80, 24).contains(&format!("position {at} of")));
 }
 
 #[test]
 fn the_menu_opens_a_scene() {
-    let mut state = State::new(None, Look::default());
-    crate::screen::act::preview_menu(&mut state);
+    let mut state = super::empty(None);
+    command::start(&mut state);
     settle(&mut state);
     assert!(text(&state, 80, 24).contains("Shaper with rocker"));
     press(&mut state, "Down Down Down Enter");
@@ -266,10 +258,10 @@ fn the_menu_opens_a_scene() {
 
 #[test]
 fn sorting_orders_the_rows() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "t Tab s");
-    let study = state.study.as_ref().unwrap();
-    let order = crate::screen::view::table::order(&state);
-    let values: Vec<f64> = order.iter().map(|i| study.series[1].values[*i]).collect();
+    let scene = state.scene.as_ref().unwrap();
+    let order = state.order();
+    let values: Vec<f64> = order.iter().map(|i| scene.series[1].values[*i]).collect();
     assert!(values.windows(2).all(|two| two[0] <= two[1]));
 }

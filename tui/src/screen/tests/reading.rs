@@ -2,12 +2,8 @@
 
 use super::words::TURNS;
 use super::{opened, press, scene, settle, text, write};
-use crate::screen::accuracy::Measured;
-use crate::screen::draw::chart::Chart;
-use crate::screen::draw::diagram::{Arrow, Diagram};
-use crate::screen::state::{Look, State, View};
-use crate::screen::theme::Role;
-use crate::screen::view::accuracy::folded;
+use crate::screen::draw::{Arrow, Chart, Diagram, folded};
+use crate::screen::state::{Look, Measured, Role, State, View};
 
 /// The least sine of the angle between rod (350) and rocker (250) of [`TURNS`], by the law of cosines, and where it is.
 fn least_sine() -> (f64, usize) {
@@ -37,7 +33,7 @@ fn the_group_nearest_to_a_singular_position_is_named_and_gone_to() {
 fn report(lines: usize) -> State {
     let mut state = scene(TURNS);
     let chart = (0..lines).map(|line| format!("line {line}.")).collect::<Vec<_>>().join("\n");
-    state.accuracy.measured = Some(Box::new(Measured { chart: Err(chart), stability: None }));
+    state.measured = Some(Box::new(Measured { chart: Err(chart), stability: None }));
     press(&mut state, "8");
     state
 }
@@ -72,7 +68,7 @@ fn the_report_begins_with_what_follows_and_fits() {
     settle(&mut state);
     let frame = text(&state, 80, 24);
     assert!(frame.lines().nth(2).unwrap().contains("Conclusion"), "{frame}");
-    let measured = state.accuracy.measured.clone().unwrap();
+    let measured = state.measured.clone().unwrap();
     assert!(measured.chart.is_ok() && matches!(measured.stability, Some(Ok(_))));
     // At a width of 80 nothing is lost that is there at 200.
     let all = |width: u16| {
@@ -86,17 +82,17 @@ fn the_report_begins_with_what_follows_and_fits() {
 
 #[test]
 fn a_warning_of_the_drive_is_on_its_first_part() {
-    let mut state = opened("shaper-drive.toml");
+    let mut state = opened("shaper-drive");
     press(&mut state, "6");
     assert!(text(&state, 80, 24).contains(" ! starting torque"));
-    let study = state.study.as_mut().unwrap();
-    let dynamics = study.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
+    let scene = state.scene.as_mut().unwrap();
+    let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings = vec![format!("the torque is {}", "too small ".repeat(9))];
     let frame = text(&state, 80, 24);
     let line = frame.lines().find(|line| line.starts_with(" ! the torque is too small")).unwrap();
     assert!(line.ends_with("~  (Tab Tab: whole)"), "{line}");
-    let study = state.study.as_mut().unwrap();
-    let dynamics = study.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
+    let scene = state.scene.as_mut().unwrap();
+    let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings.clear();
     assert!(text(&state, 80, 24).lines().all(|line| !line.starts_with(" ! ")));
 }
@@ -106,7 +102,7 @@ fn another_scene_is_opened_by_its_name() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml");
     std::fs::write(&file, TURNS).unwrap();
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, &format!(":open {}", file.display()));
     assert_eq!(state.positions(), 12);
     write(&mut state, ":open");
@@ -115,9 +111,9 @@ fn another_scene_is_opened_by_its_name() {
     write(&mut state, &format!(":open {}", file.display()));
     assert_eq!(state.view, View::Mechanism, "also the scene that is open already");
     write(&mut state, ":open four-bar.toml");
-    assert_eq!(state.study.as_ref().unwrap().source.name(), "four-bar.toml");
+    assert_eq!(state.scene.as_ref().unwrap().source.name(), "four-bar.toml");
     write(&mut state, ":open press");
-    assert_eq!(state.study.as_ref().unwrap().source.name(), "press.toml");
+    assert_eq!(state.scene.as_ref().unwrap().source.name(), "press.toml");
     write(&mut state, &format!(":open {}", folder.path().display()));
     assert!(text(&state, 120, 24).contains("is a folder, not a scene file"));
     press(&mut state, "x");
@@ -131,7 +127,7 @@ fn another_scene_is_opened_by_its_name() {
 
 #[test]
 fn only_near_names_are_offered() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     for (typed, offered) in [(":foo", false), (":opxy", false), (":mechanims", true), (":sorf", true)] {
         write(&mut state, typed);
         assert_eq!(text(&state, 80, 24).contains("did you mean"), offered, "{typed}");
@@ -146,23 +142,26 @@ fn only_near_names_are_offered() {
 fn changes_that_are_taken_back_are_none() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("changed.toml");
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, ":value link.crank.points.A 101 mm");
     write(&mut state, &format!(":save {}", file.display()));
     press(&mut state, "u");
-    super::command::press(&mut state, crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('q')));
-    assert!(matches!(state.wishes[..], [super::Wish::Quit]), "{:?}", state.message);
+    crate::screen::tests::command::press(
+        &mut state,
+        crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('q')),
+    );
+    assert!(matches!(state.wishes[..], [crate::screen::tests::Wish::Quit]), "{:?}", state.message);
 }
 
 #[test]
 fn another_scene_does_not_drop_changes_unasked() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, ":value link.crank.points.A 101 mm");
     write(&mut state, ":open four-bar.toml");
     assert!(text(&state, 80, 24).contains("changes are not saved"));
-    assert_eq!(state.study.as_ref().unwrap().source.name(), "shaper.toml");
+    assert_eq!(state.scene.as_ref().unwrap().source.name(), "shaper.toml");
     write(&mut state, ":open four-bar.toml");
-    assert_eq!(state.study.as_ref().unwrap().source.name(), "four-bar.toml");
+    assert_eq!(state.scene.as_ref().unwrap().source.name(), "four-bar.toml");
 }
 
 #[test]
@@ -184,7 +183,7 @@ fn a_plan_has_its_pole_and_names_at_the_tips() {
 
 #[test]
 fn help_says_where_a_key_works_and_goes_to_its_end() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "?");
     press(&mut state, "End");
     assert!(text(&state, 80, 24).contains("The same as plain lines"));
@@ -225,8 +224,8 @@ fn a_long_line_hangs() {
     assert_eq!(folded("  short", 7), ["  short"]);
     assert_eq!(folded("  one two three", 9), ["  one two", "      three"]);
     assert_eq!(folded("a  b    cc", 8), ["a  b", "    cc"]);
-    // A word that is wider than everything is left to be cut.
-    assert_eq!(folded("abcdefghij kl", 5), ["abcdefghij kl"]);
+    // A word that is wider than everything stands alone, to be cut.
+    assert_eq!(folded("abcdefghij kl", 5), ["abcdefghij", "    kl"]);
     assert_eq!(folded("", 5), [""]);
 }
 
@@ -243,7 +242,7 @@ fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
         floor: 0.0,
         places: None,
     };
-    chart.draw(area, 11, Look::default(), &mut buffer);
+    chart.draw(area, Look::default(), &mut buffer);
     let row = |y: u16| (0..40).map(|x| buffer[(x, y)].symbol()).collect::<String>();
     assert!(row(0).ends_with("133.269 N a~ "), "{}", row(0));
     assert!(row(5).starts_with("         0│"), "{}", row(5));
@@ -251,7 +250,7 @@ fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
 
 #[test]
 fn every_fault_is_told_where_there_is_room_for_its_line_alone() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     let fault = |number: usize| {
         format!("error: fault {number}\n  file, line {number}\n  |\n{number} | a = 1\n  | ^\n\n")
     };

@@ -1,8 +1,8 @@
 //! Work beside the screen: counted, stopped, and dropped where nobody waits for it.
 
 use super::{opened, press, text};
-use crate::screen::state::{State, Wish};
-use crate::screen::work::{self, Job, Report};
+use crate::screen::state::{Job, Purpose, Report, State, Wish};
+use crate::screen::{command, work};
 
 /// What was asked for and is not done yet.
 fn job(state: &mut State) -> Job {
@@ -20,21 +20,21 @@ fn number(state: &State) -> usize {
 
 #[test]
 fn a_count_is_shown_with_the_key_that_stops() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     assert!(state.running.is_empty());
-    state.analyze(false);
+    command::ask(&mut state, Purpose::Main);
     assert!(text(&state, 80, 24).contains("calculating ...  (Esc stops)"));
     let number = number(&state);
-    assert!(state.take_report(Report::Counted { number, count: "position 3 of 48".into() }));
+    assert!(command::take(&mut state, Report::Counted { number, count: "position 3 of 48".into() }));
     assert!(text(&state, 80, 24).contains("calculating: position 3 of 48  (Esc stops)"));
-    assert!(!state.take_report(Report::Counted { number: number + 1, count: "late".into() }));
+    assert!(!command::take(&mut state, Report::Counted { number: number + 1, count: "late".into() }));
 }
 
 #[test]
 fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
     for key in ["Esc", "C-g"] {
-        let mut state = opened("shaper.toml");
-        state.analyze(false);
+        let mut state = opened("shaper");
+        command::ask(&mut state, Purpose::Main);
         let job = job(&mut state);
         let number = number(&state);
         press(&mut state, key);
@@ -42,29 +42,29 @@ fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
         // The worker sees the sign: it has nothing to tell.
         let answer = work::run(&job, &|report| panic!("{report:?}"));
         assert!(matches!(&answer, Report::Analyzed { found: Err(_), .. }), "{answer:?}");
-        assert!(!state.take_report(answer));
-        assert!(!state.take_report(Report::Checked { number, checks: Vec::new() }));
+        assert!(!command::take(&mut state, answer));
+        assert!(!command::take(&mut state, Report::Checked { number, checks: Vec::new() }));
         // What was found before stays.
-        assert!(!state.study.as_ref().unwrap().found.as_ref().unwrap().checks.is_empty());
+        assert!(!state.scene.as_ref().unwrap().found.as_ref().unwrap().checks.is_empty());
     }
 }
 
 #[test]
 fn only_the_last_question_is_answered() {
-    let mut state = opened("shaper.toml");
-    state.analyze(false);
+    let mut state = opened("shaper");
+    command::ask(&mut state, Purpose::Main);
     let first = job(&mut state);
-    state.analyze(false);
+    command::ask(&mut state, Purpose::Main);
     assert_eq!(state.running.len(), 1);
     let answer = work::run(&first, &|report| panic!("{report:?}"));
-    assert!(!state.take_report(answer));
+    assert!(!command::take(&mut state, answer));
 }
 
 #[test]
 fn reading_again_goes_on_after_a_stop() {
-    let mut state = opened("shaper.toml");
-    state.study.as_mut().unwrap().found = None;
-    state.analyze(false);
+    let mut state = opened("shaper");
+    state.scene.as_mut().unwrap().found = None;
+    command::ask(&mut state, Purpose::Main);
     state.wishes.clear();
     press(&mut state, "Esc 5");
     assert!(text(&state, 80, 24).contains("no analysis: stopped"));

@@ -12,8 +12,8 @@ fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
 
 #[test]
 fn every_size_is_drawn_in_every_view() {
-    let mut state = opened("slider-crank.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
+    let mut state = opened("slider-crank");
+    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         state.view = view;
         for width in 0..=100 {
             for height in 0..=40 {
@@ -29,9 +29,9 @@ fn every_size_is_drawn_in_every_view() {
 
 #[test]
 fn every_size_is_drawn_with_the_list_of_values() {
-    let mut state = opened("slider-crank.toml");
-    crate::screen::whatif::toggle(&mut state);
-    for view in super::VIEWS {
+    let mut state = opened("slider-crank");
+    crate::screen::command::toggle(&mut state);
+    for view in crate::screen::tests::VIEWS {
         state.view = view;
         for (width, height) in [(0, 0), (79, 24), (80, 23), (80, 24), (81, 25), (100, 30), (200, 60)] {
             let _ = frame(&state, width, height);
@@ -48,8 +48,8 @@ fn every_size_is_drawn_with_the_list_of_values() {
 
 #[test]
 fn every_view_survives_any_area() {
-    let mut state = opened("slider-crank.toml");
-    for view in super::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
+    let mut state = opened("slider-crank");
+    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
         state.view = view;
         all_panes(&mut state, |state| {
             for width in [0, 1, 2, 5, 11, 12, 13, 26, 27, 40] {
@@ -65,7 +65,7 @@ fn every_view_survives_any_area() {
 
 #[test]
 fn a_small_terminal_is_told_what_is_needed() {
-    let state = opened("slider-crank.toml");
+    let state = opened("slider-crank");
     assert!(text(&state, 60, 20).starts_with("needs 80 x 24, has 60 x 20\n"));
     assert!(!text(&state, 80, 24).contains("needs"));
 }

@@ -1,16 +1,14 @@
 //! Numbers changed by keys: every view follows, undo leads back to the same screen, what is saved is the file but for them.
 
 use super::{View, opened, press, scene, settle, text, write};
-use crate::screen::state::{State, Wish};
-use crate::screen::study::{Source, Study};
-use crate::screen::work::{Job, Report};
-use crate::screen::{command, whatif};
+use crate::screen::command;
+use crate::screen::state::{Job, Report, Scene, Source, State, Wish};
 
 const LENGTH: &str = "link.crank.points.A";
 
 /// A state in a view with the list open at the length of the crank.
 fn at_length(view: View) -> State {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     state.view = view;
     press(&mut state, "e");
     write(&mut state, "/crank.points.A");
@@ -22,12 +20,12 @@ fn header(state: &State) -> String {
 }
 
 fn shipped() -> &'static str {
-    crate::screen::menu::SCENES.iter().find(|scene| scene.0 == "shaper.toml").unwrap().1
+    assur_fixtures::scene("shaper")
 }
 
 #[test]
 fn a_longer_crank_shows_in_every_view_and_undo_leads_back_to_the_same_screen() {
-    for view in super::VIEWS.into_iter().filter(|view| *view != View::Drive) {
+    for view in crate::screen::tests::VIEWS.into_iter().filter(|view| *view != View::Drive) {
         let mut state = at_length(view);
         press(&mut state, "Right Right Right");
         // The speed is given; what the crank changes comes after it.
@@ -67,7 +65,7 @@ fn the_list_of_values() {
 
 #[test]
 fn an_exact_value_is_typed_with_its_name_completed() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, ": v a l u e Space c r a n k . p Tab");
     assert_eq!(state.prompt.as_ref().unwrap().text, format!("value {LENGTH}.O").replace("A.O", "O"));
     press(&mut state, "Tab Space 1 2 Space c m Enter");
@@ -89,7 +87,7 @@ fn an_exact_value_is_typed_with_its_name_completed() {
 #[test]
 fn a_change_that_makes_no_scene_is_told_and_taken_back() {
     for wrong in ["5 kg", "nothing", "1e40"] {
-        let mut state = opened("shaper.toml");
+        let mut state = opened("shaper");
         let before = text(&state, 80, 24);
         write(&mut state, &format!(":value {LENGTH} {wrong}"));
         let frame = text(&state, 80, 24);
@@ -104,7 +102,7 @@ fn a_change_that_makes_no_scene_is_told_and_taken_back() {
 
 #[test]
 fn a_change_without_assembly_is_told_and_taken_back() {
-    let mut state = scene(super::words::TURNS);
+    let mut state = scene(crate::screen::tests::words::TURNS);
     let before = text(&state, 80, 24);
     assert!(!before.contains("no assembly"), "{before}");
     write(&mut state, ":value link.rod.points.B 200 mm");
@@ -140,7 +138,7 @@ fn reading_the_file_again_drops_the_changes_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.toml");
     std::fs::write(&path, shipped()).unwrap();
-    let mut state = super::state_of(Study::read(Source::File(path), shipped()).unwrap());
+    let mut state = crate::screen::tests::state_of(Scene::read(Source::File(path), shipped()).unwrap());
     let before = text(&state, 80, 24);
     write(&mut state, ":value link.crank.points.A 120 mm");
     write(&mut state, ":value link.crank.mass 5 kg");
@@ -161,18 +159,18 @@ fn a_key_that_is_held_down_asks_once_at_a_time() {
     settle(&mut state);
     assert!(header(&state).contains("100 mm -> 120 mm"));
     assert!(text(&state, 80, 24).contains("PF0 120.000 mm"));
-    assert!(state.running.is_empty() && state.study.as_ref().unwrap().found.is_some());
+    assert!(state.running.is_empty() && state.scene.as_ref().unwrap().found.is_some());
 }
 
 #[test]
 fn a_change_of_a_scene_that_was_left_is_dropped() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
     let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
-    let other = Study::read(Source::Shipped("press.toml"), crate::screen::menu::SCENES[4].1);
-    state.take_report(Report::Opened(other.map(Box::new)));
+    let other = Scene::read(Source::Shipped("press"), assur_fixtures::scene("press"));
+    command::take(&mut state, Report::Opened(other.map(Box::new)));
     let title = header(&state);
-    assert!(!state.take_report(crate::screen::work::run(&job, &|_| ())));
+    assert!(!command::take(&mut state, crate::screen::work::run(&job, &|_| ())));
     assert_eq!(header(&state), title);
 }
 
@@ -187,16 +185,16 @@ fn write_without_reading(state: &mut State, line: &str) {
 fn leaving_with_changes_is_asked_once() {
     let mut state = at_length(View::Mechanism);
     press(&mut state, "+");
-    whatif::quit(&mut state);
+    (state.named("quit").unwrap().run)(&mut state);
     assert!(state.wishes.is_empty());
     assert!(text(&state, 80, 24).contains("changes are not saved: S saves them, q once more leaves"));
-    whatif::quit(&mut state);
+    (state.named("quit").unwrap().run)(&mut state);
     assert!(matches!(state.wishes[..], [Wish::Quit]));
 }
 
 #[test]
 fn a_zero_has_no_per_cent() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     press(&mut state, "e");
     write(&mut state, "/ground.points.O");
     press(&mut state, "+");
@@ -228,7 +226,7 @@ fn a_file_that_is_overwritten_keeps_its_link_and_its_permissions() {
     std::fs::write(&file, "old").unwrap();
     std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o600)).unwrap();
     std::os::unix::fs::symlink(&file, &link).unwrap();
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, &format!(":save {}", link.display()));
     press(&mut state, "y");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), shipped());
@@ -238,7 +236,7 @@ fn a_file_that_is_overwritten_keeps_its_link_and_its_permissions() {
 
 #[test]
 fn what_cannot_be_written_is_told() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     write(&mut state, ":save /nowhere/x.toml");
     assert!(text(&state, 80, 24).contains("/nowhere/x.toml: there is no folder /nowhere"));
 }

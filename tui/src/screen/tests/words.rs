@@ -1,8 +1,8 @@
 //! What a scene that is wrong, or can't be assembled, shows.
 
 use super::{opened, press, scene, text};
-use crate::screen::study::{Source, Study};
-use crate::screen::work::Report;
+use crate::screen::command;
+use crate::screen::state::{Report, Scene, Source};
 
 const SHORT: &str = "
 [ground]
@@ -49,9 +49,9 @@ fn positions_without_assembly_are_told_and_keys_still_work() {
 
 #[test]
 fn a_scene_that_is_wrong_keeps_the_old_result() {
-    let mut state = opened("shaper.toml");
-    let wrong = Study::read(Source::File("bad.toml".into()), "[link.a]\nlenght = 1\n").map(Box::new);
-    assert!(state.take_report(Report::Opened(wrong)));
+    let mut state = opened("shaper");
+    let wrong = Scene::read(Source::File("bad.toml".into()), "[link.a]\nlenght = 1\n").map(Box::new);
+    assert!(command::take(&mut state, Report::Opened(wrong)));
     let frame = text(&state, 80, 24);
     assert!(frame.contains("line 2, column 1"), "{frame}");
     press(&mut state, "Right");
@@ -60,18 +60,18 @@ fn a_scene_that_is_wrong_keeps_the_old_result() {
 
 #[test]
 fn an_answer_to_an_older_scene_is_dropped() {
-    let mut state = opened("shaper.toml");
+    let mut state = opened("shaper");
     let report = Report::Analyzed { number: 99, found: Err("late".into()) };
-    assert!(!state.take_report(report));
+    assert!(!command::take(&mut state, report));
     assert!(state.message.is_none());
 }
 
 #[test]
 fn the_drive_shows_motor_moments_flywheels_and_places() {
-    let mut state = opened("shaper-drive.toml");
+    let mut state = opened("shaper-drive");
     press(&mut state, "6");
-    let study = state.study.as_ref().unwrap();
-    let dynamics = study.found.as_ref().unwrap().analysis.dynamics.clone().unwrap();
+    let scene = state.scene.as_ref().unwrap();
+    let dynamics = scene.found.as_ref().unwrap().analysis.dynamics.clone().unwrap();
     let frame = text(&state, 80, 24);
     let shown: f64 = frame
         .split("unevenness ")
@@ -123,7 +123,7 @@ fn a_view_without_content_says_what_to_add() {
 
 #[test]
 fn all_views_are_named_in_80_columns() {
-    let state = opened("shaper-drive.toml");
+    let state = opened("shaper-drive");
     let frame = text(&state, 80, 24);
     assert!(frame.lines().nth(1).unwrap().ends_with("tTable"), "{frame}");
     assert!(text(&state, 100, 24).contains("9 Groups t Table"));
@@ -132,7 +132,7 @@ fn all_views_are_named_in_80_columns() {
 #[test]
 fn the_unevenness_stands_in_the_heading() {
     for key in ["5", "6"] {
-        let mut state = opened("shaper-drive.toml");
+        let mut state = opened("shaper-drive");
         press(&mut state, key);
         assert!(text(&state, 80, 24).lines().nth(2).unwrap().starts_with(" unevenness 0.05"), "{key}");
     }
@@ -152,7 +152,7 @@ fn plans_of_velocities_need_no_loads() {
 
 #[test]
 fn a_motion_over_time_says_where_its_forces_are() {
-    let mut state = opened("run-up.toml");
+    let mut state = opened("run-up");
     for key in ["3", "4"] {
         press(&mut state, key);
         assert!(text(&state, 80, 24).contains("belong to its instants"), "{key}");

@@ -2,15 +2,9 @@
 
 use ratatui::layout::Rect;
 
-use super::mechanism::round_length;
-use crate::screen::draw::plot::{Pen, arrow};
-use crate::screen::draw::raster::{Stroke, whole};
-use crate::screen::found::rates_of;
-use crate::screen::number::plain;
-use crate::screen::series::Key;
-use crate::screen::state::{Arrows, State};
-use crate::screen::study::Study;
-use crate::screen::theme::Role;
+use crate::number::plain;
+use crate::screen::draw::{Pen, Stroke, arrow, round_length, whole};
+use crate::screen::state::{Arrows, Owner, Role, Scene, State, greatest, rates_of};
 
 /// Longest arrow, in parts of the smaller side of the drawing.
 const LONGEST: f64 = 0.3;
@@ -35,25 +29,25 @@ fn look_of(order: usize) -> (Stroke, Role, char) {
 }
 
 /// Whether the positions move.
-fn moves(study: &Study) -> Option<[f64; 2]> {
-    study.found.as_ref().and_then(|found| found.fastest)
+fn moves(scene: &Scene) -> Option<[f64; 2]> {
+    scene.found.as_ref().and_then(|found| found.fastest)
 }
 
 /// Draws the arrows of all points that have them.
-pub(crate) fn draw(
+pub(super) fn draw(
     state: &State,
-    study: &Study,
+    scene: &Scene,
     pose: &assur_kinematics::Position,
     position: usize,
     area: Rect,
     pen: &mut Pen<'_>,
 ) {
     for &order in orders(state) {
-        let Some(unit) = cells(state, study, area, order) else { continue };
+        let Some(unit) = cells(state, scene, area, order) else { continue };
         let (stroke, role, _) = look_of(order);
         let style = state.look.theme.style(role);
-        for (point, vector) in vectors(study, pose, position, order) {
-            let at = study.linkage.point_motion(point, pose).pf0;
+        for (point, vector) in vectors(scene, pose, position, order) {
+            let at = scene.linkage.point_motion(point, pose).pf0;
             arrow(pen, at, vector, unit, stroke, style);
         }
     }
@@ -61,54 +55,53 @@ pub(crate) fn draw(
 
 /// The vector of each point in a position: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
 fn vectors(
-    study: &Study,
+    scene: &Scene,
     pose: &assur_kinematics::Position,
     position: usize,
     order: usize,
 ) -> Vec<(usize, [f64; 2])> {
-    let mechanism = &study.linkage.mechanism;
-    if moves(study).is_some() {
-        let result = study.found.as_ref().and_then(|found| found.position(position));
+    let mechanism = &scene.linkage.mechanism;
+    if moves(scene).is_some() {
+        let result = scene.found.as_ref().and_then(|found| found.position(position));
         let Some(rates) = result.and_then(|result| rates_of(result, order)) else { return Vec::new() };
         return rates.points.iter().filter_map(|(name, v)| Some((mechanism.point(name)?, *v))).collect();
     }
     let all = 0..mechanism.points.len();
     all.map(|id| {
-        let motion = study.linkage.point_motion(id, pose);
+        let motion = scene.linkage.point_motion(id, pose);
         (id, if order == 1 { motion.pf1 } else { motion.pf2 })
     })
     .collect()
 }
 
 /// Cells (widths) that an arrow of one unit is long; the same in all positions, so that lengths compare.
-fn cells(state: &State, study: &Study, area: Rect, order: usize) -> Option<f64> {
-    let most = match moves(study) {
+fn cells(state: &State, scene: &Scene, area: Rect, order: usize) -> Option<f64> {
+    let most = match moves(scene) {
         Some(fastest) => fastest[order - 1],
-        None => study
+        None => scene
             .transfers
             .iter()
-            .filter(|transfer| matches!(transfer.key, Key::Point(_)))
-            .flat_map(|transfer| &study.series[transfer.orders[order]].values)
-            .filter(|value| value.is_finite())
-            .fold(0.0_f64, |most, value| most.max(value.abs())),
+            .filter(|transfer| matches!(transfer.owner, Owner::Point(_)))
+            .map(|transfer| greatest(&scene.series[transfer.orders[order]].values))
+            .fold(0.0, f64::max),
     };
     let side = f64::from(area.width).min(f64::from(area.height) * state.look.ratio);
     (most > 0.0).then(|| LONGEST * side / most)
 }
 
 /// What the arrows are and what one of a round length means, two lines a kind.
-pub(crate) fn legend(state: &State, study: &Study, drawing: Rect) -> Vec<(Role, String)> {
-    let (texts, moves) = (state.texts, moves(study).is_some());
-    let coordinate = if study.linkage.angular() { "rad" } else { "m" };
+pub(crate) fn legend(state: &State, scene: &Scene, drawing: Rect) -> Vec<(Role, String)> {
+    let moves = moves(scene).is_some();
+    let coordinate = if scene.linkage.angular() { "rad" } else { "m" };
     let mut lines = Vec::new();
     for &order in orders(state) {
-        let Some(cells) = cells(state, study, drawing, order) else { continue };
+        let Some(cells) = cells(state, scene, drawing, order) else { continue };
         let (_, role, dash) = look_of(order);
         let (name, unit) = match (moves, order) {
-            (true, 1) => (texts.velocity_arrows, "m/s".to_owned()),
-            (true, _) => (texts.acceleration_arrows, "m/s2".to_owned()),
-            (false, 1) => (texts.first_arrows, format!("m/{coordinate}")),
-            (false, _) => (texts.second_arrows, format!("m/{coordinate}2")),
+            (true, 1) => ("velocity", "m/s".to_owned()),
+            (true, _) => ("acceleration", "m/s2".to_owned()),
+            (false, 1) => ("PF1: for unit speed", format!("m/{coordinate}")),
+            (false, _) => ("PF2: for unit speed", format!("m/{coordinate}2")),
         };
         let round = round_length(8.0 / cells);
         let shaft: String = std::iter::repeat_n(dash, whole((round * cells).clamp(1.0, 12.0))).collect();

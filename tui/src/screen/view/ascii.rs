@@ -1,5 +1,8 @@
 //! The last pass: nothing beyond ASCII leaves the program.
 
+#[cfg(test)]
+mod tests;
+
 use ratatui::buffer::Buffer;
 
 /// Replaces every character beyond ASCII by the nearest that there is.
@@ -53,16 +56,4 @@ fn cyrillic(c: char) -> char {
         }
     }
     '?'
-}
-
-#[cfg(test)]
-mod tests {
-    use super::nearest;
-
-    #[test]
-    fn designations_get_their_latin_twin() {
-        let latin: String = "4АА50А2У3".chars().map(nearest).collect();
-        assert_eq!(latin, "4AA50A2Y3");
-        assert!("─│┌█→╱·°²⣿ж漢".chars().map(nearest).all(|c| c.is_ascii()));
-    }
 }

@@ -4,15 +4,10 @@ use assur_diagram::{JointForce, Share, Split};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{forces, plans, put};
-use crate::screen::draw::diagram::{Arrow, Diagram};
-use crate::screen::draw::raster::short;
-use crate::screen::found::{Found, Reaction};
-use crate::screen::number::number;
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use super::{forces, plans};
+use crate::number::number;
+use crate::screen::draw::{Arrow, Diagram, put, short};
+use crate::screen::state::{Found, Reaction, Role, Scene, State};
 
 /// A part this small beside the greatest one is rounding.
 const ROUNDING: f64 = 1e-13;
@@ -27,16 +22,16 @@ struct Part {
 }
 
 /// Draws the pane.
-pub(crate) fn draw(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
     let plans = found.plans.at(state.position);
     let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
     let Some(split) = split.filter(|_| plans::has_forces(state, found)) else {
-        put(buffer, area, 1, 0, state.texts.no_forces_here, theme.style(Role::Plain));
+        put(buffer, area, 1, 0, "no forces are determined in this position", theme.style(Role::Plain));
         return;
     };
-    let title = fill(state.texts.by_cause, &[&forces::name(state, reaction)]);
+    let title = format!("by cause: {} (Up/Down: another pair)", reaction.name());
     put(buffer, area, 1, 0, &title, theme.style(Role::Header));
     let parts = parts(split, reaction);
     let rows = short(parts.len()) + 4;
@@ -46,7 +41,7 @@ pub(crate) fn draw(state: &State, study: &Study, found: &Found, area: Rect, buff
     draw_table(state, found, split, reaction, &parts, table, buffer);
     let side = (below.height * 3).min(below.width / 2);
     let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
-    forces::draw_curves(state, study, found, left, &[usize::MAX], buffer);
+    forces::draw_curves(state, scene, found, left, &[usize::MAX], buffer);
     draw_sum(state, &parts, right, buffer);
 }
 
@@ -74,14 +69,14 @@ fn draw_table(
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let (theme, texts) = (state.look.theme, state.texts);
+    let theme = state.look.theme;
     let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
-    let last = if scalar.is_empty() { texts.moment.to_owned() } else { scalar.to_owned() };
-    let header = [texts.cause, "Fx, N", "Fy, N", "F, N", texts.direction, &last].map(str::to_owned);
+    let last = if scalar.is_empty() { "M, N m".to_owned() } else { scalar.to_owned() };
+    let header = ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(str::to_owned);
     put(buffer, area, 0, 0, &forces::table_row(' ', header), theme.style(Role::Dim));
-    let sum = sum(parts, texts.sum);
+    let sum = sum(parts, "sum");
     let whole = part(&split.whole, reaction);
-    let whole = Part { cause: fill(texts.whole_by, &[&found.analyzer]), ..whole };
+    let whole = Part { cause: format!("whole, by `{}`", found.analyzer), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
     // Header, sum and whole are always there; causes that find no room are told together.
     let room = usize::from(area.height).saturating_sub(3);
@@ -92,7 +87,7 @@ fn draw_table(
     }
     let mut below = short(single) + 1;
     if single < parts.len() {
-        let rest = self::sum(&parts[single..], &fill(texts.more_causes, &[&(parts.len() - single)]));
+        let rest = self::sum(&parts[single..], &format!(".. {} more together", parts.len() - single));
         put(buffer, area, 0, below, &row_of(&rest.cause, &rest, least), theme.style(Role::Plain));
         below += 1;
     }
@@ -143,6 +138,6 @@ fn draw_sum(state: &State, parts: &[Part], area: Rect, buffer: &mut Buffer) {
     if arrows.is_empty() {
         return;
     }
-    arrows.push(Arrow { from: [0.0; 2], to: at, name: state.texts.sum.to_owned(), role: Role::First });
+    arrows.push(Arrow { from: [0.0; 2], to: at, name: "sum".to_owned(), role: Role::First });
     Diagram { arrows, unit: "N", pole: None }.draw(state.look, area, buffer);
 }

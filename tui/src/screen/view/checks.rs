@@ -4,27 +4,24 @@ use assur_analysis::results::Check;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::panel::cut;
-use super::put;
-use crate::screen::draw::raster::short;
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::theme::Role;
+use crate::screen::draw::{cut, first_shown, put, short};
+use crate::screen::state::{Role, Scene, State};
 
+const TITLES: [&str; 5] = ["check", "residual", "limit", "where", "pos."];
 /// Where the columns begin.
 const COLUMNS: [u16; 5] = [2, 32, 42, 52, 66];
 /// Where the word begins.
 const WORD: u16 = 73;
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let Some(found) = &study.found else { return };
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
-    for (title, column) in state.texts.check_columns.split('|').zip(COLUMNS) {
+    for (title, column) in TITLES.into_iter().zip(COLUMNS) {
         put(buffer, area, column, 0, title, theme.style(Role::Dim));
     }
     let height = usize::from(area.height.saturating_sub(1));
-    let skip = (state.chosen.check + 1).saturating_sub(height);
+    let skip = first_shown(state.chosen.check, height);
     for (row, (index, check)) in found.checks.iter().enumerate().skip(skip).take(height).enumerate() {
         let line = Rect { y: area.y + 1 + short(row), height: 1, ..area };
         draw_row(state, check, index == state.chosen.check, line, buffer);
@@ -47,9 +44,9 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
         put(buffer, area, column, 0, &text, style);
     }
     let (word, role) = match (check.failed(), check.judged) {
-        (true, _) => (state.texts.failed, Role::Bad),
-        (false, true) => (state.texts.ok, Role::Good),
-        (false, false) => (state.texts.unjudged, Role::Dim),
+        (true, _) => ("FAILED", Role::Bad),
+        (false, true) => ("ok", Role::Good),
+        (false, false) => ("unknown", Role::Dim),
     };
     put(buffer, area, WORD, 0, word, theme.style(role));
 }

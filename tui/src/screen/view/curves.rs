@@ -3,84 +3,80 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::put;
-use crate::screen::draw::chart::{Chart, Mark, position_of};
-use crate::screen::number::number;
-use crate::screen::series::zeros;
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
-
-/// Columns for the axis labels.
-pub(crate) const LABELS: u16 = 11;
+use crate::number::{number, plain};
+use crate::screen::draw::{Chart, LABELS, Mark, column_of, position_of, put, short};
+use crate::screen::state::{Role, Scene, Series, State, zeros};
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let Some(transfer) = study.transfers.get(state.chosen.transfer) else { return };
-    let theme = state.look.theme;
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return };
     let [title, charts, axis] =
         Layout::vertical([Constraint::Length(1), Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    put(buffer, title, 1, 0, &transfer.name, theme.style(Role::Header));
-    let legend = format!("{}  {}  {}", state.texts.extremes, state.texts.zero, state.texts.inflection);
-    let column = title.width.saturating_sub(u16::try_from(legend.len()).unwrap_or(0) + 1);
-    put(buffer, title, column, 0, &legend, theme.style(Role::Dim));
-    if let Some(compared) = &state.compared {
-        let names = fill(state.texts.two_curves, &[&study.source.short_name(), &compared.name]);
-        let names = format!("{}   {names}", transfer.name);
-        put(
-            buffer,
-            title,
-            1,
-            0,
-            &format!("{names:<width$}", width = usize::from(title.width)),
-            theme.style(Role::Header),
-        );
-    }
-    let closed = study.closed();
-    let zero = transfer.orders.map(|index| zeros(&study.series[index].values, closed));
+    draw_title(state, scene, &transfer.name, title, buffer);
+    let zero = transfer.orders.map(|index| zeros(&scene.series[index].values, scene.closed()));
     let stacked: [Rect; 3] = Layout::vertical([Constraint::Ratio(1, 3); 3]).areas(charts);
     for (order, role) in [Role::First, Role::Second, Role::Third].into_iter().enumerate() {
-        let series = &study.series[transfer.orders[order]];
-        let mut marks: Vec<(f64, Mark)> = zero[order].iter().map(|at| (*at, Mark::Zero)).collect();
-        if let Some(next) = zero.get(order + 1) {
-            marks.extend(next.iter().map(|at| (*at, Mark::Extreme)));
-        }
-        if let Some(next) = zero.get(order + 2) {
-            marks.extend(next.iter().map(|at| (*at, Mark::Inflection)));
-        }
-        let value = series.values.get(state.position).copied().unwrap_or(f64::NAN);
-        let mut title = format!("PF{order}  {} {}", number(value), series.unit);
-        let mut all = vec![(series.values.as_slice(), theme.style(role))];
+        let series = &scene.series[transfer.orders[order]];
+        let mut title = format!("PF{order}  {} {}", number(series.at(state.position)), series.unit);
+        let mut curves = vec![(series.values.as_slice(), state.look.theme.style(role))];
         if let Some(compared) = &state.compared
             && let Some(other) = compared.series(series)
         {
-            all.push((other.values.as_slice(), theme.style(Role::Plain)));
+            curves.push((other.values.as_slice(), state.look.theme.style(Role::Plain)));
             let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
-            title.push_str("   ");
-            title.push_str(&fill(state.texts.less_other, &[&number(difference), &series.unit]));
+            title += &format!("   1 - 2: {} {}", number(difference), series.unit);
         }
-        let chart =
-            Chart { title, curves: all, marks, cursor: state.position, floor: series.floor, places: None };
-        chart.draw(stacked[order], LABELS, state.look, buffer);
+        // A derivative is zero at an extreme, the second one at an inflection.
+        let kinds = [Mark::Zero, Mark::Extreme, Mark::Inflection];
+        let marks =
+            zero[order..].iter().zip(kinds).flat_map(|(at, mark)| at.iter().map(move |at| (*at, mark)));
+        let (marks, cursor, floor) = (marks.collect(), state.position, series.floor);
+        Chart { title, curves, marks, cursor, floor, places: None }.draw(stacked[order], state.look, buffer);
     }
-    coordinate_axis(state, study, axis, buffer);
+    coordinate_axis(state, scene, axis, buffer);
 }
 
-/// The common axis: coordinate of the first, middle and last position.
-pub(crate) fn coordinate_axis(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let series = &study.series[0];
-    let style = state.look.theme.style(Role::Plain);
-    let count = study.positions();
-    let width = area.width.saturating_sub(LABELS + 1);
+fn draw_title(state: &State, scene: &Scene, name: &str, area: Rect, buffer: &mut Buffer) {
+    let header = state.look.theme.style(Role::Header);
+    if let Some(compared) = &state.compared {
+        let own = scene.source.short_name();
+        put(buffer, area, 1, 0, &format!("{name}   1 {own} (line)  2 {} (stars)", compared.name), header);
+        return;
+    }
+    put(buffer, area, 1, 0, name, header);
+    let legend = "o extreme  x zero  + inflection";
+    let column = area.width.saturating_sub(short(legend.len()) + 1);
+    put(buffer, area, column, 0, legend, state.look.theme.style(Role::Dim));
+}
+
+/// A chart of one series of the analysis, and of the same one of another analyzer.
+pub(super) fn draw_series(
+    state: &State,
+    series: &Series,
+    other: Option<&Series>,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let theme = state.look.theme;
+    let mut curves = vec![(series.values.as_slice(), theme.style(Role::First))];
+    curves.extend(other.map(|other| (other.values.as_slice(), theme.style(Role::Third))));
+    let title = format!("{}  {}", series.of, series.show(state.position));
+    Chart { title, curves, cursor: state.position, floor: series.floor, ..Chart::default() }
+        .draw(area, state.look, buffer);
+}
+
+/// The common axis: the coordinate of five positions from the first to the last.
+pub(super) fn coordinate_axis(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let series = &scene.series[0];
+    let (count, width) = (scene.positions(), area.width.saturating_sub(LABELS + 1));
     for part in 0..=4_usize {
         let position = part * count.saturating_sub(1) / 4;
-        let text = crate::screen::number::plain(series.values.get(position).copied().unwrap_or(0.0));
-        let at = crate::screen::draw::chart::column_of(position, count, width);
-        let column = (LABELS + at).min(area.width.saturating_sub(u16::try_from(text.len()).unwrap_or(0)));
-        put(buffer, area, column, 0, &text, style);
+        let text = plain(series.at(position));
+        let at = LABELS + column_of(position, count, width);
+        let column = at.min(area.width.saturating_sub(short(text.len())));
+        put(buffer, area, column, 0, &text, state.look.theme.style(Role::Plain));
     }
-    let text = format!("{}, {}", state.texts.coordinate, series.unit);
+    let text = format!("coordinate, {}", series.unit);
     put(buffer, area, LABELS, 1, &text, state.look.theme.style(Role::Dim));
 }
 

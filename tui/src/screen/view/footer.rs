@@ -6,52 +6,51 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
-use super::accuracy::folded;
-use super::put;
-use crate::screen::command::{COMMANDS, Command, named};
-use crate::screen::draw::raster::short;
-use crate::screen::key::Key;
-use crate::screen::state::{State, View};
-use crate::screen::text::{Texts, fill};
-use crate::screen::theme::Role;
+use crate::screen::draw::{folded, put, short};
+use crate::screen::state::{Command, Key, PromptKind, Role, Running, State, View};
 
 /// A command of at most so many views is their own.
 const OWN: usize = 3;
 
-/// Help and hint of a command.
-pub(crate) fn texts_of(texts: &Texts, name: &str) -> (&'static str, &'static str) {
-    texts.commands.iter().find(|(known, ..)| *known == name).map_or(("", ""), |(_, help, hint)| (help, hint))
-}
-
 /// Draws the footer.
-pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     if let Some(prompt) = &state.prompt {
-        let text = format!("{}{}", prompt.sign(), prompt.text);
+        let sign = if prompt.kind == PromptKind::Command { ':' } else { '/' };
+        let text = format!("{sign}{}", prompt.text);
         // The end of a long line is what is being written.
         let skip = text.chars().count().saturating_sub(usize::from(area.width).saturating_sub(2));
         let text: String = text.chars().skip(skip).collect();
         put(buffer, area, 0, 1, &text, theme.style(Role::Plain));
         put(buffer, area, short(text.width()), 1, " ", theme.style(Role::Cursor));
     } else if let Some(file) = &state.question {
-        let text = fill(state.texts.exists, &[&file.path.display()]);
+        let text = format!("{} exists: overwrite it? y / n", file.path.display());
         put(buffer, area, 1, 1, &text, theme.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
         put(buffer, area, 1, 1, text, theme.style(*role));
     } else if let Some(failure) = failure(state) {
         put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
-    } else if let Some(running) = state.running.first() {
-        let text = running.words(state);
+    } else if let Some(running) = state.analyzing() {
+        let text = calculating(state, running);
         put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
     }
     draw_hints(state, area, buffer);
 }
 
+/// That an analysis runs, how far it is, and the key that stops it.
+pub(super) fn calculating(state: &State, running: &Running) -> String {
+    let key = state.keys.first("close");
+    match running.count.as_str() {
+        "" => format!("calculating ...  ({key} stops)"),
+        count => format!("calculating: {count}  ({key} stops)"),
+    }
+}
+
 /// Why this position, or else another one, has no assembly.
 fn failure(state: &State) -> Option<String> {
-    let study = state.study.as_ref().filter(|_| state.view != View::Menu)?;
-    let here = study.failures.get(state.position)?;
-    here.clone().or_else(|| study.failures.iter().flatten().next().cloned())
+    let scene = state.scene.as_ref().filter(|_| state.view != View::Menu)?;
+    let here = scene.failures.get(state.position)?;
+    here.clone().or_else(|| scene.failures.iter().flatten().next().cloned())
 }
 
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
@@ -59,10 +58,14 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let answered = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
     let row = u16::from(!answered);
     let mut column = 1;
-    let more = fill(state.texts.keys_more, &[&state.keys.first("help")]);
+    let more = format!("{} all keys", state.keys.first("help"));
     let room = area.width.saturating_sub(short(more.width()) + 2);
     for command in hinted(state) {
-        let hint = hint(state, command);
+        let hint = match (command.name, state.view) {
+            ("search", View::Forces) => "find pair",
+            ("command", View::Menu) => "open FILE",
+            _ => command.hint,
+        };
         if hint.is_empty() {
             continue;
         }
@@ -81,11 +84,12 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
 /// Commands that have a key now; stepping first, then the list of values, what belongs to the view alone, and the rest.
 fn hinted(state: &State) -> Vec<&'static Command> {
     let has_key = |command: &&'static Command| {
-        let meant = state.keys.of(command).first().and_then(|key| state.command(*key));
+        let meant = state.keys.keys(command.name).first().and_then(|key| state.command(*key));
         meant.is_some_and(|meant| meant.name == command.name)
     };
     let own = |command: &Command| !command.views.is_empty() && command.views.len() <= OWN;
-    let mut fit: Vec<_> = COMMANDS.iter().filter(|command| state.takes(command)).filter(has_key).collect();
+    let mut fit: Vec<_> =
+        state.commands.iter().filter(|command| state.takes(command)).filter(has_key).collect();
     fit.sort_by_key(|command| match command.name {
         "next-position" => 0,
         "undo" | "save" if state.what_if.changes() > 0 => 2,
@@ -100,15 +104,6 @@ fn hinted(state: &State) -> Vec<&'static Command> {
     fit
 }
 
-/// The word of a command in the last row; a search among forces finds pairs.
-fn hint(state: &State, command: &Command) -> &'static str {
-    match (command.name, state.view) {
-        ("search", View::Forces) => state.texts.find_pair,
-        ("command", View::Menu) => state.texts.open_file,
-        _ => texts_of(state.texts, command.name).1,
-    }
-}
-
 /// Pairs of opposite keys stand together: `←/→ step`.
 fn keys_of_hint(state: &State, command: &'static Command) -> String {
     let shown = |key: &Key| match key.code {
@@ -118,12 +113,12 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
         KeyCode::Down if !state.look.ascii => "↓".to_owned(),
         _ => key.name(),
     };
-    let key = state.keys.of(command).first().map(shown).unwrap_or_default();
+    let key = state.keys.keys(command.name).first().map(shown).unwrap_or_default();
     if command.name == "raise" {
         return format!("{key}/{}", state.keys.first("lower"));
     }
-    let opposite = command.name.strip_prefix("next-").and_then(|what| named(&format!("previous-{what}")));
-    let opposite = opposite.and_then(|opposite| state.keys.of(opposite).first());
+    let opposite = command.name.strip_prefix("next-").map(|what| format!("previous-{what}"));
+    let opposite = opposite.and_then(|opposite| state.keys.keys(&opposite).first());
     // Tab goes back with Shift everywhere; that needs no room.
     match opposite.filter(|key| key.code != KeyCode::BackTab) {
         Some(opposite) => format!("{}/{key}", shown(opposite)),
@@ -149,7 +144,7 @@ pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, bu
     if shown.len() > room {
         let more = shown.len() - room.saturating_sub(1);
         shown.truncate(room.saturating_sub(1));
-        shown.push(fill(state.texts.more_rows, &[&more]));
+        shown.push(format!(".. {more} more lines"));
     }
     let fault = shown;
     let lines = short(fault.len());

@@ -5,15 +5,9 @@ use std::fmt::Write;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{causes, curves, put};
-use crate::screen::draw::chart::Chart;
-use crate::screen::draw::hodograph;
-use crate::screen::draw::raster::short;
-use crate::screen::found::{Found, Reaction};
-use crate::screen::state::{Pane, State};
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use super::{causes, curves};
+use crate::screen::draw::{Hodograph, first_shown, put, short};
+use crate::screen::state::{Found, Pane, Reaction, Role, Scene, State};
 
 /// Columns of the table: where each ends.
 const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
@@ -21,38 +15,37 @@ const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
 const BELOW: u16 = 9;
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let Some(found) = &study.found else { return };
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &heading(state, study, found), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &heading(scene, found), theme.style(Role::Header));
     match state.pane {
         Pane::Table => {
             let rows = short(found.reactions.len()) + 1;
             let below = BELOW.max(rest.height.saturating_sub(rows + 1));
             let [table, below] =
                 Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
-            draw_table(state, study, found, table, buffer);
+            draw_table(state, scene, found, table, buffer);
             let side = (below.height * 3).min(below.width / 2);
             let [left, right] =
                 Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
-            draw_curves(state, study, found, left, &[usize::MAX], buffer);
+            draw_curves(state, scene, found, left, &[usize::MAX], buffer);
             draw_hodograph(state, found, right, buffer);
         }
-        Pane::Causes => causes::draw(state, study, found, rest, buffer),
-        Pane::Curves => draw_curves(state, study, found, rest, &[0, 1, 2], buffer),
+        Pane::Causes => causes::draw(state, scene, found, rest, buffer),
+        Pane::Curves => draw_curves(state, scene, found, rest, &[0, 1, 2], buffer),
         Pane::Hodograph => draw_hodograph(state, found, rest, buffer),
     }
 }
 
-fn heading(state: &State, study: &Study, found: &Found) -> String {
-    match &study.other {
+fn heading(scene: &Scene, found: &Found) -> String {
+    match &scene.other {
         Some(other) => {
-            let names = fill(state.texts.two_curves, &[&found.analyzer, &other.analyzer]);
-            let largest = format!("{:.1e}", largest_difference(found, other));
-            format!("{names}   {}", fill(state.texts.largest_difference, &[&largest]))
+            let names = format!("1 {} (line)  2 {} (stars)", found.analyzer, other.analyzer);
+            format!("{names}   largest difference {:.1e} N", largest_difference(found, other))
         }
-        None => fill(state.texts.analyzer, &[&found.analyzer]),
+        None => format!("force analyzer: {}", found.analyzer),
     }
 }
 
@@ -61,27 +54,18 @@ fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
     found.reactions.get(state.chosen.reaction)
 }
 
-/// Name of a reaction: `A on crank`, `balancing load`.
-pub(crate) fn name(state: &State, reaction: &Reaction) -> String {
-    if reaction.pair.is_empty() {
-        state.texts.balancing.to_owned()
-    } else {
-        fill(state.texts.pair_on, &[&reaction.pair, &reaction.link])
-    }
-}
-
-fn draw_table(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let moment = if study.other.is_some() { state.texts.difference } else { state.texts.moment };
-    let header = [state.texts.reaction_of, "Fx, N", "Fy, N", "F, N", state.texts.direction, moment];
+    let moment = if scene.other.is_some() { "|dF|, N" } else { "M, N m" };
+    let header = ["force of the pair", "Fx, N", "Fy, N", "F, N", "direction", moment];
     put(buffer, area, 0, 0, &table_row(' ', header.map(str::to_owned)), theme.style(Role::Dim));
     let height = usize::from(area.height.saturating_sub(1));
-    let skip = (state.chosen.reaction + 1).saturating_sub(height);
+    let skip = first_shown(state.chosen.reaction, height);
     for (row, (index, reaction)) in found.reactions.iter().enumerate().skip(skip).take(height).enumerate() {
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
-        let [fx, fy, modulus, direction, last] = cells(state, study, found, reaction);
-        let row_cells = [name(state, reaction), fx, fy, modulus, direction, last];
+        let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);
+        let row_cells = [reaction.name(), fx, fy, modulus, direction, last];
         let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
         put(buffer, area, 0, short(row) + 1, &text, style);
     }
@@ -97,19 +81,19 @@ pub(crate) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
     text
 }
 
-fn cells(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> [String; 5] {
-    let value = |index: usize| found.series[index].values.get(state.position).copied().unwrap_or(f64::NAN);
+fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [String; 5] {
+    let value = |index: usize| found.series[index].at(state.position);
     let bare = |index: usize| found.series[index].bare(state.position);
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
         let unit = series.show(state.position);
         let none = String::new;
-        return [none(), none(), unit, none(), difference(state, study, found, reaction)];
+        return [none(), none(), unit, none(), difference(state, scene, found, reaction)];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
     let direction = if modulus > 0.0 { direction_text(fx, fy) } else { "-".into() };
-    let last = if study.other.is_some() {
-        difference(state, study, found, reaction)
+    let last = if scene.other.is_some() {
+        difference(state, scene, found, reaction)
     } else {
         reaction.moment.map_or_else(String::new, bare)
     };
@@ -129,9 +113,9 @@ fn direction(fx: f64, fy: f64) -> f64 {
 }
 
 /// Modulus of the difference of two analyzers.
-fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) -> String {
-    let Some(other) = &study.other else { return String::new() };
-    let same = other.reactions.iter().find(|r| r.pair == reaction.pair && r.link == reaction.link);
+fn difference(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> String {
+    let Some(other) = &scene.other else { return String::new() };
+    let same = other.reactions.iter().find(|other| other.is_same(reaction));
     let Some(same) = same else { return "-".to_owned() };
     let at = |found: &Found, index: usize| found.series[index].values.get(state.position).copied();
     let parts = reaction.series.iter().zip(&same.series).take(2.min(reaction.series.len()));
@@ -143,7 +127,7 @@ fn difference(state: &State, study: &Study, found: &Found, reaction: &Reaction) 
 fn largest_difference(found: &Found, other: &Found) -> f64 {
     let mut most = 0.0_f64;
     for reaction in &found.reactions {
-        let same = other.reactions.iter().find(|r| r.pair == reaction.pair && r.link == reaction.link);
+        let same = other.reactions.iter().find(|other| other.is_same(reaction));
         let (&[x, y, _], Some(&[other_x, other_y, _])) =
             (reaction.series.as_slice(), same.map(|same| same.series.as_slice()))
         else {
@@ -162,7 +146,7 @@ fn largest_difference(found: &Found, other: &Found) -> f64 {
 /// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
 pub(crate) fn draw_curves(
     state: &State,
-    study: &Study,
+    scene: &Scene,
     found: &Found,
     area: Rect,
     which: &[usize],
@@ -177,28 +161,16 @@ pub(crate) fn draw_curves(
     let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); wanted.len()]).split(charts);
     for (index, place) in wanted.into_iter().zip(stacked.iter()) {
         let series = &found.series[index];
-        let mut all = vec![(series.values.as_slice(), state.look.theme.style(Role::First))];
-        if let Some(other) = &study.other
-            && let Some(same) = other.series.iter().find(|other| other.of == series.of)
-        {
-            all.push((same.values.as_slice(), state.look.theme.style(Role::Third)));
-        }
-        let chart = Chart {
-            title: format!("{}  {}", series.of, series.show(state.position)),
-            curves: all,
-            marks: Vec::new(),
-            cursor: state.position,
-            floor: series.floor,
-            places: None,
-        };
-        chart.draw(*place, curves::LABELS, state.look, buffer);
+        let other = scene.other.as_ref().and_then(|other| other.series.iter().find(|o| o.of == series.of));
+        curves::draw_series(state, series, other, *place, buffer);
     }
-    curves::coordinate_axis(state, study, axis, buffer);
+    curves::coordinate_axis(state, scene, axis, buffer);
 }
 
 fn draw_hodograph(state: &State, found: &Found, area: Rect, buffer: &mut Buffer) {
     let Some(reaction) = chosen(state, found).filter(|reaction| reaction.series.len() == 3) else { return };
     let values = |i: usize| found.series[reaction.series[i]].values.as_slice();
-    let title = fill(state.texts.hodograph, &[&name(state, reaction)]);
-    hodograph::draw(&title, "N", [values(0), values(1)], state.position, area, state.look, buffer);
+    let title = format!("hodograph: {}", reaction.name());
+    let (projections, position) = ([values(0), values(1)], state.position);
+    Hodograph { title: &title, unit: "N", projections, position }.draw(state.look, area, buffer);
 }

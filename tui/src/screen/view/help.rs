@@ -4,136 +4,89 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 
-use super::footer::texts_of;
-use super::panel::wrapped;
-use super::{header, put};
-use crate::screen::command::{COMMANDS, Command, Group, SCENE};
-use crate::screen::draw::raster::short;
-use crate::screen::state::{Help, State, View};
-use crate::screen::text::{Texts, fill};
-use crate::screen::theme::Role;
+use crate::screen::draw::{put, short, wrapped};
+use crate::screen::state::{Command, Group, Help, Role, State, View};
 
+/// Columns of the keys, the name and the line of help.
 const KEYS_AT: u16 = 2;
 const NAME_AT: u16 = 17;
 const HELP_AT: u16 = 36;
 
-/// One row of the help.
-enum Row {
-    Title(&'static str),
-    Command(&'static Command, String),
-    /// What a line of help has more than fits.
-    More(String),
-    Text(&'static str),
-    Empty,
-}
+/// The pieces of one row: column, role and text of each.
+type Pieces = Vec<(u16, Role, String)>;
 
 /// Draws the help over the body.
-pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
     let theme = state.look.theme;
     Clear.render(area, buffer);
     let search =
-        if help.filter.is_empty() { state.texts.help_filter.to_owned() } else { format!("/{}", help.filter) };
-    let block = Block::bordered().title(state.texts.help_title).title_bottom(search);
+        if help.filter.is_empty() { "type to search".to_owned() } else { format!("/{}", help.filter) };
+    let block = Block::bordered().title("Help: every key, by what it does").title_bottom(search);
     let inner = block.inner(area);
     block.render(area, buffer);
     let rows = rows(state, help);
     for (line, row) in rows.iter().skip(help.scroll).take(usize::from(inner.height)).enumerate() {
-        let line = short(line);
-        match row {
-            Row::Title(title) => put(buffer, inner, 0, line, title, theme.style(Role::Header)),
-            Row::Text(text) => put(buffer, inner, 0, line, text, theme.style(Role::Plain)),
-            Row::Empty => {}
-            Row::More(text) => put(buffer, inner, HELP_AT, line, text, theme.style(Role::Plain)),
-            Row::Command(command, text) => {
-                put(buffer, inner, KEYS_AT, line, &keys(state, command), theme.style(Role::Key));
-                put(buffer, inner, NAME_AT, line, command.name, theme.style(Role::Plain));
-                put(buffer, inner, HELP_AT, line, text, theme.style(Role::Plain));
-            }
+        for (column, role, text) in row {
+            put(buffer, inner, *column, short(line), text, theme.style(*role));
         }
     }
     let shown = help.scroll + usize::from(inner.height);
     if rows.len() > shown || help.scroll > 0 {
         let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
-        put(
-            buffer,
-            area,
-            area.width.saturating_sub(short(text.len()) + 2),
-            0,
-            &text,
-            theme.style(Role::Plain),
-        );
+        let column = area.width.saturating_sub(short(text.len()) + 2);
+        put(buffer, area, column, 0, &text, theme.style(Role::Plain));
     }
 }
 
-/// Keys of a command: `Right l`.
-fn keys(state: &State, command: &'static Command) -> String {
-    state.keys.of(command).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ")
-}
-
-fn rows(state: &State, help: &Help) -> Vec<Row> {
+fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.to_lowercase();
-    let fits = |command: &&'static Command| {
-        let (text, _) = texts_of(state.texts, command.name);
-        wanted.is_empty()
-            || command.name.contains(&wanted)
-            || text.to_lowercase().contains(&wanted)
-            || keys(state, command).to_lowercase().contains(&wanted)
-    };
     let mut rows = Vec::new();
-    for group in Group::ALL {
-        let of_group: Vec<_> =
-            COMMANDS.iter().filter(|command| command.group == group).filter(fits).collect();
-        if of_group.is_empty() {
-            continue;
+    for (group, title) in Group::ALL {
+        let of_group = state.commands.iter().filter(|command| command.group == group);
+        let commands: Vec<Pieces> = of_group.flat_map(|command| rows_of(state, command, &wanted)).collect();
+        if !commands.is_empty() {
+            rows.push(vec![(0, Role::Header, title.to_owned())]);
+            rows.extend(commands);
+            rows.push(Vec::new());
         }
-        rows.push(Row::Title(title(state.texts, group)));
-        rows.extend(of_group.into_iter().flat_map(|command| rows_of(state, command)));
-        rows.push(Row::Empty);
     }
-    rows.push(Row::Text(state.texts.help_linear));
+    let linear = "The same as plain lines: assur analyze, assur check, assur explain SCENE";
+    rows.push(vec![(0, Role::Plain, linear.to_owned())]);
+    rows
+}
+
+/// A command in as many rows as its line of help needs; none where it has not what is wanted.
+fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
+    let keys = state.keys.keys(command.name).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ");
+    if ![command.name, command.help, &keys].iter().any(|text| text.to_lowercase().contains(wanted)) {
+        return Vec::new();
+    }
+    // The border takes a column at each side.
+    let width = usize::from(state.size.0.saturating_sub(HELP_AT + 2)).max(20);
+    let text = format!("{}{}", command.help, where_it_works(state, command));
+    let lines = wrapped(&text, width).into_iter();
+    let mut rows: Vec<Pieces> = lines.map(|line| vec![(HELP_AT, Role::Plain, line)]).collect();
+    let name = command.name.to_owned();
+    rows[0].splice(0..0, [(KEYS_AT, Role::Key, keys), (NAME_AT, Role::Plain, name)]);
     rows
 }
 
 /// The keys of the views in which the keys of a command mean it, where it is not every view with a scene: ` (view 3)`.
 pub(crate) fn where_it_works(state: &State, command: &Command) -> String {
-    let names = |views: &[View]| {
-        let names: Vec<String> = views.iter().map(|view| header::key(state, *view)).collect();
-        names.join(" ")
+    let keys = |views: &[View]| {
+        let keys: Vec<String> = views.iter().map(|view| state.keys.first(view.command())).collect();
+        keys.join(" ")
     };
-    let texts = state.texts;
     match command.views {
         [] => String::new(),
-        [View::Menu] => fill(texts.in_view, &[&texts.menu]),
-        [View::Values] => fill(texts.in_view, &[&texts.group_change]),
-        [one] => fill(texts.in_view, &[&names(&[*one])]),
-        several if 2 * several.len() <= SCENE.len() => fill(texts.in_views, &[&names(several)]),
+        [one @ (View::Menu | View::Values)] => format!(" (view {})", one.name()),
+        [one] => format!(" (view {})", keys(&[*one])),
+        several if 2 * several.len() <= View::OF_SCENE.len() => format!(" (views {})", keys(several)),
         most => {
-            let missing: Vec<View> = SCENE.iter().copied().filter(|view| !most.contains(view)).collect();
-            if missing.is_empty() { String::new() } else { fill(texts.not_in_view, &[&names(&missing)]) }
+            let missing: Vec<View> = View::OF_SCENE.into_iter().filter(|view| !most.contains(view)).collect();
+            if missing.is_empty() { String::new() } else { format!(" (not {})", keys(&missing)) }
         }
-    }
-}
-
-/// A command in as many rows as its line of help needs.
-fn rows_of(state: &State, command: &'static Command) -> Vec<Row> {
-    // The border takes a column at each side.
-    let width = usize::from(state.size.0.saturating_sub(HELP_AT + 2)).max(20);
-    let text = format!("{}{}", texts_of(state.texts, command.name).0, where_it_works(state, command));
-    let mut lines = wrapped(&text, width).into_iter();
-    let first = Row::Command(command, lines.next().unwrap_or_default());
-    std::iter::once(first).chain(lines.map(Row::More)).collect()
-}
-
-/// Title of a group of commands.
-pub(crate) fn title(texts: &Texts, group: Group) -> &'static str {
-    match group {
-        Group::Move => texts.group_move,
-        Group::Choose => texts.group_choose,
-        Group::Change => texts.group_change,
-        Group::Views => texts.group_view,
-        Group::Look => texts.group_look,
-        Group::Program => texts.group_program,
     }
 }
 
@@ -149,6 +102,5 @@ fn height(state: &State) -> usize {
 
 /// The farthest that the help can be scrolled.
 pub(crate) fn last_scroll(state: &State) -> usize {
-    let Some(help) = &state.help else { return 0 };
-    rows(state, help).len().saturating_sub(height(state))
+    state.help.as_ref().map_or(0, |help| rows(state, help).len().saturating_sub(height(state)))
 }

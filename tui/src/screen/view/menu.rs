@@ -1,39 +1,38 @@
 //! The menu of shipped scenes, with the picture of the chosen one.
 
+use assur_fixtures::SCENES;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{mechanism, put};
-use crate::screen::draw::raster::short;
-use crate::screen::menu::SCENES;
-use crate::screen::state::State;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use super::mechanism;
+use crate::screen::draw::{first_shown, put, short};
+use crate::screen::state::{Role, State};
 
 /// Columns of the list.
 const LIST: u16 = 24;
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let [title, rest] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
     let [list, picture] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(rest);
     let theme = state.look.theme;
     let [open, help, quit] = ["open-scene", "help", "quit"].map(|name| state.keys.first(name));
-    let heading = fill(state.texts.menu_title, &[&open, &help, &quit]);
+    let heading =
+        format!("Shipped scenes: {open} opens one, :open FILE your own, {help} all keys, {quit} leaves");
     put(buffer, title, 1, 0, &heading, theme.style(Role::Header));
     let height = usize::from(list.height);
-    let skip = (state.menu.chosen + 1).saturating_sub(height);
-    for (row, (index, (name, _))) in SCENES.iter().enumerate().skip(skip).take(height).enumerate() {
-        let chosen = index == state.menu.chosen;
-        let text = format!("{} {name:<20}", if chosen { '>' } else { ' ' });
-        put(buffer, list, 1, short(row), &text, theme.style(if chosen { Role::Cursor } else { Role::Plain }));
+    let shown = SCENES.iter().enumerate().skip(first_shown(state.shipped, height)).take(height);
+    for (row, (index, (name, _))) in shown.enumerate() {
+        let (sign, role) = if index == state.shipped { ('>', Role::Cursor) } else { (' ', Role::Plain) };
+        let text = format!("{sign} {:<20}", format!("{name}.toml"));
+        put(buffer, list, 1, short(row), &text, theme.style(role));
     }
-    match state.menu.preview() {
-        Some(Ok(study)) => {
+    match state.previews.get(&state.shipped) {
+        Some(Ok(scene)) => {
             let [name, drawing] =
                 Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(picture);
-            put(buffer, name, 1, 0, &study.linkage.mechanism.title, theme.style(Role::Header));
-            mechanism::picture(state, study, study.first_position(), drawing, &[], buffer);
+            put(buffer, name, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
+            mechanism::picture(state, scene, scene.first_position(), drawing, &[], buffer);
         }
         Some(Err(text)) => {
             for (row, line) in text.lines().enumerate() {
@@ -41,8 +40,8 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             }
         }
         None => {
-            let name = SCENES.get(state.menu.chosen).map_or("", |scene| scene.0);
-            put(buffer, picture, 1, 0, &fill(state.texts.opening, &[&name]), theme.style(Role::Dim));
+            let name = SCENES.get(state.shipped).map_or("", |scene| scene.0);
+            put(buffer, picture, 1, 0, &format!("reading {name}.toml ..."), theme.style(Role::Dim));
         }
     }
 }

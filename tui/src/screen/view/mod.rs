@@ -1,35 +1,34 @@
 //! Views: pure functions from the state to a frame.
 
 pub(crate) mod accuracy;
-pub(crate) mod advice;
-pub(crate) mod arrows;
-pub(crate) mod ascii;
-pub(crate) mod causes;
-pub(crate) mod checks;
+mod advice;
+mod arrows;
+mod ascii;
+mod causes;
+mod checks;
 pub(crate) mod curves;
-pub(crate) mod drive;
-pub(crate) mod footer;
-pub(crate) mod forces;
-pub(crate) mod header;
+mod drive;
+mod footer;
+mod forces;
+mod header;
 pub(crate) mod help;
-pub(crate) mod mechanism;
-pub(crate) mod menu;
-pub(crate) mod motion;
-pub(crate) mod panel;
-pub(crate) mod plans;
-pub(crate) mod regime;
-pub(crate) mod structure;
-pub(crate) mod table;
+mod mechanism;
+mod menu;
+mod motion;
+mod panel;
+mod plans;
+mod regime;
+mod structure;
+mod table;
 pub(crate) mod values;
 
-use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-use super::state::{State, View};
-use super::text::fill;
+use crate::screen::draw::put;
+use crate::screen::state::{State, View};
 
 /// Smallest terminal that holds the views.
 const LEAST: (u16, u16) = (80, 24);
@@ -39,7 +38,7 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     let area = frame.area();
     let buffer = frame.buffer_mut();
     if area.width < LEAST.0 || area.height < LEAST.1 {
-        let text = fill(state.texts.needs, &[&LEAST.0, &LEAST.1, &area.width, &area.height]);
+        let text = format!("needs {} x {}, has {} x {}", LEAST.0, LEAST.1, area.width, area.height);
         put(buffer, area, 0, 0, &text, Style::new());
     } else {
         let [header, body, footer] = parts(area);
@@ -79,42 +78,20 @@ pub(crate) fn room(state: &State) -> Rect {
 
 /// Draws what is between header and footer.
 pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
-    if let Some(study) = state.study.as_ref().filter(|_| !state.has(state.view)) {
-        return advice::draw(state, study, area, buffer);
+    if let Some(scene) = state.scene.as_ref().filter(|_| !state.has(state.view)) {
+        return advice::draw(state, scene, area, buffer);
     }
-    match (state.view, &state.study) {
-        (View::Mechanism, Some(study)) => mechanism::draw(state, study, area, buffer),
-        (View::Curves, Some(study)) => curves::draw(state, study, area, buffer),
-        (View::Forces, Some(study)) => forces::draw(state, study, area, buffer),
-        (View::Plans, Some(study)) => plans::draw(state, study, area, buffer),
-        (View::Motion, Some(study)) => motion::draw(state, study, area, buffer),
-        (View::Drive, Some(study)) => drive::draw(state, study, area, buffer),
-        (View::Checks, Some(study)) => checks::draw(state, study, area, buffer),
+    match (state.view, &state.scene) {
+        (View::Mechanism, Some(scene)) => mechanism::draw(state, scene, area, buffer),
+        (View::Curves, Some(scene)) => curves::draw(state, scene, area, buffer),
+        (View::Forces, Some(scene)) => forces::draw(state, scene, area, buffer),
+        (View::Plans, Some(scene)) => plans::draw(state, scene, area, buffer),
+        (View::Motion, Some(scene)) => motion::draw(state, scene, area, buffer),
+        (View::Drive, Some(scene)) => drive::draw(state, scene, area, buffer),
+        (View::Checks, Some(scene)) => checks::draw(state, scene, area, buffer),
         (View::Accuracy, Some(_)) => accuracy::draw(state, area, buffer),
-        (View::Structure, Some(study)) => structure::draw(state, study, area, buffer),
-        (View::Table, Some(study)) => table::draw(state, study, area, buffer),
+        (View::Structure, Some(scene)) => structure::draw(state, scene, area, buffer),
+        (View::Table, Some(scene)) => table::draw(state, scene, area, buffer),
         (View::Menu | View::Values, _) | (_, None) => menu::draw(state, area, buffer),
-    }
-}
-
-/// A click chooses a position on a chart; tells whether the frame may differ.
-pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
-    let pressed = matches!(
-        mouse.kind,
-        MouseEventKind::Down(MouseButton::Left) | MouseEventKind::Drag(MouseButton::Left)
-    );
-    if !pressed || state.view != View::Curves {
-        return false;
-    }
-    match curves::position_at(state, room(state), mouse.column) {
-        Some(position) => std::mem::replace(&mut state.position, position) != position,
-        None => false,
-    }
-}
-
-/// Writes a text into an area, cut at its right edge; outside nothing happens.
-pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
-    if row < area.height && column < area.width {
-        buffer.set_stringn(area.x + column, area.y + row, text, usize::from(area.width - column), style);
     }
 }

@@ -4,15 +4,10 @@ use assur_analysis::results::{Analysis, Dynamics};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{curves, put, regime};
-use crate::screen::draw::chart::Chart;
-use crate::screen::draw::raster::short;
-use crate::screen::found::Found;
-use crate::screen::number::{digits, number, plain};
-use crate::screen::state::{Pane, State};
-use crate::screen::study::Study;
-use crate::screen::text::{Texts, fill};
-use crate::screen::theme::Role;
+use super::{advice, curves, regime};
+use crate::number::{digits, number, plain};
+use crate::screen::draw::{Chart, LABELS, put, put_lines, short};
+use crate::screen::state::{Found, Pane, Role, Scene, State};
 
 /// Rows that a chart needs to be read.
 const LEAST_ROWS: u16 = 5;
@@ -20,62 +15,61 @@ const LEAST_ROWS: u16 = 5;
 const NUMBERS: u16 = 30;
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let Some(found) = &study.found else { return };
-    let lines = found
-        .analysis
-        .dynamics
-        .as_ref()
-        .map(|d| numbers(state.texts, d, found.analysis.input.angular))
-        .unwrap_or_default();
-    let (role, text) = heading(state, study, found);
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &scene.found else { return };
+    let dynamics = found.analysis.dynamics.as_ref();
+    let lines = dynamics.map(|d| numbers(d, found.analysis.input.angular)).unwrap_or_default();
+    let (role, text) = heading(scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &text, state.look.theme.style(role));
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
-    let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
+    let regime = dynamics.map(|dynamics| &dynamics.regime);
     // Its table needs the whole width.
     if let (Some(regime), Pane::Hodograph) = (regime, state.pane) {
         return regime::draw_iteration(state, regime, area, buffer);
     }
-    for (row, line) in lines.iter().enumerate() {
-        put(buffer, numbers, 1, short(row), line, state.look.theme.style(Role::Plain));
-    }
+    put_lines(buffer, numbers, 1, state.look, &lines);
     if let (Some(regime), Pane::Curves) = (regime, state.pane) {
-        return regime::draw_course(state, study, regime, charts, buffer);
+        return regime::draw_course(state, scene, regime, charts, buffer);
     }
     let over_time =
         matches!(state.pane, Pane::Curves | Pane::Hodograph) && !found.analysis.trajectory.is_empty();
     if over_time || found.motion.is_empty() {
         draw_course(state, &found.analysis, charts, buffer);
     } else {
-        draw_positions(state, study, found, charts, buffer);
+        draw_positions(state, scene, found, charts, buffer);
     }
 }
 
 /// What the reader looks for first: the unevenness of a regime; or why there is no speed.
-fn heading(state: &State, study: &Study, found: &Found) -> (Role, String) {
-    let texts = state.texts;
+fn heading(scene: &Scene, found: &Found) -> (Role, String) {
     if let Some(dynamics) = &found.analysis.dynamics {
-        let unit = speed_unit(found.analysis.input.angular);
-        let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed];
-        let text = fill(texts.motion_heading, &[&digits(unevenness, 5), &digits(mean, 5), &unit]);
-        return (Role::Header, text);
+        return (Role::Header, unevenness(dynamics, found.analysis.input.angular));
     }
-    match (&found.analysis.no_motion, &study.linkage.mechanism.motion) {
-        (Some(reason), _) => (Role::Bad, fill(texts.motion_not_found, &[reason]).replace('\n', " ")),
-        (None, None) => (Role::Dim, texts.no_motion_heading.to_owned()),
+    match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
+        (Some(reason), _) => (Role::Bad, advice::not_found(reason).replace('\n', " ")),
+        (None, None) => (
+            Role::Dim,
+            "no [motion] in the scene, so J and Q alone; add it, with speed = \"60 rpm\"".to_owned(),
+        ),
         (None, Some(_)) => (Role::Plain, String::new()),
     }
 }
 
+/// `unevenness 0.05, mean speed 6.2832 rad/s`.
+pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> String {
+    let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed].map(|x| digits(x, 5));
+    format!("unevenness {unevenness}, mean speed {mean} {}", speed_unit(angular))
+}
+
 /// Unit of the speed of the input.
-pub(crate) fn speed_unit(angular: bool) -> &'static str {
+fn speed_unit(angular: bool) -> &'static str {
     if angular { "rad/s" } else { "m/s" }
 }
 
-fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffer: &mut Buffer) {
+fn draw_positions(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
     let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
     let shown = usize::from(charts.height / LEAST_ROWS).clamp(1, found.motion.len());
     let count = u32::try_from(shown).unwrap_or(1);
@@ -83,18 +77,9 @@ fn draw_positions(state: &State, study: &Study, found: &Found, area: Rect, buffe
     let first = state.chosen.motion % found.motion.len().max(1);
     for (slot, place) in stacked.iter().enumerate() {
         let index = found.motion[(first + slot) % found.motion.len()];
-        let series = &found.series[index];
-        let chart = Chart {
-            title: format!("{}  {}", series.of, series.show(state.position)),
-            curves: vec![(series.values.as_slice(), state.look.theme.style(Role::First))],
-            marks: Vec::new(),
-            cursor: state.position,
-            floor: series.floor,
-            places: None,
-        };
-        chart.draw(*place, curves::LABELS, state.look, buffer);
+        curves::draw_series(state, &found.series[index], None, *place, buffer);
     }
-    curves::coordinate_axis(state, study, axis, buffer);
+    curves::coordinate_axis(state, scene, axis, buffer);
 }
 
 /// Coordinate, speed and acceleration over time.
@@ -107,48 +92,46 @@ fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buff
     let span = (last.time - first.time).max(f64::MIN_POSITIVE);
     let times: Vec<f64> = course.iter().map(|sample| (sample.time - first.time) / span).collect();
     let columns: [(&str, String, Vec<f64>); 3] = [
-        (state.texts.coordinate, q.to_owned(), course.iter().map(|s| s.coordinate).collect()),
-        (state.texts.speed, format!("{q}/s"), course.iter().map(|s| s.speed).collect()),
-        (state.texts.acceleration, format!("{q}/s2"), course.iter().map(|s| s.acceleration).collect()),
+        ("coordinate", q.to_owned(), course.iter().map(|s| s.coordinate).collect()),
+        ("speed", format!("{q}/s"), course.iter().map(|s| s.speed).collect()),
+        ("acceleration", format!("{q}/s2"), course.iter().map(|s| s.acceleration).collect()),
     ];
     let cursor = state.position.min(course.len() - 1);
     for ((name, unit, values), place) in columns.iter().zip(stacked) {
         let chart = Chart {
             title: format!("{name}  {} {unit}", number(values[cursor])),
             curves: vec![(values.as_slice(), state.look.theme.style(Role::First))],
-            marks: Vec::new(),
             cursor,
-            floor: 0.0,
             places: Some(&times),
+            ..Chart::default()
         };
-        chart.draw(place, curves::LABELS, state.look, buffer);
+        chart.draw(place, state.look, buffer);
     }
     let style = state.look.theme.style(Role::Plain);
-    put(buffer, axis, curves::LABELS, 0, &plain(first.time), style);
+    put(buffer, axis, LABELS, 0, &plain(first.time), style);
     let end = plain(last.time);
     put(buffer, axis, axis.width.saturating_sub(short(end.len()) + 1), 0, &end, style);
-    put(buffer, axis, curves::LABELS, 1, state.texts.time, state.look.theme.style(Role::Dim));
+    put(buffer, axis, LABELS, 1, "time, s", state.look.theme.style(Role::Dim));
 }
 
 /// The numbers of the regime, one a line.
-pub(crate) fn numbers(texts: &Texts, dynamics: &Dynamics, angular: bool) -> Vec<String> {
+pub(super) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)> {
     let speed = speed_unit(angular);
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
     let all: [(&str, Option<f64>, &str); 10] = [
-        (texts.mean_speed, Some(dynamics.mean_speed), speed),
-        (texts.unevenness, Some(dynamics.unevenness), ""),
-        (texts.least_speed, Some(dynamics.speed_min), speed),
-        (texts.at_coordinate, Some(degrees(dynamics.coordinate_at_min)), place),
-        (texts.greatest_speed, Some(dynamics.speed_max), speed),
-        (texts.at_coordinate, Some(degrees(dynamics.coordinate_at_max)), place),
-        (texts.excess_work, Some(dynamics.excess_work), "J"),
-        (texts.dynamic_unevenness, dynamics.dynamic_unevenness, ""),
-        (texts.torque, dynamics.torque, "N m"),
-        (texts.required_power, Some(dynamics.required_power), "W"),
+        ("mean speed", Some(dynamics.mean_speed), speed),
+        ("unevenness", Some(dynamics.unevenness), ""),
+        ("least speed", Some(dynamics.speed_min), speed),
+        ("  at", Some(degrees(dynamics.coordinate_at_min)), place),
+        ("greatest speed", Some(dynamics.speed_max), speed),
+        ("  at", Some(degrees(dynamics.coordinate_at_max)), place),
+        ("excess work", Some(dynamics.excess_work), "J"),
+        ("dynamic unevenness", dynamics.dynamic_unevenness, ""),
+        ("torque", dynamics.torque, "N m"),
+        ("required power", Some(dynamics.required_power), "W"),
     ];
-    let lines = all
-        .into_iter()
-        .filter_map(|(name, value, unit)| value.map(|value| format!("{name} {} {unit}", digits(value, 5))));
-    lines.collect()
+    all.into_iter()
+        .filter_map(|(name, value, unit)| Some((Role::Plain, format!("{name} {} {unit}", digits(value?, 5)))))
+        .collect()
 }

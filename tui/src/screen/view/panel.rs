@@ -4,100 +4,57 @@ use assur_mechanism::Motion;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{arrows, put};
-use crate::screen::draw::raster::short;
-use crate::screen::number::digits;
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::theme::Role;
+use super::arrows;
+use crate::number::digits;
+use crate::screen::draw::{put_lines, wrapped};
+use crate::screen::state::{Role, Scene, State};
 
-/// Draws the panel.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let lines = lines(state, study, area);
-    for (row, (role, text)) in lines.iter().enumerate() {
-        put(buffer, area, 1, short(row), text, state.look.theme.style(*role));
+/// Draws the panel; `drawing` is where the arrows are.
+pub(super) fn draw(state: &State, scene: &Scene, drawing: Rect, area: Rect, buffer: &mut Buffer) {
+    let plain = |text: String| (Role::Plain, text);
+    let mut lines: Vec<_> = input(state, scene).into_iter().map(plain).collect();
+    lines.push(plain(String::new()));
+    if let Some(Some(failure)) = scene.failures.get(state.position) {
+        let rows = wrapped(failure, usize::from(area.width.max(8)) - 2);
+        lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
+    } else {
+        lines.extend(quantities(state, scene));
+        // What the arrows are and how long they are, at the foot of the panel.
+        let legend = arrows::legend(state, scene, drawing);
+        lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
+        lines.extend(legend);
     }
+    put_lines(buffer, area, 1, state.look, &lines);
 }
 
-fn lines(state: &State, study: &Study, area: Rect) -> Vec<(Role, String)> {
-    let mut lines = Vec::new();
-    let texts = state.texts;
-    lines.push((Role::Plain, format!("{} {}", texts.coordinate, study.series[0].show(state.position))));
-    if let Some(Motion::Prescribed { speed, .. }) = study.linkage.mechanism.motion {
-        let unit = if study.linkage.angular() { "rad/s" } else { "m/s" };
-        lines.push((Role::Plain, format!("{} {} {unit}", texts.speed, digits(speed, 5))));
-    }
+/// Coordinate and speed of the input, and the balancing load.
+fn input(state: &State, scene: &Scene) -> Vec<String> {
+    let at = state.position;
+    let mut lines = vec![format!("coordinate {}", scene.series[0].show(at))];
+    let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
+    let found = scene.found.as_ref();
     // In a steady regime the speed is an answer, one for each position.
-    let own = study.found.as_ref().and_then(|found| found.series.iter().find(|series| series.short == "w"));
-    if let Some(series) = own.filter(|_| lines.len() == 1) {
-        lines.push((Role::Plain, format!("{} {}", texts.speed, series.show(state.position))));
-    }
-    if let Some(found) = &study.found
-        && let Some(balancing) = found.reactions.iter().find(|reaction| reaction.pair.is_empty())
-    {
-        let series = &found.series[balancing.series[0]];
-        lines.push((Role::Plain, format!("{} {}", texts.balancing_short, series.show(state.position))));
-    }
-    if let Some(Some(failure)) = study.failures.get(state.position) {
-        lines.push((Role::Plain, String::new()));
-        lines.extend(
-            wrapped(failure, usize::from(area.width.max(8)) - 2).into_iter().map(|line| (Role::Bad, line)),
-        );
-        return lines;
-    }
-    lines.push((Role::Plain, String::new()));
-    chosen(state, study, &mut lines);
-    arrow_scale(state, study, area, &mut lines);
+    let own = found.and_then(|found| found.series.iter().find(|series| series.short == "w"));
+    let speed = match scene.linkage.mechanism.motion {
+        Some(Motion::Prescribed { speed, .. }) => Some(format!("{} {unit}", digits(speed, 5))),
+        _ => own.map(|series| series.show(at)),
+    };
+    lines.extend(speed.map(|speed| format!("speed {speed}")));
+    let balancing = found.and_then(|found| found.balancing());
+    lines.extend(balancing.map(|series| format!("balance {}", series.show(at))));
     lines
 }
 
-/// A text in lines of at most so many characters, broken at spaces where it can be.
-pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let Some(last) = lines.last_mut() else { break };
-        if last.is_empty() {
-            last.push_str(word);
-        } else if last.chars().count() + 1 + word.chars().count() <= width {
-            last.push(' ');
-            last.push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
-}
-
-/// The beginning of a text; that something is missing is seen.
-pub(crate) fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    text.chars().take(width.saturating_sub(1)).chain(['~']).collect()
-}
-
-/// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others as far as there is room.
-fn chosen(state: &State, study: &Study, lines: &mut Vec<(Role, String)>) {
-    let Some(transfer) = study.transfers.get(state.chosen.transfer) else { return };
-    lines.push((Role::Header, transfer.name.clone()));
-    for (order, index) in transfer.orders.into_iter().enumerate() {
-        lines.push((Role::Plain, format!(" PF{order} {}", study.series[index].show(state.position))));
-    }
+/// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.
+fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
+    let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
+    let show = |index: usize| scene.series[index].show(state.position);
+    let mut lines = vec![(Role::Header, transfer.name.clone())];
+    let orders = transfer.orders.iter().enumerate();
+    lines.extend(orders.map(|(order, index)| (Role::Plain, format!(" PF{order} {}", show(*index)))));
     lines.push((Role::Plain, String::new()));
-    for other in &study.transfers {
-        if other.name != transfer.name {
-            let series = &study.series[other.orders[0]];
-            lines.push((Role::Plain, format!("{} {}", series.short, series.show(state.position))));
-        }
-    }
-}
-
-/// What the arrows are and how long they are, at the foot of the panel.
-fn arrow_scale(state: &State, study: &Study, area: Rect, lines: &mut Vec<(Role, String)>) {
-    let drawing = Rect { width: state.size.0.saturating_sub(area.width), ..area };
-    let legend = arrows::legend(state, study, drawing);
-    let keep = usize::from(area.height).saturating_sub(legend.len() + 1);
-    lines.truncate(keep);
-    lines.resize_with(keep, || (Role::Plain, String::new()));
-    lines.extend(legend);
+    let others =
+        scene.transfers.iter().filter(|other| other.name != transfer.name).map(|other| other.orders[0]);
+    lines.extend(others.map(|first| (Role::Plain, format!("{} {}", scene.series[first].short, show(first)))));
+    lines
 }

@@ -5,17 +5,10 @@ use assur_force::{Construction, Drawing, Step, StepKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::panel::{cut, wrapped};
-use super::{advice, put};
-use crate::screen::draw::diagram::{Arrow, Diagram};
-use crate::screen::draw::raster::short;
-use crate::screen::found::Found;
-use crate::screen::number::digits;
-use crate::screen::plans::{Plans, bounds};
-use crate::screen::state::{PlanKind, State};
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use super::advice;
+use crate::number::digits;
+use crate::screen::draw::{Arrow, Diagram, cut, put_lines, wrapped};
+use crate::screen::state::{Bounds, Found, PlanKind, Plans, Role, Scene, State};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
@@ -26,8 +19,8 @@ const LEAST: f64 = 1e-12;
 const POLE: &str = "p";
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
-    let Some(found) = &study.found else { return };
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &scene.found else { return };
     let areas = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
     let plans = found.plans.at(state.position);
     if state.plan == PlanKind::Construction {
@@ -44,8 +37,10 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     };
     match plan {
         Some(plan) => draw_plan(state, plan, areas, buffer),
-        None if found.has_forces() => say(state, state.texts.no_forces_here, areas[0], buffer),
-        None => say(state, &advice::text(state, study), areas[0], buffer),
+        None if !found.reactions.is_empty() => {
+            say(state, "no forces are determined in this position", areas[0], buffer)
+        }
+        None => say(state, &advice::text(state, scene), areas[0], buffer),
     }
 }
 
@@ -62,9 +57,7 @@ fn say(state: &State, text: &str, area: Rect, buffer: &mut Buffer) {
 
 fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
     let cut = Rect { width: area.width.saturating_sub(1), ..area };
-    for (row, (role, line)) in lines.iter().enumerate() {
-        put(buffer, cut, 1, short(row), line, state.look.theme.style(*role));
-    }
+    put_lines(buffer, cut, 1, state.look, lines);
 }
 
 /// A plan: its vectors as a list, what it leaves open, and the drawing.
@@ -73,7 +66,7 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     let mut rows: Vec<(Role, String)> =
         wrapped(&plan.title, width).into_iter().map(|line| (Role::Header, line)).collect();
     if state.plan == PlanKind::Forces {
-        rows.push((Role::Dim, state.texts.polygon_legend.to_owned()));
+        rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
     }
     let least = LEAST * plan.greatest();
     let shown: Vec<&PlanVector> = plan.items.iter().filter(|item| item.size > least).collect();
@@ -93,7 +86,7 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
         );
         rows.push((Role::Plain, text));
     }
-    rows.push((Role::Header, fill(state.texts.left_open, &[&format!("{:.1e}", plan.residual)])));
+    rows.push((Role::Header, format!("left open: {} of the greatest", format!("{:.1e}", plan.residual))));
     lines(state, &rows, list, buffer);
     let arrows = shown.iter().enumerate().map(|(number, item)| Arrow {
         from: item.start,
@@ -148,13 +141,13 @@ fn force_size(construction: &Construction, kind: Drawing) -> f64 {
     let most = forces.iter().map(|step| step.vector[0].hypot(step.vector[1])).fold(0.0, f64::max);
     let ends =
         lines.iter().flat_map(|step| [step.start, [0, 1].map(|axis| step.start[axis] + step.vector[axis])]);
-    let [width, height] = bounds(ends).size();
+    let [width, height] = Bounds::around(ends).size();
     if most > 0.0 { 0.5 * width.max(height) / most } else { 1.0 }
 }
 
 /// The construction and the step in it that are meant by the number of a step over all constructions.
 fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
-    let mut left = step.min(step_count(plans).saturating_sub(1));
+    let mut left = step.min(plans.step_count().saturating_sub(1));
     for construction in &plans.constructions {
         if left < construction.steps.len() {
             return Some((construction, left));
@@ -164,21 +157,19 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     None
 }
 
-/// Number of steps of all constructions.
-pub(crate) fn step_count(plans: &Plans) -> usize {
-    plans.constructions.iter().map(|construction| construction.steps.len()).sum()
-}
-
 /// A construction as far as the chosen step, with the sentence that explains it.
 fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer: &mut Buffer) {
     let Some((construction, last)) = chosen_step(plans, state.chosen.step) else {
-        return say(state, state.texts.no_construction, list, buffer);
+        return say(state, "no method with a construction fits here", list, buffer);
     };
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
         wrapped(&construction.title, width).into_iter().map(|line| (Role::Header, line)).collect();
     let next = state.keys.first("next-step");
-    rows.push((Role::Plain, fill(state.texts.step, &[&(last + 1), &construction.steps.len(), &next])));
+    rows.push((
+        Role::Plain,
+        format!("step {} of {} ({next} draws the next)", last + 1, construction.steps.len()),
+    ));
     let Some(step) = construction.steps.get(last) else { return };
     let size = digits(step.vector[0].hypot(step.vector[1]), 5);
     rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind.word(), step.unit)));

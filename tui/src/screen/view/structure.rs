@@ -3,14 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::panel::{cut, wrapped};
-use super::{mechanism, put};
-use crate::screen::draw::raster::short;
-use crate::screen::number::{digits, plain};
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use super::mechanism;
+use crate::number::{digits, plain};
+use crate::screen::draw::{cut, put, short, wrapped};
+use crate::screen::state::{Role, Scene, State};
 
 /// Columns before what is told of a group.
 const INDENT: usize = 5;
@@ -18,19 +14,19 @@ const INDENT: usize = 5;
 const LEAST: usize = 3;
 
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
     let [tree, drawing] = Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest);
     let theme = state.look.theme;
-    let structure = &study.linkage.structure;
+    let structure = &scene.linkage.structure;
     put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
     let w = &structure.mobility;
-    let mobility = fill(state.texts.mobility, &[&w.moving_links, &w.pairs, &w.value]);
-    let class = fill(state.texts.class_of, &[&assur_structure::roman(structure.class())]);
+    let mobility = format!("mobility W = 3 n - 2 p = 3 * {} - 2 * {} = {}", w.moving_links, w.pairs, w.value);
+    let class = format!("mechanism of class {}", assur_structure::roman(structure.class()));
     put(buffer, top, 1, 1, &format!("{mobility};  {class}"), theme.style(Role::Plain));
-    if let Some((group, health, at)) = study.nearest_group() {
-        let name = structure.group_name(&study.linkage.mechanism, group);
-        let nearest = fill(state.texts.nearest, &[&digits(health, LEAST), &at, &name]);
+    if let Some((group, health, at)) = scene.nearest_group() {
+        let name = structure.group_name(&scene.linkage.mechanism, group);
+        let nearest = format!("nearest to singular: {} at position {at}, {name}", digits(health, LEAST));
         put(
             buffer,
             top,
@@ -40,7 +36,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
             theme.style(Role::Plain),
         );
     }
-    let lines = lines(state, study, tree.width.saturating_sub(2));
+    let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
@@ -50,29 +46,29 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         put(buffer, wide, 1, short(row), text, style);
     }
     let marked = structure.groups.get(state.chosen.group).map_or(&[][..], |group| &group.frame.links);
-    mechanism::picture(state, study, state.position, drawing, marked, buffer);
+    mechanism::picture(state, scene, state.position, drawing, marked, buffer);
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is open.
-fn lines(state: &State, study: &Study, width: u16) -> Vec<(bool, String)> {
-    let (linkage, texts) = (&study.linkage, state.texts);
+fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
+    let linkage = &scene.linkage;
     let mechanism = &linkage.mechanism;
     let input = &mechanism.links[mechanism.input.link].name;
     let pair = match mechanism.input.pair {
         assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
         assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
     };
-    let mut lines = vec![(false, fill(texts.input_link, &[input, pair]))];
+    let mut lines = vec![(false, format!("input link {input} on {pair}"))];
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
         lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
-        if let Some((health, at)) = study.least_health(index) {
-            let least = fill(texts.least_health, &[&digits(health, LEAST), &at]);
+        if let Some((health, at)) = scene.least_health(index) {
+            let least = format!("least determinant {} at position {at}", digits(health, LEAST));
             lines.push((false, format!("{:INDENT$}{least}", "")));
         }
         if chosen {
-            let rows = details(state, study, group, index).into_iter();
+            let rows = details(state, scene, group, index).into_iter();
             let rows = rows.flat_map(|line| wrapped(&line, usize::from(width).saturating_sub(INDENT)));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
@@ -80,8 +76,8 @@ fn lines(state: &State, study: &Study, width: u16) -> Vec<(bool, String)> {
     lines
 }
 
-fn details(state: &State, study: &Study, group: &assur_structure::Group, index: usize) -> Vec<String> {
-    let (linkage, texts) = (&study.linkage, state.texts);
+fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: usize) -> Vec<String> {
+    let linkage = &scene.linkage;
     let links: Vec<&str> =
         group.frame.links.iter().map(|&link| linkage.mechanism.links[link].name.as_str()).collect();
     let names = |pairs: &[assur_group::Pair]| {
@@ -90,21 +86,23 @@ fn details(state: &State, study: &Study, group: &assur_structure::Group, index: 
         names.join(", ")
     };
     let mut lines = vec![
-        fill(
-            texts.class_and_order,
-            &[&assur_structure::roman(group.class), &group.plugin.number, &group.order],
+        format!(
+            "class {}, type {}, order {}",
+            assur_structure::roman(group.class),
+            group.plugin.number,
+            group.order
         ),
-        fill(texts.links_of, &[&links.join(", ")]),
-        fill(texts.inner_pairs, &[&names(&group.frame.inner)]),
-        fill(texts.outer_pairs, &[&names(&group.frame.outer)]),
+        format!("links: {}", links.join(", ")),
+        format!("inner pairs: {}", names(&group.frame.inner)),
+        format!("outer pairs: {}", names(&group.frame.outer)),
     ];
-    if let Some(Some(pose)) = study.poses.get(state.position) {
+    if let Some(Some(pose)) = scene.poses.get(state.position) {
         let way = linkage.ways.at(pose.coordinate)[index];
-        lines.push(fill(texts.ways, &[&way, &linkage.groups()[index].ways()]));
-        lines.push(fill(texts.health, &[&plain(pose.health[index].abs())]));
+        lines.push(format!("assembly: way {way} of {}", linkage.groups()[index].ways()));
+        lines.push(format!("determinant here: {}", plain(pose.health[index].abs())));
     }
-    lines.push(fill(texts.plugin, &[&group.plugin.name, &group.plugin.crate_name]));
-    lines.push(fill(texts.source, &[&group.plugin.source]));
-    lines.push(fill(texts.singular, &[&group.plugin.singular]));
+    lines.push(format!("plugin: {} ({})", group.plugin.name, group.plugin.crate_name));
+    lines.push(format!("source: {}", group.plugin.source));
+    lines.push(format!("singular: {}", group.plugin.singular));
     lines
 }

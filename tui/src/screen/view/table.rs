@@ -5,49 +5,27 @@ use std::fmt::Write;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::panel::cut;
-use super::put;
-use crate::screen::draw::raster::short;
-use crate::screen::number::{digits, number};
-use crate::screen::series::Series;
-use crate::screen::state::State;
-use crate::screen::study::Study;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use crate::number::{digits, number};
+use crate::screen::draw::{cut, put, short};
+use crate::screen::state::{Role, Scene, Series, State};
 
 /// Width of the first column.
 const FIRST: u16 = 6;
 /// Least width of another one: a number with an exponent.
 const COLUMN: u16 = 12;
 
-/// The positions in the order of the rows.
-pub(crate) fn order(state: &State) -> Vec<usize> {
-    let Some(study) = &state.study else { return Vec::new() };
-    let mut order: Vec<usize> = (0..study.positions()).collect();
-    if let Some((column, up)) = state.sorted
-        && let Some(series) = study.column(column)
-    {
-        let value = |i: usize| series.values.get(i).copied().unwrap_or(f64::NAN);
-        order.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
-        if !up {
-            order.reverse();
-        }
-    }
-    order
-}
-
 /// Draws the view.
-pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     if area.height < 4 {
         return;
     }
     let theme = state.look.theme;
-    let order = order(state);
-    let columns = visible_columns(state, study, area.width.saturating_sub(FIRST + 2));
-    put(buffer, area, 1, 0, state.texts.number, theme.style(Role::Header));
+    let order = state.order();
+    let columns = visible_columns(state, scene, area.width.saturating_sub(FIRST + 2));
+    put(buffer, area, 1, 0, "No", theme.style(Role::Header));
     let mut left = FIRST;
     for &(column, width) in &columns {
-        let Some(series) = study.column(column) else { continue };
+        let Some(series) = scene.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
         put(
             buffer,
@@ -73,7 +51,7 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
     for (line, &position) in order.iter().skip(skip).take(height).enumerate() {
         draw_row(
             state,
-            study,
+            scene,
             position,
             &columns,
             Rect { y: area.y + 2 + short(line), height: 1, ..area },
@@ -81,13 +59,13 @@ pub(crate) fn draw(state: &State, study: &Study, area: Rect, buffer: &mut Buffer
         );
     }
     let below = Rect { y: area.bottom() - 1, height: 1, ..area };
-    status(state, study, &columns, below, buffer);
+    status(state, scene, &columns, below, buffer);
     scroll_bar(area, skip, height, order.len(), buffer);
 }
 
 fn draw_row(
     state: &State,
-    study: &Study,
+    scene: &Scene,
     position: usize,
     columns: &[(usize, u16)],
     area: Rect,
@@ -97,7 +75,7 @@ fn draw_row(
     let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
-        let value = study.column(column).map_or_else(String::new, |series| {
+        let value = scene.column(column).map_or_else(String::new, |series| {
             let text = value(state, column, series, position);
             fitted(text, usize::from(width) - 1)
         });
@@ -131,16 +109,16 @@ fn value(state: &State, column: usize, series: &Series, position: usize) -> Stri
 }
 
 /// The columns from the chosen one's page, with their widths.
-fn visible_columns(state: &State, study: &Study, room: u16) -> Vec<(usize, u16)> {
+fn visible_columns(state: &State, scene: &Scene, room: u16) -> Vec<(usize, u16)> {
     let width = |column: usize| {
-        let Some(series) = study.column(column) else { return COLUMN };
+        let Some(series) = scene.column(column) else { return COLUMN };
         COLUMN.max(short(series.short.chars().count().max(series.unit.len()) + 1))
     };
     let mut first = 0;
     loop {
         let mut used = 0;
         let mut columns = Vec::new();
-        for column in first..study.column_count() {
+        for column in first..scene.column_count() {
             used += width(column);
             if used > room && !columns.is_empty() {
                 break;
@@ -155,19 +133,19 @@ fn visible_columns(state: &State, study: &Study, room: u16) -> Vec<(usize, u16)>
     }
 }
 
-fn status(state: &State, study: &Study, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
-    let of = study.column(state.chosen.column).map_or("", |series| series.of.as_str());
+fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
+    let of = scene.column(state.chosen.column).map_or("", |series| series.of.as_str());
     let (first, last) = (columns.first().map_or(0, |c| c.0 + 1), columns.last().map_or(0, |c| c.0 + 1));
-    let mut text = format!("{of}   {first}-{last} / {}", study.column_count());
+    let mut text = format!("{of}   {first}-{last} / {}", scene.column_count());
     if let Some((column, up)) = state.sorted {
-        let name = study.column(column).map_or("", |series| series.short.as_str());
+        let name = scene.column(column).map_or("", |series| series.short.as_str());
         text.push_str("   ");
-        text.push_str(&fill(state.texts.sorted_by, &[&name]));
+        text.push_str(&format!("sorted by {name}"));
         text.push(if up { '↑' } else { '↓' });
     }
     if let Some(compared) = &state.compared {
         text.push_str("   ");
-        text.push_str(&fill(state.texts.table_less, &[&compared.name]));
+        text.push_str(&format!("differences to {} (:compare off)", compared.name));
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));

@@ -5,12 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Borders, Widget};
 use unicode_width::UnicodeWidthStr;
 
-use super::put;
-use crate::screen::draw::raster::short;
-use crate::screen::number::plain;
-use crate::screen::state::State;
-use crate::screen::text::fill;
-use crate::screen::theme::Role;
+use crate::number::plain;
+use crate::screen::draw::{put, short};
+use crate::screen::state::{Role, State};
 
 /// Least and greatest height, with the title.
 const HEIGHT: [u16; 2] = [7, 16];
@@ -25,9 +22,8 @@ pub(crate) fn height(body: Rect) -> u16 {
 /// Draws the list.
 pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let (what, theme) = (&state.what_if, state.look.theme);
-    let place =
-        fill(state.texts.values_place, &[&(what.chosen + 1).min(what.values.len()), &what.values.len()]);
-    let title = fill(state.texts.values_title, &[&plain(what.per_cent()), &what.changes()]);
+    let place = format!(" {} / {} ", (what.chosen + 1).min(what.values.len()), what.values.len());
+    let title = format!(" What if: step {} %, changed: {} ", plain(what.per_cent()), what.changes());
     let block = Block::new().borders(Borders::TOP).title(title).title_bottom("");
     let inner = block.inner(area);
     block.render(area, buffer);

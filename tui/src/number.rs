@@ -1,0 +1,38 @@
+//! Numbers as a reader wants them: six significant digits, no `-0`.
+
+#[cfg(test)]
+mod tests;
+
+/// A number with six significant digits.
+pub(crate) fn number(value: f64) -> String {
+    digits(value, 6)
+}
+
+/// A number with so many significant digits; very large and very small ones with an exponent.
+pub(crate) fn digits(value: f64, significant: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return "-".to_owned();
+    }
+    let scientific = format!("{value:.*e}", significant.saturating_sub(1));
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    match exponent {
+        -4..=6 => {
+            let decimals = i32::try_from(significant).unwrap_or(i32::MAX) - 1 - exponent;
+            format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
+        }
+        _ => format!("{}e{exponent}", &mantissa[..mantissa.len().min(significant)]),
+    }
+}
+
+/// A number without the zeros that say nothing: for axes and scales.
+pub(crate) fn plain(value: f64) -> String {
+    let text = digits(value, 4);
+    match text.split_once('e') {
+        None if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        _ => text,
+    }
+}

@@ -1,0 +1,61 @@
+//! How far a long calculation is, in words and as a line on standard error.
+
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use assur_analysis::Progress;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::number::plain;
+
+/// A calculation that ends sooner shows no line.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How far an analysis is.
+pub(crate) fn words(progress: Progress) -> String {
+    match progress {
+        Progress::Motion { time, cycles } => format!("turn {}, t = {} s", cycles + 1, plain(time)),
+        Progress::Regime { evaluations } => format!("steady regime, {evaluations} evaluations"),
+        Progress::Positions { done, total } => format!("position {done} of {total}"),
+        Progress::Samples { done, total } => format!("instant {done} of {total} of the motion"),
+        Progress::Checks { done, total } => format!("checks, {done} of {total}"),
+        _ => String::new(),
+    }
+}
+
+/// A line on standard error that says how far a calculation is; none where that is no terminal. It vanishes when it is
+/// dropped.
+pub(crate) struct ProgressLine(ProgressBar);
+
+impl ProgressLine {
+    pub(crate) fn new() -> Self {
+        let bar = ProgressBar::new_spinner().with_style(
+            ProgressStyle::with_template("{msg} ({elapsed})")
+                .unwrap_or_else(|_| ProgressStyle::default_spinner()),
+        );
+        // Time passes on the line though a calculation has nothing to say.
+        bar.enable_steady_tick(PATIENCE);
+        Self(bar)
+    }
+
+    /// How far it is.
+    pub(crate) fn show(&self, text: impl FnOnce() -> String) {
+        if self.0.elapsed() >= PATIENCE {
+            self.0.set_message(text());
+        }
+    }
+
+    /// For an analysis that is never stopped.
+    pub(crate) fn watch(&self) -> impl FnMut(Progress) -> ControlFlow<()> + '_ {
+        |progress| {
+            self.show(|| words(progress));
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+impl Drop for ProgressLine {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

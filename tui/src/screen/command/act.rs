@@ -1,0 +1,210 @@
+//! Choices and looks: what is shown of the scene, and how.
+
+use assur_fixtures::SCENES;
+
+use super::{accuracy, jobs, whatif};
+use crate::screen::state::{
+    Arrows, Help, Job, Marker, Pane, Purpose, Role, Scene, Source, State, Theme, Traces, View, Wish, Zoom,
+    following, round,
+};
+
+/// An eighth of the positions on or back.
+pub(super) fn jump(state: &mut State, sense: isize) {
+    let eighth = (state.positions() / 8).max(1);
+    state.step(sense * isize::try_from(eighth).unwrap_or(1));
+}
+
+/// Chooses the next (1) or previous (-1) item of the list that a view has.
+pub(super) fn choose(state: &mut State, view: View, by: isize) {
+    let found = state.found();
+    let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
+    let count = match view {
+        View::Menu => SCENES.len(),
+        View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
+        View::Forces => found.map_or(0, |found| found.reactions.len()),
+        View::Motion => found.map_or(0, |found| found.motion.len()),
+        View::Checks => found.map_or(0, |found| found.checks.len()),
+        View::Table => of_scene(Scene::column_count),
+        View::Values => state.what_if.values.len(),
+        _ => of_scene(|scene| scene.transfers.len()),
+    };
+    let chosen = match view {
+        View::Menu => &mut state.shipped,
+        View::Structure => &mut state.chosen.group,
+        View::Forces => &mut state.chosen.reaction,
+        View::Motion => &mut state.chosen.motion,
+        View::Checks => &mut state.chosen.check,
+        View::Table => &mut state.chosen.column,
+        View::Values => &mut state.what_if.chosen,
+        _ => &mut state.chosen.transfer,
+    };
+    *chosen = round(*chosen, by, count);
+    if view == View::Menu {
+        preview(state);
+    }
+}
+
+/// The next or previous row of the table in its present order.
+pub(super) fn row(state: &mut State, by: isize) {
+    let order = state.order();
+    let row = order.iter().position(|position| *position == state.position).unwrap_or(0);
+    state.position = order.get(round(row, by, order.len())).copied().unwrap_or(0);
+}
+
+/// Sorts the table by the chosen column: up, down, by number again.
+pub(super) fn sort(state: &mut State) {
+    let column = state.chosen.column;
+    state.sorted = match state.sorted {
+        Some((sorted, true)) if sorted == column => Some((column, false)),
+        Some((sorted, false)) if sorted == column => None,
+        _ => Some((column, true)),
+    };
+}
+
+/// Goes to the position at which the chosen group is nearest to a singular one.
+pub(super) fn nearest(state: &mut State) {
+    let least = state.scene.as_ref().and_then(|scene| scene.least_health(state.chosen.group));
+    match least {
+        Some((_, at)) => state.go_to(at),
+        None => state.say(Role::Plain, "this group is placed in no position"),
+    }
+}
+
+/// Goes to the position of the chosen check's largest residual.
+pub(super) fn worst(state: &mut State) {
+    match state.found().and_then(|found| found.checks.get(state.chosen.check)?.at) {
+        Some(at) => state.go_to(at),
+        None => state.say(Role::Plain, "this check belongs to no position"),
+    }
+}
+
+/// The next part of the view.
+pub(super) fn pane(state: &mut State) {
+    let parts: &[Pane] = match state.view {
+        View::Forces => &[Pane::Table, Pane::Causes, Pane::Curves, Pane::Hodograph],
+        _ => &[Pane::Table, Pane::Curves, Pane::Hodograph],
+    };
+    state.pane = following(parts, state.pane);
+}
+
+/// Reactions by cause, or the table of all again.
+pub(super) fn causes(state: &mut State) {
+    state.pane = if state.pane == Pane::Causes { Pane::Table } else { Pane::Causes };
+}
+
+/// The next registered force analyzer that can treat the open scene.
+fn next_analyzer(state: &State) -> Option<String> {
+    let scene = state.scene.as_ref()?;
+    let plugins = assur_force::applicable(&scene.linkage).into_iter();
+    let names: Vec<&str> =
+        plugins.filter(|plugin| plugin.gives_reactions).map(|plugin| plugin.name).collect();
+    let now = names.iter().position(|name| state.found().is_some_and(|found| found.analyzer == *name));
+    names.get((now.unwrap_or(0) + 1) % names.len().max(1)).map(|name| (*name).to_owned())
+}
+
+/// Calculates again with the next force analyzer.
+pub(super) fn analyzer(state: &mut State) {
+    state.analyzer = next_analyzer(state);
+    if let Some(scene) = &mut state.scene {
+        scene.other = None;
+    }
+    jobs::ask(state, Purpose::Main);
+}
+
+/// Shows the difference to the next force analyzer, or stops that.
+pub(super) fn difference(state: &mut State) {
+    if state.scene.as_mut().is_some_and(|scene| scene.other.take().is_some()) {
+        return;
+    }
+    let now = state.analyzer.clone();
+    state.analyzer = next_analyzer(state);
+    jobs::ask(state, Purpose::Difference);
+    state.analyzer = now;
+}
+
+/// Asks for the picture of the scene that is chosen in the menu.
+pub(crate) fn preview(state: &mut State) {
+    if !state.previews.contains_key(&state.shipped) {
+        state.wishes.push(Wish::Work(Job::Preview(state.shipped)));
+    }
+}
+
+/// Opens the scene that is chosen in the menu.
+pub(super) fn open_scene(state: &mut State) {
+    if let Some((name, _)) = SCENES.get(state.shipped) {
+        whatif::open(state, Source::Shipped(name));
+    }
+}
+
+/// Back to the menu.
+pub(super) fn menu(state: &mut State) {
+    state.view = View::Menu;
+    state.playing = false;
+    preview(state);
+}
+
+/// The next kind of arrows.
+pub(super) fn arrows(state: &mut State) {
+    let all = [Arrows::None, Arrows::Velocity, Arrows::Acceleration, Arrows::Both];
+    state.arrows = following(&all, state.arrows);
+}
+
+/// The next kind of paths.
+pub(super) fn traces(state: &mut State) {
+    state.traces = following(&[Traces::All, Traces::Chosen, Traces::None], state.traces);
+}
+
+/// The next kind of dots.
+pub(super) fn marker(state: &mut State) {
+    state.look.marker = following(&Marker::ALL, state.look.marker);
+}
+
+/// The next theme.
+pub(super) fn theme(state: &mut State) {
+    state.look.theme = following(&Theme::ALL, state.look.theme);
+    state.say(Role::Plain, state.look.theme.name());
+}
+
+/// Larger or smaller, within reason.
+pub(super) fn zoom(state: &mut State, by: f64) {
+    state.zoom.factor = (state.zoom.factor * by).clamp(0.25, 64.0);
+}
+
+/// Shifts the drawing by an eighth of what is seen.
+pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
+    state.zoom.shift[axis] -= 0.125 * sense / state.zoom.factor;
+}
+
+/// The whole drawing again.
+pub(super) fn whole(state: &mut State) {
+    state.zoom = Zoom::WHOLE;
+}
+
+/// Opens the help.
+pub(super) fn help(state: &mut State) {
+    state.help = Some(Help::default());
+}
+
+/// Reads the scene again.
+pub(super) fn reload(state: &mut State) {
+    let Some(scene) = &mut state.scene else { return };
+    match &scene.source {
+        // There is nothing to read, but an analysis that was stopped may go on.
+        Source::Shipped(_) if scene.found.is_none() => {
+            scene.fault = None;
+            jobs::ask(state, Purpose::Main);
+        }
+        Source::File(_) => state.wishes.push(Wish::Work(Job::Open(scene.source.clone()))),
+        Source::Shipped(_) => state.say(Role::Plain, "a shipped scene has no file to read again"),
+    }
+}
+
+/// Closes the list of values, or else stops what runs beside.
+pub(super) fn close(state: &mut State) {
+    if state.values_open() {
+        whatif::toggle(state);
+    } else {
+        accuracy::stop(state);
+        jobs::stop(state);
+    }
+}

@@ -1,0 +1,234 @@
+//! What the `:` line and the `/` line understand.
+
+use assur_fixtures::SCENES;
+
+use super::{act, whatif, write};
+use crate::screen::state::{
+    Group, Job, Look, Marker, Reaction, Role, Scene, Source, State, Theme, View, Wish,
+};
+use crate::screen::view::help::where_it_works;
+
+/// Names farther than this from what was typed are no suggestion.
+const FAR: usize = 3;
+/// Of so many letters that were typed one may be wrong.
+const LETTERS: usize = 3;
+
+/// Words of the line that take a value, and their values.
+fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
+    let of_scene = |kind: &str| {
+        let owner = |scene: &Scene| -> Vec<String> {
+            let owners = scene.transfers.iter().map(|transfer| scene.owner(&transfer.owner));
+            owners.filter(|(of, _)| *of == kind).map(|(_, name)| name.to_owned()).collect()
+        };
+        let mut names = state.scene.as_ref().map(owner).unwrap_or_default();
+        // A point has two quantities.
+        names.dedup();
+        names
+    };
+    let list = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect::<Vec<_>>();
+    let views = state.commands.iter().filter(|command| command.group == Group::Views);
+    let scenes: Vec<_> = SCENES.iter().map(|(name, _)| format!("{name}.toml")).collect();
+    vec![
+        ("point", of_scene("point")),
+        ("link", of_scene("link")),
+        ("slide", of_scene("slide")),
+        ("view", views.map(|command| command.name.to_owned()).collect()),
+        ("open", scenes.clone()),
+        ("compare", scenes),
+        ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
+        ("set theme", list(&Theme::ALL.map(Theme::name))),
+        ("set marker", list(&Marker::ALL.map(Marker::name))),
+        ("set ascii", list(&["on", "off"])),
+        ("set fps", list(&["1", "5", "10", "20", "30"])),
+        ("set cell", list(&["2.0"])),
+    ]
+}
+
+/// The values that a word takes; `None` where there is no such word.
+fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
+    words(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
+}
+
+/// Whole lines that what was typed may become.
+pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
+    let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
+    for (word, values) in words(state) {
+        all.extend(values.iter().map(|value| format!("{word} {value}")));
+    }
+    all.retain(|line| line.starts_with(typed));
+    // Keys of values also with the typed piece inside: nobody remembers how they begin.
+    if let Some(piece) = typed.strip_prefix("value ") {
+        let keys = state.what_if.values.iter().map(|value| &value.key);
+        let inside = keys.filter(|key| key.contains(piece) && !key.starts_with(piece));
+        all.extend(inside.map(|key| format!("value {key}")));
+    }
+    all
+}
+
+/// Runs a line.
+pub(super) fn run(state: &mut State, line: &str) {
+    if let Ok(position) = line.parse::<usize>() {
+        return state.go_to(position);
+    }
+    let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+    match (word, rest.trim()) {
+        ("", _) => {}
+        ("set", rest) => set(state, rest),
+        ("compare", file) => compare(state, file),
+        ("open", "") => act::menu(state),
+        ("open", file) => whatif::open(state, source(file)),
+        ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
+        ("q", "") => run(state, "quit"),
+        ("view", name) => view(state, name),
+        ("save", name) => whatif::save_line(state, name),
+        ("value", rest) => {
+            if !whatif::set(state, rest) {
+                unknown_name(state, word, rest.split_whitespace().next().unwrap_or_default());
+            }
+        }
+        ("point" | "link" | "slide", name) => quantity(state, word, name),
+        (name, "") => match state.named(name) {
+            Some(command) if state.takes(command) => (command.run)(state),
+            Some(command) => {
+                let place = where_it_works(state, command);
+                state.say(Role::Bad, format!("`{name}` has no meaning here{place}"));
+            }
+            _ => unknown(state, name),
+        },
+        _ => unknown(state, word),
+    }
+}
+
+/// Reads a second scene, a file or a shipped one, or ends the comparison.
+fn compare(state: &mut State, file: &str) {
+    match file {
+        "" => {
+            let text = "`:compare FILE` wants a scene file or the name of a shipped one; `off` ends it";
+            state.say(Role::Bad, text);
+        }
+        "off" => state.compared = None,
+        _ if state.scene.is_none() => state.say(Role::Bad, "there is no open scene to compare with"),
+        _ => state.wishes.push(Wish::Work(Job::Compare(source(file)))),
+    }
+}
+
+/// A file, or else a shipped scene of this name, with or without the ending.
+fn source(file: &str) -> Source {
+    let path = write::home(file);
+    let name = file.strip_suffix(".toml").unwrap_or(file);
+    match SCENES.iter().find(|(known, _)| *known == name) {
+        Some((name, _)) if !path.exists() => Source::Shipped(name),
+        _ => Source::File(path),
+    }
+}
+
+fn unknown(state: &mut State, name: &str) {
+    let offer = suggestion(name, &completions(state, ""));
+    state.say(Role::Bad, format!("there is no command `{name}`{offer}"));
+}
+
+fn unknown_name(state: &mut State, word: &str, name: &str) {
+    let offer = suggestion(name, &values_of(state, word).unwrap_or_default());
+    state.say(Role::Bad, format!("there is no `{word} {name}` here{offer}"));
+}
+
+/// `; did you mean ...?` or nothing; of a short word few letters can be wrong.
+fn suggestion(name: &str, known: &[String]) -> String {
+    let far = (name.chars().count() / LETTERS).clamp(1, FAR);
+    let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
+    match near {
+        Some((distance, candidate)) if distance <= far => format!("; did you mean `{candidate}`?"),
+        _ => String::new(),
+    }
+}
+
+fn view(state: &mut State, name: &str) {
+    let command = state.named(name).filter(|c| c.group == Group::Views && c.fits(state.view));
+    match command {
+        Some(command) => (command.run)(state),
+        None => unknown(state, name),
+    }
+}
+
+/// Chooses a quantity of a point, a link or a slide.
+fn quantity(state: &mut State, kind: &str, name: &str) {
+    let Some(scene) = &state.scene else { return };
+    let found = scene.transfers.iter().position(|transfer| {
+        let (of, known) = scene.owner(&transfer.owner);
+        of == kind && known.eq_ignore_ascii_case(name)
+    });
+    match found {
+        Some(transfer) => state.chosen.transfer = transfer,
+        None => unknown_name(state, kind, name),
+    }
+}
+
+fn set(state: &mut State, rest: &str) {
+    let (name, value) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+    let (value, look) = (value.trim(), &mut state.look);
+    let taken = match name {
+        "theme" => Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| look.theme = *theme),
+        "marker" => {
+            Marker::ALL.iter().find(|marker| marker.name() == value).map(|marker| look.marker = *marker)
+        }
+        "ascii" => ["off", "on"].iter().position(|word| *word == value).map(|on| look.ascii = on == 1),
+        "fps" => value.parse().ok().filter(|fps| Look::FPS.contains(fps)).map(|fps| look.fps = fps),
+        "cell" => value.parse().ok().filter(|r| Look::RATIO.contains(r)).map(|ratio| look.ratio = ratio),
+        _ => None,
+    };
+    let word = format!("set {name}");
+    match (taken, values_of(state, &word)) {
+        (Some(()), _) => {}
+        (None, Some(values)) => {
+            state.say(Role::Bad, format!("`{name}` takes {}, not `{value}`", values.join(", ")));
+        }
+        (None, None) => unknown(state, &word),
+    }
+}
+
+/// Chooses the next reaction of a pair of this name, else one whose pair or link begins so; false where there is none.
+fn reaction(state: &mut State, wanted: &str) -> bool {
+    let Some(found) = state.found() else { return false };
+    let count = found.reactions.len();
+    let next = |fits: &dyn Fn(&Reaction) -> bool| {
+        let after = (1..=count).map(|step| (state.chosen.reaction + step) % count);
+        after.into_iter().find(|index| fits(&found.reactions[*index]))
+    };
+    let begins = |name: &str| name.to_lowercase().starts_with(wanted);
+    let same = next(&|reaction| reaction.pair.to_lowercase() == wanted);
+    let Some(index) = same.or_else(|| next(&|reaction| begins(&reaction.pair) || begins(&reaction.link)))
+    else {
+        return false;
+    };
+    state.chosen.reaction = index;
+    true
+}
+
+/// A number is a position; a word is looked for in the columns and quantities, from the present one on.
+pub(super) fn search(state: &mut State, text: &str) {
+    if text.is_empty() {
+        return;
+    }
+    if let Ok(position) = text.parse::<usize>() {
+        return state.go_to(position);
+    }
+    if state.values_open() {
+        return whatif::search(state, text);
+    }
+    let wanted = text.to_lowercase();
+    if state.view == View::Forces && reaction(state, &wanted) {
+        return;
+    }
+    let Some(scene) = &state.scene else { return };
+    let count = scene.column_count();
+    let fits = |column: &usize| {
+        let names = scene.column(*column).map(|series| [&series.of, &series.short]);
+        names.is_some_and(|names| names.iter().any(|name| name.to_lowercase().contains(&wanted)))
+    };
+    let Some(column) = (1..=count).map(|step| (state.chosen.column + step) % count).find(fits) else {
+        return state.say(Role::Bad, format!("`{text}` was not found"));
+    };
+    let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
+    state.chosen.column = column;
+    state.chosen.transfer = transfer.unwrap_or(state.chosen.transfer);
+}

@@ -1,0 +1,208 @@
+//! Commands of the list of values, and what comes back from reading a changed scene.
+
+use std::path::PathBuf;
+
+use super::write::home;
+use super::{jobs, prompt};
+use crate::screen::state::{
+    Change, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State, Wish,
+};
+
+/// Shows the list of values, or closes it.
+pub(crate) fn toggle(state: &mut State) {
+    state.what_if.open = !state.values_open();
+}
+
+/// The next size of a step.
+pub(super) fn step(state: &mut State) {
+    state.what_if.step = (state.what_if.step + 1) % STEPS.len();
+}
+
+/// The chosen value, a step up (1) or down (-1).
+pub(super) fn shift(state: &mut State, sense: f64) {
+    let what = &mut state.what_if;
+    let Some(value) = what.values.get(what.chosen) else { return };
+    if let Some(toml) = value.moved(what.now(what.chosen), sense * what.per_cent()) {
+        put(state, state.what_if.chosen, toml);
+    } else {
+        let exact = state.keys.first("exact-value");
+        let text = format!("`{}` has no per cent: {exact} takes an exact value", value.key);
+        state.say(Role::Bad, text);
+    }
+}
+
+fn put(state: &mut State, index: usize, toml: String) {
+    if state.what_if.put(index, toml) {
+        ask(state);
+    }
+}
+
+/// Takes back the last change.
+pub(super) fn undo(state: &mut State) {
+    match state.what_if.done.pop() {
+        Some((index, before)) => {
+            state.what_if.set(index, before);
+            ask(state);
+        }
+        None => state.say(Role::Plain, "there is no change to take back"),
+    }
+}
+
+/// Asks for the scene as it is wanted, unless it is shown or the one before is still being read.
+fn ask(state: &mut State) {
+    let (what, Some(scene)) = (&mut state.what_if, &state.scene) else { return };
+    if what.reading == Reading::Runs {
+        return;
+    }
+    if what.wanted == what.shown {
+        what.reading = Reading::Done;
+        return;
+    }
+    what.reading = Reading::Runs;
+    let change = Change {
+        opening: what.opening,
+        edits: what.wanted.clone(),
+        source: scene.source.clone(),
+        text: what.changed_text(),
+    };
+    state.wishes.push(Wish::Work(Job::Change(change)));
+}
+
+/// Takes a changed scene, or why it is none; returns whether the frame may differ.
+pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>, String>) -> bool {
+    let what = &mut state.what_if;
+    if change.opening != what.opening {
+        return false;
+    }
+    what.reading = Reading::Done;
+    let late = change.edits != what.wanted;
+    match scene {
+        Ok(scene) => {
+            what.shown.clone_from(&change.edits);
+            show(state, *scene);
+        }
+        Err(text) if !late => {
+            what.reading = Reading::Refused;
+            let title = "The change was not taken; the old result stays. Undo it, or change it again.";
+            state.fault = Some((title, text));
+        }
+        Err(_) => {}
+    }
+    if late {
+        ask(state);
+    }
+    true
+}
+
+/// Shows a changed scene where the one before was, with its difference to the same other analyzer.
+fn show(state: &mut State, scene: Scene) {
+    if let Some(old) = state.scene.as_ref().filter(|old| old.found.is_some()) {
+        state.what_if.compared = old.other.as_ref().map(|other| other.analyzer.clone());
+    }
+    jobs::exchange(state, scene);
+    if let Some(other) = state.what_if.compared.clone() {
+        let now = state.analyzer.replace(other);
+        jobs::ask(state, Purpose::Difference);
+        state.analyzer = now;
+    }
+}
+
+/// Another scene was opened, or the file was read again: changes are dropped, and that is said.
+pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
+    let dropped = state.what_if.changes();
+    state.what_if = state.what_if.next(scene, again);
+    if again {
+        let text = match dropped {
+            0 => "the scene was read again".to_owned(),
+            _ => format!("the scene was read again as the file has it; changes dropped: {dropped}"),
+        };
+        state.say(Role::Good, text);
+    }
+}
+
+/// Opens the `:` line for the exact value.
+pub(super) fn exact(state: &mut State) {
+    if let Some(value) = state.what_if.values.get(state.what_if.chosen) {
+        let line = format!("value {} ", value.key);
+        prompt::open(state, PromptKind::Command, line);
+    }
+}
+
+/// `value KEY VALUE` of the `:` line: changes the value, or without one says what it is; false where there is no
+/// such key.
+pub(super) fn set(state: &mut State, rest: &str) -> bool {
+    let typed = |key: &str| {
+        let typed = rest.strip_prefix(key)?;
+        (typed.is_empty() || typed.starts_with(char::is_whitespace)).then(|| typed.trim())
+    };
+    let values = state.what_if.values.iter().enumerate();
+    let found = values.into_iter().find_map(|(index, value)| Some((index, value, typed(&value.key)?)));
+    let Some((index, value, typed)) = found else { return false };
+    if typed.is_empty() {
+        let text = format!("{} is {}", value.key, state.what_if.shown(index));
+        state.say(Role::Plain, text);
+    } else {
+        let toml = value.typed(typed);
+        put(state, index, toml);
+    }
+    true
+}
+
+/// The next value whose key has the text.
+pub(super) fn search(state: &mut State, text: &str) {
+    let (wanted, what) = (text.to_lowercase(), &mut state.what_if);
+    let count = what.values.len();
+    let fits = |index: &usize| what.values[*index].key.to_lowercase().contains(&wanted);
+    match (1..=count).map(|step| (what.chosen + step) % count).find(fits) {
+        Some(index) => what.chosen = index,
+        None => state.say(Role::Bad, format!("`{text}` was not found")),
+    }
+}
+
+/// Opens the `:` line with a name for the changed scene.
+pub(super) fn save(state: &mut State) {
+    let Some(scene) = &state.scene else { return };
+    let path = PathBuf::from(scene.source.name());
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let name = path.with_file_name(format!("{stem}-2.toml"));
+    prompt::open(state, PromptKind::Command, format!("save {}", name.display()));
+}
+
+/// `save FILE` of the `:` line: writes the scene with the changes.
+pub(super) fn save_line(state: &mut State, name: &str) {
+    if name.is_empty() {
+        return save(state);
+    }
+    if state.what_if.reading != Reading::Done {
+        let undo = state.keys.first("undo");
+        return state.say(Role::Bad, format!("a change was not taken: {undo} takes it back, then save"));
+    }
+    let content = state.what_if.changed_text();
+    state.wishes.push(Wish::Write(OutputFile { path: home(name), content, overwrite: false, scene: true }));
+}
+
+/// Leaves, but first says that changes are not saved.
+pub(super) fn quit(state: &mut State) {
+    if may_drop(state) {
+        state.wishes.push(Wish::Quit);
+    } else {
+        let [save, quit] = ["save", "quit"].map(|command| state.keys.first(command));
+        state.say(Role::Bad, format!("changes are not saved: {save} saves them, {quit} once more leaves"));
+    }
+}
+
+/// Opens a scene, but first says that changes of the open one are not saved.
+pub(super) fn open(state: &mut State, source: Source) {
+    if may_drop(state) {
+        state.wishes.push(Wish::Work(Job::Open(source)));
+    } else {
+        let save = state.keys.first("save");
+        let text = format!("changes are not saved: {save} saves them, the same once more drops them");
+        state.say(Role::Bad, text);
+    }
+}
+
+/// Whether there is nothing to lose, or the user knows what is lost.
+fn may_drop(state: &mut State) -> bool {
+    !state.what_if.unsaved() || std::mem::replace(&mut state.what_if.warned, true)
+}

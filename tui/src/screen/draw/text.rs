@@ -1,0 +1,59 @@
+//! Text in cells: written, cut, wrapped.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use textwrap::Options;
+
+use super::raster::short;
+use crate::screen::state::{Look, Role};
+
+/// Columns by which the rest of a line that is too long is indented beyond its beginning.
+const HANGING: usize = 4;
+
+/// Writes a text into an area, cut at its right edge; outside nothing happens.
+pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
+    if row < area.height && column < area.width {
+        buffer.set_stringn(area.x + column, area.y + row, text, usize::from(area.width - column), style);
+    }
+}
+
+/// Writes lines one below the other.
+pub(crate) fn put_lines<'a>(
+    buffer: &mut Buffer,
+    area: Rect,
+    column: u16,
+    look: Look,
+    lines: impl IntoIterator<Item = &'a (Role, String)>,
+) {
+    for (row, (role, line)) in lines.into_iter().enumerate() {
+        put(buffer, area, column, short(row), line, look.theme.style(*role));
+    }
+}
+
+/// The first item of a list that is shown in so many rows, where the chosen one is to be the last at most.
+pub(crate) fn first_shown(chosen: usize, rows: usize) -> usize {
+    (chosen + 1).saturating_sub(rows)
+}
+
+/// A text in lines of at most so many columns, broken at spaces where it can be.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    textwrap::wrap(text, Options::new(width).break_words(false)).into_iter().map(Into::into).collect()
+}
+
+/// A line in as many as it needs, broken at spaces; all after the first are indented further.
+pub(crate) fn folded(line: &str, width: usize) -> Vec<String> {
+    let text = line.trim_start_matches(' ');
+    let indent = line.len() - text.len();
+    let (first, rest) = (" ".repeat(indent), " ".repeat(indent + HANGING));
+    let options = Options::new(width).break_words(false).initial_indent(&first).subsequent_indent(&rest);
+    textwrap::wrap(text, options).into_iter().map(Into::into).collect()
+}
+
+/// The beginning of a text; a sign shows that something is missing.
+pub(crate) fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    text.chars().take(width.saturating_sub(1)).chain(['~']).collect()
+}

@@ -1,0 +1,23 @@
+//! A second scene beside the open one: its curves, and the differences.
+
+use super::scene::Scene;
+use super::series::Series;
+
+/// The second scene.
+#[derive(Debug)]
+pub(crate) struct Compared {
+    pub(crate) name: String,
+    pub(crate) scene: Box<Scene>,
+}
+
+impl Compared {
+    /// The same quantity of the second scene, in the same unit.
+    pub(crate) fn series(&self, own: &Series) -> Option<&Series> {
+        self.scene.series.iter().find(|other| other.short == own.short && other.unit == own.unit)
+    }
+
+    /// Own value less that of the second scene; NaN where one has none.
+    pub(crate) fn difference(&self, own: &Series, position: usize) -> Option<f64> {
+        Some(own.at(position) - self.series(own)?.at(position))
+    }
+}

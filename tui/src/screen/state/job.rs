@@ -1,0 +1,158 @@
+//! What is done beside the screen, what comes back from it, and the sign that stops it.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use assur_analysis::results::Check;
+use assur_kinematics::Linkage;
+use assur_study::chart::{self, ChartData};
+use assur_study::stability::Stability;
+
+use super::found::Found;
+use super::scene::{Scene, Source};
+use super::whatif::Change;
+
+/// What a command wants that it can't do itself.
+#[derive(Debug)]
+pub(crate) enum Wish {
+    Quit,
+    Redraw,
+    /// Take the terminal again after the process was stopped.
+    Retake,
+    Suspend,
+    Work(Job),
+    Write(OutputFile),
+}
+
+/// A file to be written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct OutputFile {
+    pub(crate) path: PathBuf,
+    pub(crate) content: String,
+    /// Whether an old file of this name may be replaced.
+    pub(crate) overwrite: bool,
+    /// Whether it is the open scene with its changes.
+    pub(crate) scene: bool,
+}
+
+/// What the worker is asked.
+#[derive(Debug)]
+pub(crate) enum Job {
+    /// Read a scene (again).
+    Open(Source),
+    /// Read a second scene, to be compared.
+    Compare(Source),
+    /// Compile a shipped scene for its picture.
+    Preview(usize),
+    /// Read the open scene with other numbers in it.
+    Change(Change),
+    /// Calculate all that the open scene asks for, or measure the methods on it.
+    Calculate(Request),
+}
+
+/// What a calculation is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// The results that are shown, with their checks.
+    Main,
+    /// Results by another force analyzer, for the difference.
+    Difference,
+    /// Speed and accuracy of the methods.
+    Measurement,
+}
+
+/// A calculation of the open scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Request {
+    /// An answer to a request that runs no more is dropped.
+    pub(crate) number: usize,
+    pub(crate) purpose: Purpose,
+    pub(crate) linkage: Arc<Linkage>,
+    pub(crate) analyzer: Option<String>,
+    pub(crate) integrator: Option<String>,
+    pub(crate) cancel: Cancel,
+}
+
+/// A calculation that runs beside.
+#[derive(Debug, Clone)]
+pub(crate) struct Running {
+    /// Number of its request.
+    pub(crate) number: usize,
+    pub(crate) purpose: Purpose,
+    /// How far it is; empty at the start.
+    pub(crate) count: String,
+    pub(crate) cancel: Cancel,
+}
+
+/// A sign that the worker sees and then stops.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    pub(crate) fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// The answer to a calculation that asks whether to go on.
+    pub(crate) fn flow(&self) -> ControlFlow<()> {
+        if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// What the worker found. A failure is a text to show.
+#[derive(Debug)]
+pub(crate) enum Report {
+    Opened(Result<Box<Scene>, String>),
+    /// The open scene with other numbers.
+    Changed(Change, Result<Box<Scene>, String>),
+    Compared(Result<Box<Scene>, String>),
+    /// A shipped scene by its number.
+    Preview(usize, Result<Box<Scene>, String>),
+    /// How far the calculation of a request is.
+    Counted {
+        number: usize,
+        count: String,
+    },
+    Analyzed {
+        number: usize,
+        found: Result<Box<Found>, String>,
+    },
+    /// The checks of an analysis that was reported before.
+    Checked {
+        number: usize,
+        checks: Vec<Check>,
+    },
+    Measured {
+        number: usize,
+        measured: Result<Box<Measured>, String>,
+    },
+}
+
+/// The findings of a measurement.
+#[derive(Debug, Clone)]
+pub(crate) struct Measured {
+    /// Speed against accuracy, or why there is none.
+    pub(crate) chart: Result<ChartData, String>,
+    /// `None` where the measurement was stopped before.
+    pub(crate) stability: Option<Result<Stability, String>>,
+}
+
+impl Measured {
+    /// Columns by which the labels of the last decade go beyond a scatter.
+    const BEYOND: usize = 3;
+
+    /// The report in so many columns: what follows from it, speed against accuracy, stability.
+    pub(crate) fn text(&self, ascii: bool, width: usize) -> String {
+        let chart = match &self.chart {
+            Ok(data) => chart::text(data, ascii, width.saturating_sub(Self::BEYOND)),
+            Err(error) => format!("{error}\n"),
+        };
+        match &self.stability {
+            None => chart,
+            Some(Err(error)) => format!("{chart}\n{error}\n"),
+            Some(Ok(found)) => format!("{}\n{chart}\n{}", found.conclusion_text(), found.to_text()),
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Commands as data, and which keys mean which command: those of the table, or those of the configuration.
+
+use std::collections::BTreeMap;
+
+use super::State;
+use super::key::Key;
+use super::kinds::View;
+
+/// Groups of the help screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Group {
+    Move,
+    Choose,
+    Change,
+    Views,
+    Look,
+    Program,
+}
+
+impl Group {
+    /// In the order of the help screen, with their titles.
+    pub(crate) const ALL: [(Self, &str); 6] = [
+        (Self::Move, "Position"),
+        (Self::Choose, "Choose"),
+        (Self::Change, "What if"),
+        (Self::Views, "Views"),
+        (Self::Look, "Drawing"),
+        (Self::Program, "Program"),
+    ];
+}
+
+/// One thing that the user can do. The table of all commands is given to the state from above.
+#[derive(Debug)]
+pub(crate) struct Command {
+    /// Name on the `:` line and in the configuration.
+    pub(crate) name: &'static str,
+    pub(crate) group: Group,
+    /// Names of its keys by default, the one for the hints first.
+    pub(crate) keys: &'static str,
+    /// Views in which the keys mean this; empty: all with a scene and the menu.
+    pub(crate) views: &'static [View],
+    /// Changes the state, draws nothing.
+    pub(crate) run: fn(&mut State),
+    /// Its word among the hints; empty: none.
+    pub(crate) hint: &'static str,
+    /// Its line of help.
+    pub(crate) help: &'static str,
+}
+
+impl Command {
+    /// Whether its keys mean this in a view.
+    pub(crate) fn fits(&self, view: View) -> bool {
+        self.views.is_empty() || self.views.contains(&view)
+    }
+
+    /// The keys that it has by default.
+    pub(crate) fn default_keys(&self) -> Vec<Key> {
+        self.keys.split(' ').filter_map(Key::parse).collect()
+    }
+}
+
+/// The keys of every command, by its name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Keymap(BTreeMap<&'static str, Vec<Key>>);
+
+impl Keymap {
+    /// The default keys of a table of commands.
+    pub(crate) fn of(commands: &[Command]) -> Self {
+        Self(commands.iter().map(|command| (command.name, command.default_keys())).collect())
+    }
+
+    /// Gives a command these keys instead of those it has.
+    pub(crate) fn bind(&mut self, command: &'static str, keys: Vec<Key>) {
+        self.0.insert(command, keys);
+    }
+
+    /// The keys of a command, the one for the hints first.
+    pub(crate) fn keys(&self, command: &str) -> &[Key] {
+        self.0.get(command).map_or(&[], Vec::as_slice)
+    }
+
+    /// Name of the first key of a command; the way by the `:` line where it has none.
+    pub(crate) fn first(&self, command: &str) -> String {
+        self.keys(command).first().map_or_else(|| format!(":{command}"), |key| key.name())
+    }
+
+    /// Keys that mean two commands in one view.
+    pub(crate) fn clashes<'a>(&self, commands: &'a [Command]) -> Vec<(Key, View, [&'a Command; 2])> {
+        let mut clashes = Vec::new();
+        for (index, one) in commands.iter().enumerate() {
+            for two in &commands[index + 1..] {
+                let shared = View::all().find(|view| one.fits(*view) && two.fits(*view));
+                let Some(view) = shared else { continue };
+                let keys = self.keys(one.name).iter().filter(|key| self.keys(two.name).contains(key));
+                clashes.extend(keys.map(|key| (*key, view, [one, two])));
+            }
+        }
+        clashes
+    }
+}

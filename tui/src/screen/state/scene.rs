@@ -1,0 +1,254 @@
+//! A scene that is open: its linkage, its positions, and what is drawn and tabulated of them.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use assur_group::{GroupError, Order};
+use assur_kinematics::{CompileError, Linkage, Position, PositionError};
+use assur_mechanism::{GROUND, Range};
+use assur_scene::edit::{Document, SceneValue};
+
+use super::bounds::Bounds;
+use super::found::Found;
+use super::series::{Owner, Series, Transfer};
+use super::transfer::{self, coordinate_unit};
+use crate::number::plain;
+
+/// Where a scene is from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// A file.
+    File(PathBuf),
+    /// One of the shipped scenes, by its name without the ending.
+    Shipped(&'static str),
+}
+
+impl Source {
+    /// The name that is shown.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Shipped(name) => format!("{name}.toml"),
+        }
+    }
+
+    /// The name without its folder.
+    pub(crate) fn short_name(&self) -> String {
+        match self {
+            Self::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            Self::Shipped(name) => format!("{name}.toml"),
+        }
+    }
+}
+
+/// An open scene.
+#[derive(Debug)]
+pub(crate) struct Scene {
+    pub(crate) source: Source,
+    /// Its text, and the numbers in it.
+    pub(crate) text: String,
+    pub(crate) values: Vec<SceneValue>,
+    pub(crate) linkage: Arc<Linkage>,
+    /// The solved positions, by number; `None` where there is no assembly.
+    pub(crate) poses: Vec<Option<Position>>,
+    /// Why a position has none.
+    pub(crate) failures: Vec<Option<String>>,
+    /// Paths of the points over the whole cycle, m; empty for points of the ground.
+    pub(crate) paths: Vec<Vec<[f64; 2]>>,
+    /// Least and greatest displacement of each slide, m.
+    pub(crate) strokes: Vec<[f64; 2]>,
+    /// All that the drawing covers over the whole cycle.
+    pub(crate) bounds: Bounds,
+    /// Every quantity over the positions.
+    pub(crate) series: Vec<Series>,
+    /// Those that come with two derivatives.
+    pub(crate) transfers: Vec<Transfer>,
+    /// What the analysis found; `None` while it runs, or where there is none.
+    pub(crate) found: Option<Box<Found>>,
+    /// The same by another force analyzer, for the difference.
+    pub(crate) other: Option<Box<Found>>,
+    /// Why there is no analysis.
+    pub(crate) fault: Option<String>,
+}
+
+/// Positions between the scene's own that make a path smooth.
+const PATH_POINTS: usize = 240;
+
+impl Scene {
+    /// Reads and compiles a scene.
+    ///
+    /// # Errors
+    ///
+    /// The faults as text, complete with file and line.
+    pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
+        let name = source.name();
+        let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
+        let linkage = Linkage::compile(mechanism).map_err(|error| {
+            let located = match &error {
+                CompileError::Structure(error) => crate::files::located(&name, text, error),
+                _ => None,
+            };
+            located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
+        })?;
+        let (mut poses, mut failures) = (Vec::new(), Vec::new());
+        for index in 0..linkage.mechanism.input.positions {
+            let mut position = linkage.position();
+            let solved = linkage.solve_index(index, Order::Second, &mut position);
+            failures.push(solved.as_ref().err().map(|error| failure(&linkage, index, error)));
+            poses.push(solved.is_ok().then_some(position));
+        }
+        let fine = fine_positions(&linkage);
+        let paths = paths(&linkage, &fine);
+        let strokes = strokes(&linkage, &fine);
+        let (series, transfers) = transfer::series(&linkage, &poses);
+        Ok(Self {
+            source,
+            text: text.to_owned(),
+            values: Document::of(text).values(),
+            bounds: bounds(&linkage, &fine, &paths, &strokes),
+            linkage: Arc::new(linkage),
+            poses,
+            failures,
+            paths,
+            strokes,
+            series,
+            transfers,
+            found: None,
+            other: None,
+            fault: None,
+        })
+    }
+
+    /// Number of positions.
+    pub(crate) fn positions(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// Whether the positions close a cycle: the first follows the last.
+    pub(crate) fn closed(&self) -> bool {
+        matches!(self.linkage.mechanism.input.range, Range::Cycle(_))
+            && self.failures.iter().all(Option::is_none)
+    }
+
+    /// The least determinant of a group over the positions, and the position that has it.
+    pub(crate) fn least_health(&self, group: usize) -> Option<(f64, usize)> {
+        let healths = self.poses.iter().enumerate().filter_map(|(position, pose)| {
+            let health = pose.as_ref()?.health.get(group)?.abs();
+            health.is_finite().then_some((health, position))
+        });
+        healths.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The group that comes nearest to a singular position, with its least determinant and where that is.
+    pub(crate) fn nearest_group(&self) -> Option<(usize, f64, usize)> {
+        let groups = 0..self.linkage.structure.groups.len();
+        let least =
+            groups.filter_map(|group| self.least_health(group).map(|(health, at)| (group, health, at)));
+        least.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The first position that exists, or 0.
+    pub(crate) fn first_position(&self) -> usize {
+        self.poses.iter().position(Option::is_some).unwrap_or(0)
+    }
+}
+
+/// Why a position does not exist, what matters first: what, by how much, where.
+fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
+    let GroupError::NoAssembly { gap_m } = error.source else {
+        return format!("no assembly: {error}");
+    };
+    let (unit, factor) = coordinate_unit(linkage);
+    let coordinate = format!("{} {unit}", plain(factor * error.coordinate));
+    let gap = format!("{:.4}", 1e3 * gap_m);
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
+    format!("no assembly: misses by {gap} mm in position {index}, {coordinate}; {group}")
+}
+
+/// Positions close together, for what is drawn of the whole cycle.
+fn fine_positions(linkage: &Linkage) -> Vec<Option<Position>> {
+    let input = &linkage.mechanism.input;
+    let (from, to) = match input.range {
+        Range::Cycle(cycle) => (input.from, input.from + input.direction.sign() * cycle),
+        Range::To(to) => (input.from, to),
+    };
+    (0..=PATH_POINTS)
+        .map(|i| {
+            let mut position = linkage.position();
+            let coordinate = from + (to - from) * i as f64 / PATH_POINTS as f64;
+            linkage.solve(coordinate, Order::Place, &mut position).is_ok().then_some(position)
+        })
+        .collect()
+}
+
+fn paths(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<Vec<[f64; 2]>> {
+    let points = &linkage.mechanism.points;
+    (0..points.len())
+        .map(|id| {
+            if points[id].places.iter().any(|place| place.link == GROUND) {
+                return Vec::new();
+            }
+            fine.iter()
+                .map(|p| p.as_ref().map_or([f64::NAN; 2], |p| linkage.point_motion(id, p).pf0))
+                .collect()
+        })
+        .collect()
+}
+
+fn strokes(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<[f64; 2]> {
+    (0..linkage.mechanism.slides.len())
+        .map(|id| {
+            let displacements = fine.iter().flatten().map(|position| linkage.slide_motion(id, position).pf0);
+            displacements.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s), h.max(s)])
+        })
+        .collect()
+}
+
+fn bounds(
+    linkage: &Linkage,
+    fine: &[Option<Position>],
+    paths: &[Vec<[f64; 2]>],
+    strokes: &[[f64; 2]],
+) -> Bounds {
+    let mut bounds = Bounds::EMPTY;
+    for point in &linkage.mechanism.points {
+        point.places.iter().filter(|place| place.link == GROUND).for_each(|place| bounds.add(place.at));
+    }
+    paths.iter().flatten().for_each(|at| bounds.add(*at));
+    for (slide, &[low, high]) in linkage.mechanism.slides.iter().zip(strokes) {
+        for position in fine.iter().flatten().step_by(8) {
+            let body = &position.bodies[slide.on];
+            let (s, c) = slide.angle.sin_cos();
+            let (through, along) = (body.point(slide.through), body.turned([c, s]));
+            for d in [low, high] {
+                bounds.add([through[0] + d * along[0], through[1] + d * along[1]]);
+            }
+        }
+    }
+    bounds
+}
+
+impl Scene {
+    /// What a quantity belongs to: its kind and its name.
+    pub(crate) fn owner(&self, owner: &Owner) -> (&'static str, &str) {
+        let mechanism = &self.linkage.mechanism;
+        match *owner {
+            Owner::Point(id) => ("point", &mechanism.points[id].name),
+            Owner::Link(id) => ("link", &mechanism.links[id].name),
+            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
+        }
+    }
+
+    /// How many series there are: the transfer functions, then what the analysis found.
+    pub(crate) fn column_count(&self) -> usize {
+        self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
+    }
+
+    /// One of them.
+    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
+        match index.checked_sub(self.series.len()) {
+            None => self.series.get(index),
+            Some(beyond) => self.found.as_ref()?.series.get(beyond),
+        }
+    }
+}
