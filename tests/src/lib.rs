@@ -1,1 +1,3 @@
-//! Whole-program tests stand in `tests/`.
+//! What tests of the whole program share.
+
+pub mod fuzz;

@@ -1,7 +1,7 @@
 //! Forces: every registered analyzer, and the groups in other forms and numbers.
 
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, UnitBalance, analyzers};
-use assur_group::{Body, Number, Wrench};
+use assur_group::{Body, Number, Order, Wrench};
 use assur_kinematics::{Chain, Position};
 use assur_mechanism::{Mechanism, Motion};
 use assur_number::{Dd, Real};
@@ -10,7 +10,7 @@ use super::data::GIVES;
 use super::entry::{Entry, Field};
 use super::reaction::{Answer, Forms};
 use super::ruler::{difference, greater};
-use super::work::{Work, positions};
+use super::work::Work;
 use super::{ChartError, Reference, Row, Setting, Stage, Value};
 
 /// The positions with their loads, and the true reactions.
@@ -47,9 +47,10 @@ impl<'a> Loaded<'a> {
     /// Loads all positions, and finds their reactions in extended precision.
     pub(crate) fn new(work: &'a Work<'a>, loads: &Loads) -> Result<Self, ChartError> {
         let mechanism = &work.linkage.mechanism;
-        let positions = positions(work)?;
+        let mut positions = vec![work.linkage.position(); work.coordinates.len()];
         let mut wrenches = Vec::with_capacity(positions.len());
-        for position in &positions {
+        for (position, q) in positions.iter_mut().zip(&work.coordinates) {
+            work.linkage.solve(*q, Order::Second, position)?;
             let state = state(mechanism, position.coordinate);
             wrenches.push(loads.total(&state, &position.bodies));
         }

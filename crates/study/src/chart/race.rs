@@ -18,7 +18,7 @@ const LONG: f64 = 0.05;
 pub(crate) const STOPPED: &str = "stopped before it was measured";
 const OUT_OF_TIME: &str = "left out: the time of a quick chart was used up";
 
-/// The clock, the options, and whom to tell.
+/// The clock, the options, and the watcher.
 pub(crate) struct Judge<'a> {
     pub(crate) clock: &'a mut dyn Clock,
     pub(crate) options: Options,
@@ -29,8 +29,8 @@ pub(crate) struct Judge<'a> {
     pub(crate) stopped: bool,
 }
 
-/// An entry that is judged and worth timing.
-struct Lane<'e, 'a> {
+/// An entry that is judged and gives something to time.
+struct Timed<'e, 'a> {
     entry: &'e mut Entry<'a>,
     /// Runs in one stretch.
     runs: f64,
@@ -41,7 +41,7 @@ struct Lane<'e, 'a> {
 }
 
 impl Judge<'_> {
-    fn tell(&mut self, stage: Stage, done: usize, total: usize) {
+    fn report(&mut self, stage: Stage, done: usize, total: usize) {
         if (self.progress)(Progress { stage, done, total }).is_break() {
             self.stopped = true;
         }
@@ -57,22 +57,22 @@ impl Judge<'_> {
         let total = entries.len() + self.options.rounds;
         let mut first_times = Vec::with_capacity(entries.len());
         for (done, entry) in entries.iter_mut().enumerate() {
-            self.tell(stage, done, total);
+            self.report(stage, done, total);
             first_times.push(self.judge(entry, reference.error));
         }
         let judged = entries.len();
         let timed = entries.iter_mut().zip(first_times).filter_map(|(entry, time)| Some((entry, time?)));
-        let mut lanes = self.lanes(timed.collect());
-        let most = lanes.iter().map(|lane| lane.rounds).max().unwrap_or(0);
+        let mut timings = self.timings(timed.collect());
+        let most = timings.iter().map(|timing| timing.rounds).max().unwrap_or(0);
         for round in 0..most {
-            self.tell(stage, judged + round * self.options.rounds / most, total);
+            self.report(stage, judged + round * self.options.rounds / most, total);
             if self.stopped || self.out_of_time() {
                 break;
             }
-            self.round(&mut lanes, round, most);
+            self.round(&mut timings, round, most);
         }
-        for lane in lanes {
-            lane.entry.row.seconds = median(lane.times).map(|time| time / lane.entry.units);
+        for timing in timings {
+            timing.entry.row.seconds = median(timing.times).map(|time| time / timing.entry.units);
         }
         entries.into_iter().map(|entry| entry.row).collect()
     }
@@ -103,9 +103,9 @@ impl Judge<'_> {
     }
 
     /// How often each is timed: all share the time of the stage alike.
-    fn lanes<'e, 'a>(&mut self, timed: Vec<(&'e mut Entry<'a>, f64)>) -> Vec<Lane<'e, 'a>> {
+    fn timings<'e, 'a>(&mut self, timed: Vec<(&'e mut Entry<'a>, f64)>) -> Vec<Timed<'e, 'a>> {
         let share = self.options.stage_seconds / timed.len().max(1) as f64;
-        let mut lanes = Vec::with_capacity(timed.len());
+        let mut timings = Vec::with_capacity(timed.len());
         for (entry, judged) in timed {
             // The judged run counts as one; short ones are run again to see how long they take when warm.
             let (mut runs, mut one, mut times) = (1.0, judged, Vec::new());
@@ -124,18 +124,18 @@ impl Judge<'_> {
             let rounds = (share / (one * runs)).clamp(0.0, self.options.rounds as f64) as usize;
             // A median wants some; of what takes long, the judged run must do.
             let least = if one * runs < LONG { 2 } else { usize::from(times.is_empty()) };
-            lanes.push(Lane { entry, runs, rounds: rounds.max(least), times });
+            timings.push(Timed { entry, runs, rounds: rounds.max(least), times });
         }
-        lanes
+        timings
     }
 
-    /// One turn of every lane that is due: those with few rounds are spread over all.
-    fn round(&mut self, lanes: &mut [Lane<'_, '_>], round: usize, most: usize) {
-        for lane in lanes {
-            let due = (round + 1) * lane.rounds / most > round * lane.rounds / most;
+    /// One turn of every row that is due: those with few rounds are spread over all.
+    fn round(&mut self, timings: &mut [Timed<'_, '_>], round: usize, most: usize) {
+        for timing in timings {
+            let due = (round + 1) * timing.rounds / most > round * timing.rounds / most;
             if due {
-                let time = self.stretch(lane.entry, lane.runs);
-                lane.times.push(time);
+                let time = self.stretch(timing.entry, timing.runs);
+                timing.times.push(time);
             }
         }
     }

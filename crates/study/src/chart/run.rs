@@ -157,7 +157,7 @@ impl Charting<'_> {
         let mut motion = task.motion.clone();
         let before = self.judge.clock.seconds();
         for _ in 0..EVALUATIONS {
-            // A failure here is told by the methods.
+            // A failure here shows in the rows of the methods.
             let _ = std::hint::black_box(motion.reduced(&task.request.initial));
         }
         let one = (self.judge.clock.seconds() - before) / f64::from(EVALUATIONS);

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use assur_group::{Body, Order, derive_generally, place_by_newton};
-use assur_kinematics::{Chain, Linkage, Position};
+use assur_kinematics::{Chain, Linkage};
 use assur_number::{Dd, Real};
 
 use super::ruler::{Ruler, greater};
@@ -33,7 +33,8 @@ impl<'a> Work<'a> {
         let input = &linkage.mechanism.input;
         let all: Vec<f64> = (0..input.positions).map(|index| input.coordinate(index)).collect();
         let mut position = linkage.position();
-        let apart = all.iter().copied().filter(|q| !near_change(linkage, *q));
+        let near = NEAR_CHANGE * linkage.coordinate_unit();
+        let apart = all.iter().copied().filter(|q| !linkage.is_near_change_point(*q, near));
         let solved = apart.filter(|q| linkage.solve(*q, Order::Second, &mut position).is_ok());
         let coordinates: Vec<f64> = solved.collect();
         if coordinates.is_empty() {
@@ -58,17 +59,12 @@ impl<'a> Work<'a> {
         Ok(work)
     }
 
-    /// Number of positions.
-    pub(crate) fn len(&self) -> usize {
-        self.coordinates.len()
-    }
-
     /// Greatest deviation between the closed forms and Newton's method, both in extended precision.
     fn described(&self, left: usize) -> Reference {
         let mut error = 0.0;
         let mut missing = 0;
         for truth in &self.truth {
-            match newton_from(&self.extended, truth) {
+            match newton_from(&self.extended, self.linkage.mechanism.input.link, truth) {
                 Some(bodies) => {
                     error = greater(error, self.ruler.deviation(truth, &bodies));
                 }
@@ -78,7 +74,7 @@ impl<'a> Work<'a> {
         let mut how = format!(
             "closed forms in double-double arithmetic (about 32 digits) at {} positions; own error by Newton's method and the \
              general derivatives in the same arithmetic",
-            self.len()
+            self.coordinates.len()
         );
         if left > 0 {
             let _ =
@@ -97,11 +93,6 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Whether a coordinate lies next to a change point.
-fn near_change(linkage: &Linkage, q: f64) -> bool {
-    linkage.is_near_change_point(q, NEAR_CHANGE * linkage.coordinate_unit())
-}
-
 /// One position by the closed forms in extended precision.
 fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>> {
     let mut bodies = chain.bodies();
@@ -111,10 +102,9 @@ fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>>
     bodies.iter().all(|body| body.numbers().iter().all(|x| x.hi.is_finite())).then_some(bodies)
 }
 
-/// The same by Newton's method from a place that is rounded, so that it has something to do.
-fn newton_from(chain: &Chain<Dd>, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
+/// One position by Newton's method in extended precision, from rounded places, so that it has something to do.
+fn newton_from(chain: &Chain<Dd>, input: usize, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
     let mut bodies: Vec<Body<Dd>> = truth.iter().map(rounded).collect();
-    let input = input_link(chain);
     bodies[input] = truth[input];
     for group in &chain.groups {
         place_by_newton(group.frame(), &mut bodies).ok()?;
@@ -123,25 +113,8 @@ fn newton_from(chain: &Chain<Dd>, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
     Some(bodies)
 }
 
-fn input_link(chain: &Chain<Dd>) -> usize {
-    match chain.input {
-        assur_kinematics::Input::Crank { link, .. } | assur_kinematics::Input::Slider { link, .. } => link,
-    }
-}
-
 /// The pose to single precision, without derivatives.
 fn rounded(body: &Body<Dd>) -> Body<Dd> {
     let single = |x: Dd| Dd::from_f64(f32::from_f64(x.to_f64()).to_f64());
     Body { x: single(body.x), y: single(body.y), c: single(body.c), s: single(body.s), ..Body::ground() }
-}
-
-/// All positions by the program's own numbers.
-pub(crate) fn positions(work: &Work<'_>) -> Result<Vec<Position>, ChartError> {
-    let mut all = Vec::with_capacity(work.len());
-    for q in &work.coordinates {
-        let mut position = work.linkage.position();
-        work.linkage.solve(*q, Order::Second, &mut position)?;
-        all.push(position);
-    }
-    Ok(all)
 }

@@ -21,7 +21,7 @@ pub(in crate::chart) struct References {
     how: String,
     /// Their difference.
     error: f64,
-    /// Greatest way and speed.
+    /// Greatest distance from the start and greatest speed.
     pub(super) sizes: [f64; 2],
     /// How long the motion lasts, s.
     pub(super) duration: f64,
@@ -80,7 +80,7 @@ fn tight(plugin: &'static IntegratorPlugin, task: &Task<'_>) -> Option<(&'static
     })
 }
 
-/// Greatest way from the start, and greatest speed.
+/// Greatest distance from the start, and greatest speed.
 fn sizes(found: &Trajectory) -> [f64; 2] {
     let start = found.samples.first().map_or(0.0, |sample| sample.coordinate);
     let most = |of: &dyn Fn(&Sample) -> f64| found.samples.iter().map(of).fold(0.0, f64::max);
@@ -95,7 +95,7 @@ pub(super) fn deviation(found: &Trajectory, truth: &Trajectory, sizes: [f64; 2])
     }
     let pairs = found.samples.iter().zip(&truth.samples);
     pairs.fold(0.0, |worst, (a, b)| {
-        let way = (a.coordinate - b.coordinate).abs() / sizes[0];
-        greater(worst, greater(way, (a.speed - b.speed).abs() / sizes[1]))
+        let distance = (a.coordinate - b.coordinate).abs() / sizes[0];
+        greater(worst, greater(distance, (a.speed - b.speed).abs() / sizes[1]))
     })
 }

@@ -74,6 +74,6 @@ fn change_points_are_left_out_and_told() {
     let linkage = shipped("n-four-bar-2");
     let work = Work::new(&linkage).unwrap();
     // 24 positions from 90 degrees: two of them are flat.
-    assert_eq!(work.len(), 22);
+    assert_eq!(work.coordinates.len(), 22);
     assert!(work.reference.how.contains("2 positions are left out"), "{}", work.reference.how);
 }

@@ -1,0 +1,113 @@
+//! The long fuzz run: `cargo run --release -p assur-tests --example fuzz -- FROM COUNT FOLDER`.
+//!
+//! Inputs are run in a child process, which ends itself when one of them takes too long; then another child goes on with the
+//! next. Every input of which something was found is written to the folder, with what was found as its first line, and the
+//! counts are printed at the end.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use assur_tests::fuzz::{OPEN, input, known, run};
+
+/// An input that takes longer hangs.
+const LONGEST: Duration = Duration::from_secs(10);
+
+/// Seconds of inputs that are slow, but end.
+const SLOW: f64 = 2.0;
+
+/// What may become of an input: the names of [`assur_tests::fuzz::Outcome`].
+const OUTCOMES: [&str; 5] = ["Refused", "Unsolved", "Stopped", "Solved", "CheckFailed"];
+
+/// Runs inputs and prints a line for each: its number and what became of it.
+fn child(from: u64, end: u64) -> Result<(), Box<dyn Error>> {
+    std::panic::set_hook(Box::new(|_| {}));
+    let known = known()?;
+    let now = Arc::new(Mutex::new((from, Instant::now())));
+    let watched = Arc::clone(&now);
+    std::thread::spawn(move || {
+        loop {
+            std::thread::sleep(Duration::from_millis(200));
+            let Ok(now) = watched.lock() else { continue };
+            if now.1.elapsed() > LONGEST {
+                println!("{}\thang\tmore than {} s", now.0, LONGEST.as_secs());
+                std::process::exit(3);
+            }
+        }
+    });
+    for number in from..end {
+        if let Ok(mut now) = now.lock() {
+            *now = (number, Instant::now());
+        }
+        let begun = Instant::now();
+        let (source, text) = input(number, &known);
+        let (what, detail) = match run(&text) {
+            Ok(_) if begun.elapsed().as_secs_f64() > SLOW => {
+                ("slow".to_owned(), format!("{:.1?}", begun.elapsed()))
+            }
+            Ok(outcome) => (format!("{outcome:?}"), format!("{source:?}")),
+            Err(finding) => (finding.what.to_owned(), finding.detail.escape_debug().to_string()),
+        };
+        println!("{number}\t{what}\t{detail}");
+    }
+    Ok(())
+}
+
+fn parent(from: u64, count: u64, folder: &Path) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(folder)?;
+    let known = known()?;
+    let mut counts: BTreeMap<String, u64> = BTreeMap::new();
+    let (mut next, end) = (from, from + count);
+    while next < end {
+        let arguments = ["child".to_owned(), next.to_string(), end.to_string()];
+        let mut child = Command::new(std::env::current_exe()?)
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()?;
+        let mut hangs = false;
+        for line in BufReader::new(child.stdout.take().ok_or("no output")?).lines() {
+            let line = line?;
+            let mut parts = line.splitn(3, '\t');
+            let number: u64 = parts.next().unwrap_or_default().parse()?;
+            let (what, detail) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+            hangs = what == "hang";
+            *counts.entry(what.to_owned()).or_default() += 1;
+            if !OUTCOMES.contains(&what) {
+                let text = format!("# {what}: {detail}\n{}", input(number, &known).1);
+                std::fs::write(folder.join(format!("{number}.toml")), text)?;
+            }
+            next = number + 1;
+        }
+        if !child.wait()?.success() && !hangs && next < end {
+            *counts.entry("abort".to_owned()).or_default() += 1;
+            std::fs::write(
+                folder.join(format!("{next}.toml")),
+                format!("# abort\n{}", input(next, &known).1),
+            )?;
+            next += 1;
+        }
+    }
+    for (what, count) in &counts {
+        println!("{count:>9}  {what}");
+    }
+    let allowed = |what: &str| OUTCOMES.contains(&what) || OPEN.contains(&what);
+    let findings: u64 = counts.iter().filter(|(what, _)| !allowed(what)).map(|(_, count)| count).sum();
+    if findings > 0 {
+        return Err(format!("{findings} findings, kept in {}", folder.display()).into());
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["child", from, end] => child(from.parse()?, end.parse()?),
+        [from, count, folder] => parent(from.parse()?, count.parse()?, Path::new(folder)),
+        _ => Err("usage: fuzz FROM COUNT FOLDER".into()),
+    }
+}

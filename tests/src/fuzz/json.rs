@@ -1,0 +1,80 @@
+//! JSON in which no key of an object may stand twice.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+
+/// Reads a value and keeps nothing of it.
+#[derive(Clone, Copy)]
+struct Unique;
+
+impl<'de> DeserializeSeed<'de> for Unique {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Unique {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a value without null")
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_i64<E>(self, _: i64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_f64<E>(self, _: f64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_str<E>(self, _: &str) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        while list.next_element_seed(self)?.is_some() {}
+        Ok(())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        let mut keys = BTreeSet::new();
+        while let Some(key) = map.next_key::<String>()? {
+            map.next_value_seed(self)?;
+            if let Some(twice) = keys.replace(key) {
+                return Err(A::Error::custom(format!("the key `{twice}` stands twice")));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a text is JSON without a null and without a key that stands twice in its object.
+///
+/// # Errors
+///
+/// What is wrong, and where.
+pub(super) fn check(text: &str) -> Result<(), serde_json::Error> {
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    Unique.deserialize(&mut deserializer)?;
+    deserializer.end()
+}
+
+#[test]
+fn a_key_that_stands_twice_is_found() {
+    assert!(check(r#"{"a": [1, {"b": 2.5}], "c": "x", "d": true}"#).is_ok());
+    assert!(check(r#"{"a": [{"b": 1, "c": 2, "b": 3}]}"#).unwrap_err().to_string().contains("`b`"));
+    assert!(check(r#"{"a": null}"#).is_err() && check("{}x").is_err());
+}
