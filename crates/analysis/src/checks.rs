@@ -109,9 +109,8 @@ impl Calculation {
         else {
             return rows;
         };
-        let given = |state: &State| {
-            machine.drive().torque(state.speed) - machine.drive().inertia * state.acceleration
-        };
+        let given =
+            |state: &State| machine.drive().torque(state) - machine.drive().inertia * state.acceleration;
         let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
         rows.extend(self.drive_check(given, 1e-9, reason));
         rows.extend(self.work_check(found));

@@ -3,7 +3,7 @@
 use assur_dynamics::{
     DynamicsError, Machine, Method, Steady, Transient, Watcher, equation, steady, transient,
 };
-use assur_force::{Loads, State};
+use assur_force::{Loads, Side, State};
 use assur_integrator::{
     AUTO, Candidate, Dependence, IntegrationError, Motion as _, State as IntegratorState, choose,
 };
@@ -69,7 +69,8 @@ impl InputMotion {
             Self::Prescribed | Self::Transient(_) => State::prescribed(mechanism, coordinate),
             Self::Steady(found) => {
                 let at = found.regime.state(coordinate);
-                State { coordinate, speed: at.speed, acceleration: at.acceleration, time: at.time }
+                let (speed, acceleration, time) = (at.speed, at.acceleration, at.time);
+                State { coordinate, speed, acceleration, time, side: Side::After }
             }
         }
     }

@@ -62,7 +62,7 @@ impl Balance {
         let step =
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;
         let mut found = Self { step, kinetic: Vec::new(), power: Vec::new() };
-        for &Sample { time, coordinate, speed, .. } in samples {
+        for &Sample { time, coordinate, speed, acceleration } in samples {
             let state = State { time, coordinate, speed };
             if speed == 0.0 {
                 found.kinetic.push(0.0);
@@ -72,7 +72,10 @@ impl Balance {
             motion.enter(&state).ok()?;
             let reduced = motion.reduced(&state).ok()?;
             found.kinetic.push(0.5 * reduced.inertia * speed * speed);
-            found.power.push(reduced.moment * speed);
+            // At a speed that is held the moments take on the value that holds it.
+            let held = 0.5 * reduced.inertia_derivative * speed * speed;
+            let moment = if acceleration == 0.0 { held } else { reduced.moment };
+            found.power.push(moment * speed);
         }
         Some(found)
     }

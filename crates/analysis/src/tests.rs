@@ -6,6 +6,7 @@ use assur_all as _;
 use crate::{AnalysisError, Calculation, Options, unwatched};
 
 mod forces;
+mod jumps;
 mod watched;
 
 fn text(name: &str) -> String {

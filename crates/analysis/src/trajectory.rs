@@ -1,5 +1,6 @@
 //! The motion over time: every sample of a transient motion, one cycle of a steady one.
 
+use assur_dynamics::Instant;
 use assur_force::State;
 
 use crate::progress::{Stopped, Watch, step};
@@ -24,17 +25,13 @@ pub(crate) struct WithoutForces {
 impl Calculation {
     /// The states that a trajectory goes through, in order of time; empty with a prescribed motion.
     pub(crate) fn states(&self) -> Vec<State> {
+        self.instants().into_iter().map(|instant| instant.state).collect()
+    }
+
+    fn instants(&self) -> Vec<Instant> {
         match &self.motion {
             InputMotion::Prescribed => Vec::new(),
-            InputMotion::Transient(found) => {
-                let each = found.trajectory.samples.iter().map(|sample| State {
-                    coordinate: sample.coordinate,
-                    speed: sample.speed,
-                    acceleration: sample.acceleration,
-                    time: sample.time,
-                });
-                each.collect()
-            }
+            InputMotion::Transient(found) => found.instants.clone(),
             InputMotion::Steady(found) => {
                 let input = &self.linkage.mechanism.input;
                 let cycle = input.sign() * input.period().unwrap_or(0.0);
@@ -42,7 +39,8 @@ impl Calculation {
                 let each = (0..=INTERVALS).map(|i| {
                     let state = self.state(input.from + cycle * (f64::from(i) / f64::from(INTERVALS)));
                     // The end of the cycle is its start, one cycle later.
-                    if i == INTERVALS { State { time: end, ..state } } else { state }
+                    let time = if i == INTERVALS { end } else { state.time };
+                    Instant { state: State { time, ..state }, holding: None }
                 });
                 each.collect()
             }
@@ -57,9 +55,9 @@ impl Calculation {
         let mut reader = Reader::new(self);
         let transient = matches!(self.motion, InputMotion::Transient(_));
         let (mut samples, mut without) = (Vec::new(), WithoutForces::default());
-        let states = self.states();
-        let total = states.len();
-        for (done, state) in states.into_iter().enumerate() {
+        let instants = self.instants();
+        let total = instants.len();
+        for (done, Instant { state, holding }) in instants.into_iter().enumerate() {
             step(watch, Progress::Samples { done, total })?;
             if reader.solve(state.coordinate).is_err() {
                 continue;
@@ -69,6 +67,7 @@ impl Calculation {
                 coordinate: state.coordinate,
                 speed: state.speed,
                 acceleration: state.acceleration,
+                holding,
                 ..MotionSample::default()
             };
             if transient {

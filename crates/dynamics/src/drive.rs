@@ -1,7 +1,10 @@
 //! The drive of the input link, reduced to it: torque, flywheel and rotor; and a machine with its drive as an equation of motion.
 
+use assur_force::{Side, beside};
 use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
 use assur_motor::Characteristic;
+
+use crate::Machine;
 
 /// Source of the driving torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,10 +75,19 @@ impl InputDrive {
         }
     }
 
-    /// Moment of the drive on the input link, N m, along the coordinate, at a speed of the coordinate, rad/s.
-    pub fn torque(&self, speed: f64) -> f64 {
-        let v = self.sense * speed;
-        self.sense * self.moment(self.branch(v).factor, v).value
+    /// Moment of the drive on the input link, N m, along the coordinate, by the formulas on the side of a state.
+    pub fn torque(&self, state: &assur_force::State) -> f64 {
+        let above_or_below = |side: f64| {
+            let v = self.sense * state.speed;
+            let factor = self.branch(self.sense * beside(state.speed, side)).factor;
+            self.sense * self.moment(factor, v).value
+        };
+        let leads = if state.acceleration < 0.0 { -1.0 } else { 1.0 };
+        match state.side {
+            Side::Held { upper } => (1.0 - upper) * above_or_below(-1.0) + upper * above_or_below(1.0),
+            Side::Before => above_or_below(-leads),
+            Side::After | Side::Prescribed => above_or_below(leads),
+        }
     }
 
     /// Moment on the input link at the speed `v` by the formula of the branch with this factor, continued beyond the branch.
@@ -118,6 +130,14 @@ impl<M: Motion> Driven<M> {
     /// The drive.
     pub fn drive(&self) -> &InputDrive {
         &self.drive
+    }
+}
+
+impl Driven<Machine<'_>> {
+    /// Chooses the formulas of loads and drive on the side of a state that lies on no bound of the speed.
+    pub(crate) fn enter_side(&mut self, state: &assur_force::State) {
+        self.machine.enter_side(state);
+        self.factor = self.drive.branch(self.drive.sense * state.speed).factor;
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod drive;
 mod error;
+mod instant;
 mod machine;
 mod motor;
 mod point;
@@ -20,6 +21,7 @@ mod watched;
 
 pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
+pub use instant::{Holding, Instant};
 pub use machine::Machine;
 pub use motor::{DriveMotor, SteadyMotor};
 pub use point::ReductionPoint;

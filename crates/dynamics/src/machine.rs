@@ -32,6 +32,11 @@ impl<'a> Machine<'a> {
         Ok(self.loads.potential_energy(&self.position.bodies))
     }
 
+    /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
+    pub(crate) fn enter_side(&mut self, state: &assur_force::State) -> Piece {
+        self.loads.enter(state, &mut self.phase)
+    }
+
     #[inline]
     fn solve(&mut self, coordinate: f64) -> Result<(), MotionError> {
         // The second derivatives are for dJ/dq alone.
@@ -42,13 +47,8 @@ impl<'a> Machine<'a> {
 
 /// The state as the loads see it.
 #[inline]
-pub(crate) fn load_state(state: &State) -> assur_force::State {
-    assur_force::State {
-        coordinate: state.coordinate,
-        speed: state.speed,
-        acceleration: 0.0,
-        time: state.time,
-    }
+pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::State {
+    assur_force::State { time, coordinate, speed, ..assur_force::State::default() }
 }
 
 impl Motion for Machine<'_> {
@@ -57,7 +57,7 @@ impl Motion for Machine<'_> {
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        Ok(self.loads.enter(&load_state(state), &mut self.phase))
+        Ok(self.enter_side(&load_state(state)))
     }
 
     #[inline]

@@ -6,6 +6,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
 
 use crate::drive::{Driven, InputDrive, Source};
+use crate::instant::Instant;
 use crate::motor::DriveMotor;
 use crate::watched::{Watched, Watcher};
 use crate::{DynamicsError, Machine};
@@ -21,6 +22,8 @@ pub struct Transient {
     pub reason: String,
     /// What J and Q depend on, the drive included.
     pub dependence: Dependence,
+    /// The samples with everything that acts in them.
+    pub instants: Vec<Instant>,
     /// Energies over the samples.
     pub energy: EnergyBalance,
 }
@@ -72,8 +75,15 @@ pub fn transient(
     let mut watched = Watched { motion: &mut motion, watcher };
     let found = assur_integrator::solve(method.integrator.unwrap_or(named), &mut watched, &request)?;
     let Solution { trajectory, integrator, reason } = found;
+    let last = trajectory.samples.len().saturating_sub(1);
+    let completed = trajectory.samples.iter().enumerate().map(|(index, sample)| {
+        let coordinate = sample.coordinate;
+        let instant = motion.instant(sample, index == last);
+        instant.map_err(|source| DynamicsError::Equation { coordinate, source })
+    });
+    let instants = completed.collect::<Result<_, _>>()?;
     let energy = balance(&mut motion, &trajectory, is_conservative(mechanism))?;
-    Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, energy })
+    Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, instants, energy })
 }
 
 /// The equation of motion of a scene with its drive, for a motion in time. `ratio` and `flywheel` must be given.

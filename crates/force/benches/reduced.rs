@@ -1,7 +1,7 @@
 //! Reduction to the input link, what it takes beyond the position; and compiling loads with a stroke.
 
 use assur_all as _;
-use assur_force::{Loads, State};
+use assur_force::{Loads, Side, State};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use divan::{Bencher, black_box};
@@ -20,7 +20,8 @@ fn compiled(name: &str) -> (Linkage, Loads) {
     (linkage, loads)
 }
 
-const STATE: State = State { coordinate: 0.3, speed: 2.0, acceleration: 0.0, time: 0.1 };
+const STATE: State =
+    State { coordinate: 0.3, speed: 2.0, acceleration: 0.0, time: 0.1, side: Side::Prescribed };
 
 #[divan::bench(args = SCENES)]
 fn live(bencher: Bencher, name: &str) {

@@ -23,8 +23,9 @@ pub(crate) struct Interval {
 /// Differences of the coordinate below this part of it (or of the cycle) are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// How far a place may lie from a break and still be meant to lie on it.
-pub(crate) fn tolerance(coordinate: f64, period: Option<f64>) -> f64 {
+/// How far a coordinate (or a time) may lie from a place where a formula changes and still be meant to lie on it: rounding. `period`:
+/// length of a cycle of the coordinate, if it has one.
+pub fn tolerance(coordinate: f64, period: Option<f64>) -> f64 {
     ROUNDING * coordinate.abs().max(period.unwrap_or(1.0))
 }
 

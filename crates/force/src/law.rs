@@ -4,8 +4,9 @@ use assur_integrator::Piece;
 use assur_mechanism::Table;
 
 use crate::State;
-use crate::breaks::{Breaks, tolerance};
+use crate::breaks::Breaks;
 use crate::stroke::{Segment, Stroke};
+use crate::visit::Selection;
 
 /// The law of one load.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,30 +59,29 @@ impl Law {
         }
     }
 
-    /// The formula that holds at a state; at a jump the one after it.
+    /// The formula that holds on a side of a state.
     #[inline]
-    pub(crate) fn at(&self, state: &State, sense: f64, period: Option<f64>) -> Active {
+    pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
         match self {
             Self::Constant(_) => Active::ONLY,
-            Self::Coordinate(table, breaks) => {
-                // A position that should lie on a row may miss it by rounding.
-                let ahead = state.coordinate + tolerance(state.coordinate, period);
-                on_coordinate(table, breaks, ahead).0
-            }
-            Self::Speed(table) => Active::segment(table.segment(state.speed), 0.0),
-            Self::Time(table) => {
-                Active::segment(table.segment(state.time + tolerance(state.time, None)), 0.0)
-            }
+            Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)).0,
+            Self::Speed(table) => Active::segment(table.segment(side.speed(state)), 0.0),
+            Self::Time(table) => Active::segment(table.segment(side.time(state)), 0.0),
             Self::Stroke(stroke) => {
-                let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
-                Active { piece: stroke.piece(ahead, sense).0, shift: 0.0 }
+                Active { piece: stroke.piece(side.coordinate(state, period), side.sense).0, shift: 0.0 }
             }
         }
     }
 
-    /// The formula that holds just ahead of a state, and the box in which it is smooth cut into `bounds`.
-    pub(crate) fn enter(&self, state: &State, sense: f64, period: Option<f64>, bounds: &mut Piece) -> Active {
-        let ahead = state.coordinate + sense * tolerance(state.coordinate, period);
+    /// The formula that holds on a side of a state, and the box in which it is smooth cut into `bounds`.
+    pub(crate) fn enter(
+        &self,
+        state: &State,
+        side: &Selection,
+        period: Option<f64>,
+        bounds: &mut Piece,
+    ) -> Active {
+        let ahead = side.coordinate(state, period);
         match self {
             Self::Constant(_) => Active::ONLY,
             Self::Coordinate(table, breaks) => {
@@ -90,17 +90,17 @@ impl Law {
                 active
             }
             Self::Speed(table) => {
-                let segment = table.segment(state.speed);
+                let segment = table.segment(side.speed(state));
                 cut(&mut bounds.speed, segment_ends(table, segment));
                 Active::segment(segment, 0.0)
             }
             Self::Time(table) => {
-                let segment = table.segment(state.time + tolerance(state.time, None));
+                let segment = table.segment(side.time(state));
                 cut(&mut bounds.time, segment_ends(table, segment));
                 Active::segment(segment, 0.0)
             }
             Self::Stroke(stroke) => {
-                let (piece, ends) = stroke.piece(ahead, sense);
+                let (piece, ends) = stroke.piece(ahead, side.sense);
                 cut(&mut bounds.coordinate, ends);
                 Active { piece, shift: 0.0 }
             }

@@ -32,6 +32,7 @@ mod wrenches;
 pub use analyzer::{ForceAnalyzer, ForceError};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
+pub use breaks::tolerance;
 pub use construction::{Construction, Drawing, Step, StepKind};
 pub use error::LoadError;
 pub use group_by_group::group_by_group;
@@ -40,7 +41,7 @@ pub use named::{JointReaction, joint_reactions};
 pub use phase::Phase;
 pub use reactions::{Reactions, UnitBalance, power};
 pub use registry::{AnalyzerPlugin, analyzers, applicable, choose, find};
-pub use state::State;
+pub use state::{Side, State, beside};
 
 pub use inventory;
 

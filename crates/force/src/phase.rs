@@ -3,9 +3,9 @@
 use assur_integrator::Piece;
 
 use crate::State;
-use crate::breaks::tolerance;
 use crate::law::{Active, cut};
 use crate::loads::{Along, Loads};
+use crate::visit::Selections;
 
 /// Which formula of each load holds: segments of tables, strokes and their direction, contacts, turns of the loads against
 /// the motion. Made by [`Loads::phase`], set by [`Loads::enter`].
@@ -31,19 +31,22 @@ impl Loads {
         }
     }
 
-    /// Chooses the formulas that hold just after `state` in the direction of motion, and returns the box in which they do.
+    /// Chooses the formulas that hold on the side of `state` (of a held one, above its speed), and returns the box in which they
+    /// do.
     ///
-    /// The direction along the coordinate is the sign of the speed; of a speed that is exactly zero, the sense of the input.
-    /// At a row of a table over the speed the segment is that of the speed itself (from the row up), whatever the
-    /// acceleration: ask with a speed beside the row to get the other one. Allocates nothing.
+    /// The direction along the coordinate is the sign of the speed; of a speed that is exactly zero, that in which the
+    /// acceleration leads, else the sense of the input. At a row of a table over the speed the segment is that to which the
+    /// acceleration leads, else from the row up: ask with a speed beside the row to get the other one. Allocates nothing.
     pub fn enter(&self, state: &State, phase: &mut Phase) -> Piece {
+        let side = match self.selections(state) {
+            Selections::One(side) | Selections::Held([_, (_, side)]) => side,
+        };
         let mut bounds = Piece::UNBOUNDED;
-        let sense = self.sense_of(state);
-        phase.sense = sense;
+        phase.sense = side.sense;
         for (law, active) in self.laws.iter().zip(&mut phase.actives) {
-            *active = law.enter(state, sense, self.period, &mut bounds);
+            *active = law.enter(state, &side, self.period, &mut bounds);
         }
-        let ahead = state.coordinate + sense * tolerance(state.coordinate, self.period);
+        let ahead = side.coordinate(state, self.period);
         for (force, side) in self.forces.iter().zip(&mut phase.sides) {
             *side = force.rests.interval(ahead).ends;
             cut(&mut bounds.coordinate, *side);
@@ -54,7 +57,7 @@ impl Loads {
             cut(&mut bounds.coordinate, interval.ends);
         }
         if self.turns_with_speed() {
-            let side = if sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
+            let side = if phase.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
             cut(&mut bounds.speed, side);
         }
         bounds

@@ -4,7 +4,7 @@ use assur_group::Body;
 use assur_integrator::Reduced;
 
 use crate::loads::Loads;
-use crate::visit::{Choice, Live, Sink};
+use crate::visit::{Choice, Selections, Sink};
 use crate::{Phase, State};
 
 /// Adds up the virtual power of loads.
@@ -31,7 +31,13 @@ impl Loads {
     /// by structure ([`Mechanism::has_constant_reduced_inertia`](assur_mechanism::Mechanism::has_constant_reduced_inertia)),
     /// its derivative is exactly zero and is not computed.
     pub fn reduced(&self, state: &State, bodies: &[Body<f64>]) -> Reduced {
-        self.reduce(&Live, state, bodies)
+        match self.selections(state) {
+            Selections::One(selection) => self.reduce(&selection, state, bodies),
+            Selections::Held([(below, lower), (above, upper)]) => {
+                let [low, high] = [lower, upper].map(|selection| self.reduce(&selection, state, bodies));
+                Reduced { moment: below * low.moment + above * high.moment, ..low }
+            }
+        }
     }
 
     /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond its

@@ -13,6 +13,34 @@ pub struct State {
     pub acceleration: f64,
     /// Time, s.
     pub time: f64,
+    /// Which formulas hold where the state lies on a jump.
+    pub side: Side,
+}
+
+/// Which formulas of the loads hold at a state that lies on a jump. All loads follow one rule, and the acceleration of the state
+/// is that of the same side.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Side {
+    /// A position of a prescribed motion, or of none: the formulas after the jump in the direction of motion. Both ends of a
+    /// contact belong to it.
+    #[default]
+    Prescribed,
+    /// Just after the state in the direction of motion.
+    After,
+    /// Just before the state: the end of a motion.
+    Before,
+    /// The motion is held at its speed, which the formulas of either side would bring it back to: at rest by dry friction, at a
+    /// speed by a jump of a table. What jumps takes on the value that holds it.
+    Held {
+        /// Share of the formulas just above the speed, 0 to 1; the rest is of those just below.
+        upper: f64,
+    },
+}
+
+/// The nearest speed that counts as above (side 1) or below (-1) a row of a table, or rest.
+#[inline]
+pub fn beside(speed: f64, side: f64) -> f64 {
+    speed + side * (2.0 * f64::EPSILON * speed.abs()).max(f64::MIN_POSITIVE)
 }
 
 impl State {
@@ -24,7 +52,7 @@ impl State {
             Some(Motion::Prescribed { speed, acceleration }) => {
                 let moved = coordinate - mechanism.input.from;
                 let time = if speed == 0.0 { 0.0 } else { moved / speed };
-                Self { coordinate, speed, acceleration, time }
+                Self { coordinate, speed, acceleration, time, side: Side::Prescribed }
             }
             _ => Self { coordinate, ..Self::default() },
         }

@@ -2,8 +2,10 @@
 
 use assur_group::Body;
 
+use crate::breaks::tolerance;
 use crate::law::Active;
 use crate::loads::{Along, ArcContact, Cause, Loads, PointForce, SpringDamper};
+use crate::state::{Side, beside};
 use crate::{Phase, State};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
@@ -27,26 +29,83 @@ pub(crate) trait Choice {
     fn against(&self, loads: &Loads, force: usize, state: &State, pf: [[f64; 2]; 2]) -> f64;
 }
 
-/// Chooses by the state itself.
-pub(crate) struct Live;
+/// The formulas of one side of a state.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Selection {
+    /// Sense of the motion, 1 or -1.
+    pub(crate) sense: f64,
+    /// 1: just after the state in the direction of motion; -1: just before.
+    pub(crate) ahead: f64,
+    /// Side of the speed: 1 above, -1 below, 0 as the tables have it.
+    pub(crate) speed_side: f64,
+    /// The input moves, so that a force against the motion has a direction.
+    moves: bool,
+    /// Both ends of a contact belong to it.
+    closed: bool,
+}
 
-impl Choice for Live {
+impl Selection {
+    /// The coordinate from which the formulas of a law are taken.
+    #[inline]
+    pub(crate) fn coordinate(&self, state: &State, period: Option<f64>) -> f64 {
+        // A position that should lie on a row may miss it by rounding.
+        state.coordinate + self.ahead * self.sense * tolerance(state.coordinate, period)
+    }
+
+    /// The time from which the formulas of a law are taken.
+    #[inline]
+    pub(crate) fn time(&self, state: &State) -> f64 {
+        state.time + self.ahead * tolerance(state.time, None)
+    }
+
+    /// The speed from which the formulas of a law are taken.
+    #[inline]
+    pub(crate) fn speed(&self, state: &State) -> f64 {
+        if self.speed_side == 0.0 { state.speed } else { beside(state.speed, self.speed_side) }
+    }
+}
+
+/// The formulas that hold at a state.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Selections {
+    /// Of one side.
+    One(Selection),
+    /// Of both sides, with their shares.
+    Held([(f64, Selection); 2]),
+}
+
+impl Selections {
+    /// Each with its share.
+    #[inline]
+    pub(crate) fn shares(&self) -> impl Iterator<Item = (f64, Selection)> {
+        let (one, held) = match self {
+            Self::One(selection) => (Some((1.0, *selection)), None),
+            Self::Held(both) => (None, Some(*both)),
+        };
+        one.into_iter().chain(held.into_iter().flatten())
+    }
+}
+
+impl Choice for Selection {
     #[inline]
     fn active(&self, loads: &Loads, law: usize, state: &State) -> Active {
-        loads.laws[law].at(state, loads.sense_of(state), loads.period)
+        loads.laws[law].at(state, self, loads.period)
     }
 
     #[inline]
     fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool {
-        loads.contacts[contact].touches(state.coordinate, loads.period)
+        let contact = &loads.contacts[contact];
+        let ahead = self.coordinate(state, loads.period);
+        let behind = 2.0 * state.coordinate - ahead;
+        contact.touches(ahead) || (self.closed && contact.touches(behind))
     }
 
     #[inline]
-    fn against(&self, loads: &Loads, _force: usize, state: &State, [first, second]: [[f64; 2]; 2]) -> f64 {
+    fn against(&self, loads: &Loads, _force: usize, _state: &State, [first, second]: [[f64; 2]; 2]) -> f64 {
         /// A rest nearer than this, in the coordinate, is one: the difference is rounding.
         const AT_REST: f64 = 1e-12;
         let (v, a) = (first[0].hypot(first[1]), second[0].hypot(second[1]));
-        if state.speed == 0.0 || v <= loads.standing.max(AT_REST * a) { 0.0 } else { -state.speed.signum() }
+        if !self.moves || v <= loads.standing.max(AT_REST * a) { 0.0 } else { -self.sense }
     }
 }
 
@@ -71,10 +130,36 @@ impl Choice for Phase {
 }
 
 impl Loads {
-    /// Sense of the motion: of the speed, else of the input.
+    /// The formulas that hold at a state, with their shares: those of one side, or both where the motion is held.
     #[inline]
-    pub(crate) fn sense_of(&self, state: &State) -> f64 {
-        if state.speed == 0.0 { self.sense } else { state.speed.signum() }
+    pub(crate) fn selections(&self, state: &State) -> Selections {
+        let (speed, acceleration) = (state.speed, state.acceleration);
+        let sign = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };
+        let one = |ahead: f64| Selection {
+            sense: [speed, ahead * acceleration, self.sense]
+                .into_iter()
+                .map(sign)
+                .find(|s| *s != 0.0)
+                .unwrap_or(1.0),
+            ahead,
+            speed_side: ahead * sign(acceleration),
+            moves: speed != 0.0 || acceleration != 0.0,
+            closed: false,
+        };
+        let held = |side: f64| Selection {
+            sense: if speed == 0.0 { side } else { speed.signum() },
+            speed_side: side,
+            moves: true,
+            ..one(1.0)
+        };
+        match state.side {
+            Side::After => Selections::One(one(1.0)),
+            Side::Before => Selections::One(one(-1.0)),
+            Side::Held { upper } => Selections::Held([(1.0 - upper, held(-1.0)), (upper, held(1.0))]),
+            Side::Prescribed => {
+                Selections::One(Selection { speed_side: 0.0, moves: speed != 0.0, closed: true, ..one(1.0) })
+            }
+        }
     }
 
     /// All applied loads except weights.
@@ -192,12 +277,9 @@ impl SpringDamper {
 }
 
 impl ArcContact {
-    /// Whether there is contact at a coordinate; both ends of the interval belong to it.
+    /// Whether there is contact at a coordinate.
     #[inline]
-    pub(crate) fn touches(&self, coordinate: f64, period: Option<f64>) -> bool {
-        let rounding = crate::breaks::tolerance(coordinate, period);
-        [coordinate + rounding, coordinate - rounding]
-            .iter()
-            .any(|q| self.breaks.interval(*q).index == self.touching)
+    fn touches(&self, coordinate: f64) -> bool {
+        self.breaks.interval(coordinate).index == self.touching
     }
 }

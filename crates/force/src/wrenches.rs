@@ -4,33 +4,41 @@ use assur_group::{Body, Wrench};
 
 use crate::State;
 use crate::loads::{Cause, Loads};
-use crate::visit::{Live, Sink};
+use crate::visit::Sink;
 
 /// Adds up loads about the origins of the bodies.
-struct Sum<'a>(&'a mut [Wrench<f64>]);
+struct Sum<'a> {
+    wrenches: &'a mut [Wrench<f64>],
+    /// By what each load counts.
+    share: f64,
+}
 
 impl Sink for Sum<'_> {
     #[inline]
     fn force(&mut self, link: usize, _body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
-        self.0[link].add_at(arm, force, 0.0);
+        self.wrenches[link].add_at(arm, force.map(|f| self.share * f), 0.0);
     }
 
     #[inline]
     fn moment(&mut self, link: usize, _body: &Body<f64>, moment: f64) {
-        self.0[link].m += moment;
+        self.wrenches[link].m += self.share * moment;
     }
 }
 
 /// Hands on each load with what causes it.
 struct Each<'a> {
     cause: Option<Cause>,
+    /// By what each load counts.
+    share: f64,
     hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<f64>),
 }
 
 impl Each<'_> {
     fn give(&mut self, link: usize, wrench: Wrench<f64>) {
         if let Some(cause) = self.cause {
-            (self.hand_on)(cause, link, wrench);
+            let Wrench { fx, fy, m } = wrench;
+            let share = self.share;
+            (self.hand_on)(cause, link, Wrench { fx: share * fx, fy: share * fy, m: share * m });
         }
     }
 }
@@ -57,14 +65,17 @@ impl Loads {
     /// What acts on the ground is there only where a spring is fixed to it.
     pub fn apply(&self, state: &State, bodies: &[Body<f64>], wrenches: &mut [Wrench<f64>]) {
         wrenches.fill(Wrench::ZERO);
-        let mut sum = Sum(wrenches);
+        let mut sum = Sum { wrenches, share: 1.0 };
         self.weights(bodies, &mut sum);
-        self.visit(&Live, state, bodies, &mut sum);
+        for (share, selection) in self.selections(state).shares() {
+            sum.share = share;
+            self.visit(&selection, state, bodies, &mut sum);
+        }
     }
 
     /// Adds the inertia loads -m a, -I e of the links to wrenches about the origins of their frames.
     pub fn inertia(&self, state: &State, bodies: &[Body<f64>], wrenches: &mut [Wrench<f64>]) {
-        self.inertia_to(state, bodies, &mut Sum(wrenches));
+        self.inertia_to(state, bodies, &mut Sum { wrenches, share: 1.0 });
     }
 
     /// All loads, weights and inertia loads of a state: one wrench for each link, about the origin of its frame.
@@ -76,16 +87,20 @@ impl Loads {
     }
 
     /// Each load apart: what causes it, its link, and its wrench about the origin of the link's frame. A cause comes once for
-    /// every link that it loads (a spring twice); inertia loads come last.
+    /// every link that it loads (a spring twice), or with two shares where the motion is held; inertia loads come last.
     pub fn by_cause(
         &self,
         state: &State,
         bodies: &[Body<f64>],
         hand_on: &mut dyn FnMut(Cause, usize, Wrench<f64>),
     ) {
-        let mut each = Each { cause: None, hand_on };
+        let mut each = Each { cause: None, share: 1.0, hand_on };
         self.weights(bodies, &mut each);
-        self.visit(&Live, state, bodies, &mut each);
+        for (share, selection) in self.selections(state).shares() {
+            each.share = share;
+            self.visit(&selection, state, bodies, &mut each);
+        }
+        each.share = 1.0;
         self.inertia_to(state, bodies, &mut each);
     }
 

@@ -106,6 +106,14 @@ pub struct Sample {
     pub acceleration: f64,
 }
 
+impl Sample {
+    /// The state of the sample.
+    pub fn state(&self) -> State {
+        let Self { time, coordinate, speed, .. } = *self;
+        State { time, coordinate, speed }
+    }
+}
+
 impl From<Node> for Sample {
     fn from(Node { state: State { time, coordinate, speed }, acceleration }: Node) -> Self {
         Self { time, coordinate, speed, acceleration }

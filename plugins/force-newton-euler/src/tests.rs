@@ -67,7 +67,7 @@ fn both(linkage: &Linkage, q: f64) -> Option<([Reactions; 2], Vec<Wrench<f64>>, 
     if position.health.iter().any(|health| health.abs() < 0.05) {
         return None;
     }
-    let state = State { coordinate: q, speed: 6.0, acceleration: -9.0, time: 0.0 };
+    let state = State { coordinate: q, speed: 6.0, acceleration: -9.0, ..State::default() };
     let mut all = vec![Wrench::ZERO; linkage.structure.links];
     loads.apply(&state, &position.bodies, &mut all);
     loads.inertia(&state, &position.bodies, &mut all);

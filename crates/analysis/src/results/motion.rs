@@ -1,5 +1,6 @@
 //! A motion over time, and how it was found.
 
+use assur_dynamics::Holding;
 use assur_integrator::{Event, State, Statistics};
 use assur_kinematics::ScalarMotion;
 use serde::Serialize;
@@ -37,6 +38,9 @@ pub struct MotionSample {
     /// The moment (N m) or force (N) that the drive must apply.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balancing: Option<f64>,
+    /// What holds the motion at rest or at its speed, where anything does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub holding: Option<Holding>,
 }
 
 /// Where a point is.

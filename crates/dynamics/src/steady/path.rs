@@ -1,5 +1,6 @@
 //! The machine along one cycle: coefficients of its equation over the path coordinate x.
 
+use assur_force::tolerance;
 use assur_integrator::{Motion, MotionError, Piece, State};
 
 use super::collocation::{RULE, S, Values};
@@ -71,6 +72,15 @@ impl Cycle {
     pub(crate) fn path_coordinate(&self, coordinate: f64) -> f64 {
         let x = (self.sense * (coordinate - self.start)).rem_euclid(self.length);
         if x < self.length { x } else { 0.0 }
+    }
+
+    /// The path coordinates of a coordinate and of the place just after it in the direction of motion, beyond rounding. The first
+    /// may lie a rounding before 0, never after the second.
+    pub(crate) fn place(&self, coordinate: f64) -> [f64; 2] {
+        let beyond = tolerance(coordinate, Some(self.length));
+        let after = self.path_coordinate(coordinate + self.sense * beyond);
+        let x = self.path_coordinate(coordinate);
+        [if x > after { x - self.length } else { x }, after]
     }
 }
 

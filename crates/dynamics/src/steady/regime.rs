@@ -119,9 +119,10 @@ impl Regime {
         self.solution.setup.drive
     }
 
-    /// Time, speed, acceleration, moments and inertia at a coordinate, from the polynomials of the solution.
+    /// Time, speed, acceleration, moments and inertia at a coordinate, from the polynomials of the solution; at a jump of a load,
+    /// those just after it in the direction of motion.
     pub fn state(&self, coordinate: f64) -> RegimeState {
-        self.solution.state(&self.times, self.solution.cycle.path_coordinate(coordinate))
+        self.solution.state(&self.times, coordinate)
     }
 
     /// Speed in the first cycle from the mean speed (S fig. 9) at the coordinate, rad/s, signed; `None` if the machine stalls

@@ -157,9 +157,10 @@ impl CycleSolution {
         (times, now)
     }
 
-    /// Time, speed, acceleration, moments and inertia at a path coordinate; `times` are those of [`times`](Self::times).
-    pub(crate) fn state(&self, times: &[Values], x: f64) -> RegimeState {
-        let index = self.index(x);
+    /// Time, speed, acceleration, moments and inertia at a coordinate, at a jump just after it; `times` are those of [`times`](Self::times).
+    pub(crate) fn state(&self, times: &[Values], coordinate: f64) -> RegimeState {
+        let [x, after] = self.cycle.place(coordinate);
+        let index = self.index(after);
         let (Some(segment), Some(times)) = (self.segments.get(index), times.get(index)) else {
             return RegimeState::default();
         };

@@ -43,7 +43,7 @@ fn inertia_of_a_turning_link() {
 fn inertia_loads_are_against_the_acceleration() {
     let (linkage, loads) = compiled(&arm(""));
     let mut wrenches = vec![Wrench::ZERO; 2];
-    let state = State { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0 };
+    let state = State { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0, ..State::default() };
     loads.inertia(&state, &bodies(&linkage, FRAC_PI_2), &mut wrenches);
     // Upright: a = (-0.25 * 4, -0.25 * 9); about O: -J e.
     near(wrenches[1].fx, 2.0, 1.0);
@@ -160,7 +160,7 @@ fn tables_over_speed_and_time() {
 #[test]
 fn causes_add_up_to_all_loads() {
     let (linkage, loads) = compiled(&super::fixture("stephenson3"));
-    let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0 };
+    let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0, ..State::default() };
     let bodies = bodies(&linkage, 1.0);
     let mut all = vec![Wrench::ZERO; bodies.len()];
     loads.apply(&state, &bodies, &mut all);

@@ -64,7 +64,7 @@ fn power_of_all_loads_is_the_equation_of_motion() {
         let (linkage, loads) = compiled(&fixture(name));
         for i in 0..12 {
             let q = linkage.mechanism.input.coordinate(i);
-            let state = State { coordinate: q, speed: 7.0, acceleration: -11.0, time: 0.0 };
+            let state = State { coordinate: q, speed: 7.0, acceleration: -11.0, ..State::default() };
             let bodies = bodies(&linkage, q);
             let mut all = vec![Wrench::ZERO; bodies.len()];
             loads.apply(&state, &bodies, &mut all);

@@ -91,6 +91,27 @@ fn samples(source: &Source<'_>, page: &mut Page) {
     let (some, all) = (rows().count(), all.len());
     let part = if some < all { format!(" ({some} of {all} samples)") } else { String::new() };
     page.table(&format!("Course{part}"), &[time], vec![columns]);
+    holding(source, page);
+}
+
+/// What holds the motion at rest or at its speed, from the first sample of each stretch on.
+fn holding(source: &Source<'_>, page: &mut Page) {
+    let (moment, rate) = (source.units.reduced[2], source.units.rates[0]);
+    let all = &source.analysis.trajectory;
+    let before = std::iter::once(None).chain(all.iter().map(|sample| sample.holding));
+    for (sample, before) in all.iter().zip(before) {
+        let (Some(held), None) = (sample.holding, before) else { continue };
+        page.paragraph(&format!(
+            "Held at {} {} from {} s at the latest: what resists the motion takes on {} {} on the input, of {} {} at most",
+            single(sample.speed * rate.factor),
+            rate.name,
+            single(sample.time),
+            single(held.moment * moment.factor),
+            moment.name,
+            single(held.bound * moment.factor),
+            moment.name
+        ));
+    }
 }
 
 fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
