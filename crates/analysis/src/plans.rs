@@ -145,11 +145,17 @@ impl Calculation {
             return Named::default();
         };
         let state_at = |coordinate: f64| self.state(coordinate);
+        let least = LEAST_FORCE * sizes(positions, |_| true);
+        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.as_str();
         let slides = self.plan.wanted.reactions.iter().filter_map(|pair| match pair {
             PairId::Slide(slide) => Some(*slide),
             PairId::Pin(_) => None,
         });
-        let least = LEAST_FORCE * sizes(positions, |_| true);
+        let slides: Vec<usize> =
+            slides.filter(|slide| sizes(positions, |pair| pair == name(*slide)) > least).collect();
+        if slides.is_empty() {
+            return Named::default();
+        }
         let solver = Solver {
             linkage: &self.linkage,
             loads,
@@ -157,16 +163,8 @@ impl Calculation {
             order: self.plan.order,
             carrying: &self.plan.groups_carrying,
         };
-        slides
-            .filter_map(|slide| {
-                let name = self.linkage.mechanism.slides[slide].name.as_str();
-                if sizes(positions, |pair| pair == name) <= least {
-                    return None;
-                }
-                let changes = sign_changes(&solver, slide, &state_at);
-                changes.ok().map(|changes| (Arc::from(name), changes))
-            })
-            .collect()
+        let changes = sign_changes(&solver, &slides, &state_at).unwrap_or_default();
+        slides.into_iter().map(|slide| Arc::from(name(slide))).zip(changes).collect()
     }
 }
 

@@ -13,6 +13,13 @@ use crate::DiagramError;
 const ROUNDING: f64 = 1e-12;
 /// Halvings of a step: to rounding.
 const HALVINGS: usize = 60;
+/// Least number of coordinates over the range of the input at which the forces are looked at, however few positions are
+/// asked for.
+const SAMPLES: f64 = 180.0;
+/// Part of the range of the input by which a jump of a load is passed on both sides.
+const BESIDE: f64 = 1e-9;
+/// Golden sections of a search for the least force between three samples: to 1e-8 of their distance.
+const SECTIONS: usize = 40;
 
 /// A change of sign of a guide's force.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -21,9 +28,10 @@ pub struct SignChange {
     pub coordinate: f64,
     /// Number of the position before it.
     pub after_index: usize,
-    /// Force across the guide in the position before it, N, positive to the left of the guide's direction.
+    /// Force across the guide in the position before it, N, positive to the left of the guide's direction; where it is zero
+    /// there, in the last position before that it is not.
     pub before: f64,
-    /// Force in the position after it, N.
+    /// Force in the position after it, N; where it is zero there, in the next that it is not.
     pub after: f64,
     /// Whether the force jumps through zero instead of passing it.
     pub jump: bool,
@@ -44,53 +52,171 @@ pub struct Solver<'a> {
     pub carrying: &'a [bool],
 }
 
-/// Where the force of a slide on its sliding link (L: the reaction at B) changes its sign between the positions of the scene.
+/// Where the force of each slide on its sliding link (L: the reaction at B) changes its sign, by slide.
 ///
-/// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Two changes between
-/// neighboring positions are not seen. Over a whole cycle the step from the last position to the first is looked at too.
+/// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Between the positions
+/// of the scene the forces are followed in steps of 1/180 of the range at most, on both sides of each jump of a load, and into
+/// each dip that may reach zero; so the changes do not depend on the number of positions. Over a whole cycle the step from the
+/// last position to the first is looked at too.
 ///
 /// # Errors
 ///
 /// [`DiagramError`] where there is no position or no reaction at a coordinate.
 pub fn sign_changes(
     solver: &Solver<'_>,
-    slide: usize,
+    slides: &[usize],
     state_at: &dyn Fn(f64) -> State,
-) -> Result<Vec<SignChange>, DiagramError> {
-    let linkage = solver.linkage;
-    let input = &linkage.mechanism.input;
-    let mut pairs = linkage.structure.pairs.iter();
-    let Some(pair) = pairs.position(|pair| pair.source == PairId::Slide(slide)) else {
-        return Ok(Vec::new());
-    };
-    let mut across = Across::new(*solver, pair, slide, state_at);
+) -> Result<Vec<Vec<SignChange>>, DiagramError> {
+    let input = &solver.linkage.mechanism.input;
     // The position after the last is the first one of the next cycle.
     let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
-    let forces = (0..input.positions + closing).map(|index| across.at(input.coordinate(index)));
-    let forces: Vec<f64> = forces.collect::<Result<_, _>>()?;
-    let least = ROUNDING * forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
-    let mut list = Vec::new();
-    let mut before = 0.0;
-    for (index, after) in forces.into_iter().enumerate() {
-        if after.abs() <= least {
-            continue;
-        }
-        if before * after < 0.0 {
-            let ends = [input.coordinate(index - 1), input.coordinate(index)];
-            let (coordinate, left) = across.root(ends, before)?;
-            // What is left on both sides of a root is rounding; at a jump it is of the size of the force.
-            let jump = left > 1e-6 * before.abs().max(after.abs());
-            list.push(SignChange { coordinate, after_index: index - 1, before, after, jump });
-        }
-        before = after;
-    }
-    Ok(list)
+    let positions: Vec<f64> = (0..input.positions + closing).map(|index| input.coordinate(index)).collect();
+    let samples = samples(solver.loads, &positions, state_at);
+    let mut across = Across::new(*solver, slides, state_at);
+    let forces: Vec<Vec<f64>> =
+        samples.iter().map(|sample| across.all(sample.coordinate)).collect::<Result<_, _>>()?;
+    let of = |nth: usize| {
+        let forces = samples.iter().zip(&forces).map(|(sample, all)| (*sample, all[nth]));
+        changes(&positions, &forces.collect::<Vec<_>>(), &mut |coordinate| Ok(across.all(coordinate)?[nth]))
+    };
+    (0..slides.len()).map(of).collect()
 }
 
+/// A coordinate at which the forces are looked at.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    coordinate: f64,
+    /// Number of the position at it or before it.
+    after_index: usize,
+    /// Whether it is that position.
+    is_position: bool,
+}
+
+/// The positions, with samples between them.
+fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> State) -> Vec<Sample> {
+    let range = positions.last().map_or(0.0, |last| last - positions[0]);
+    let mut all = Vec::new();
+    for (index, &start) in positions.iter().enumerate() {
+        all.push(Sample { coordinate: start, after_index: index, is_position: true });
+        let Some(&end) = positions.get(index + 1) else { break };
+        let step = end - start;
+        let mut between: Vec<f64> = jumps(loads, [start, end], BESIDE * range, state_at);
+        let parts = (SAMPLES * (step / range).abs()).ceil().max(1.0);
+        between.extend((1..).map(f64::from).take_while(|i| *i < parts).map(|i| start + step * (i / parts)));
+        between.sort_by(|a, b| (a * step).total_cmp(&(b * step)));
+        let sample = |coordinate| Sample { coordinate, after_index: index, is_position: false };
+        all.extend(between.into_iter().map(sample));
+    }
+    all
+}
+
+/// Coordinates beside the ends of the smooth pieces of the loads between two positions.
+fn jumps(loads: &Loads, [start, end]: [f64; 2], beside: f64, state_at: &dyn Fn(f64) -> State) -> Vec<f64> {
+    let (mut found, mut at, mut phase) = (Vec::new(), start, loads.phase());
+    let inside = |x: f64| x > start.min(end) && x < start.max(end);
+    loop {
+        let piece = loads.enter(&state_at(at), &mut phase);
+        let next = piece.coordinate[usize::from(end > start)];
+        if !inside(next) || !inside(next + beside) {
+            return found;
+        }
+        found.extend([next - beside, next + beside].into_iter().filter(|x| inside(*x)));
+        at = next + beside;
+    }
+}
+
+/// The force of one slide at a coordinate.
+type Force<'a> = dyn FnMut(f64) -> Result<f64, DiagramError> + 'a;
+
+/// The changes of one force, whose values at all samples are known.
+fn changes(
+    positions: &[f64],
+    samples: &[(Sample, f64)],
+    force: &mut Force<'_>,
+) -> Result<Vec<SignChange>, DiagramError> {
+    let least = ROUNDING * samples.iter().fold(0.0, |most: f64, (_, force)| most.max(force.abs()));
+    let nonzero = |(_, force): &(Sample, f64)| force.abs() > least;
+    let mut list = Vec::new();
+    let mut before: Option<f64> = None;
+    for (k, (sample, after)) in samples.iter().enumerate().filter(|(_, sample)| nonzero(sample)) {
+        let previous = k.checked_sub(1).map(|k| samples[k]);
+        if let (Some(before), Some((previous, _))) = (before.filter(|before| before * after < 0.0), previous)
+        {
+            list.push((previous.after_index, [previous.coordinate, sample.coordinate], before));
+        } else if let (Some(previous), Some(next)) = (previous, samples.get(k + 1)) {
+            let three =
+                [previous, (*sample, *after), *next].map(|(sample, force)| [sample.coordinate, force]);
+            if let Some(dip) = dip(three, force)?.filter(|(_, size)| *size < -least) {
+                list.push((previous.0.after_index, [three[0][0], dip.0], *after));
+                list.push((sample.after_index, [dip.0, three[2][0]], -*after));
+            }
+        }
+        before = Some(*after);
+    }
+    // The forces in the positions around a step; those that are zero have no side.
+    let known = |index: usize| {
+        let upto = samples.partition_point(|(sample, _)| sample.after_index <= index);
+        let in_position = |found: &&(Sample, f64)| found.0.is_position && nonzero(found);
+        let size = |found: Option<&(Sample, f64)>| found.map_or(0.0, |found| found.1);
+        let before = samples[..upto].iter().rev().find(in_position);
+        [size(before), size(samples[upto..].iter().find(in_position))]
+    };
+    let mut found = Vec::with_capacity(list.len());
+    for (after_index, bracket, value) in &list {
+        let [before, after] = known(*after_index);
+        let alone = list.iter().filter(|other| other.0 == *after_index).count() == 1;
+        // A single change is looked for between the positions themselves.
+        let ends = [positions[*after_index], positions[*after_index + 1]];
+        let (bracket, value) =
+            if alone && before * after < 0.0 { (ends, before) } else { (*bracket, *value) };
+        let (coordinate, left) = root(bracket, value, force)?;
+        // What is left on both sides of a root is rounding; at a jump it is of the size of the force.
+        let jump = left > 1e-6 * before.abs().max(after.abs());
+        found.push(SignChange { coordinate, after_index: *after_index, before, after, jump });
+    }
+    Ok(found)
+}
+
+/// Where the force is least between three samples (coordinate, force) of one sign, and its size there, negative on the other
+/// side; `None` where the middle one is not the least of them, or a parabola through them stays far from zero.
+fn dip(three: [[f64; 2]; 3], force: &mut Force<'_>) -> Result<Option<(f64, f64)>, DiagramError> {
+    let sign = three[1][1].signum();
+    let [[q0, f0], [q1, f1], [q2, f2]] = three.map(|[q, force]| [q, sign * force]);
+    if f0 <= f1 || f2 < f1 {
+        return Ok(None);
+    }
+    let slopes = [(f1 - f0) / (q1 - q0), (f2 - f1) / (q2 - q1)];
+    let curvature = (slopes[1] - slopes[0]) / (q2 - q0);
+    let slope = slopes[0] + curvature * (q1 - q0);
+    if f1 - slope * slope / (4.0 * curvature) > 0.5 * f1 {
+        return Ok(None);
+    }
+    assur_number::search::try_least(q0.min(q2), q0.max(q2), SECTIONS, |q| Ok(sign * force(q)?)).map(Some)
+}
+
+/// The change between two coordinates, and the greatest force next to it.
+fn root([mut a, mut b]: [f64; 2], at_a: f64, force: &mut Force<'_>) -> Result<(f64, f64), DiagramError> {
+    let mut sizes = [at_a.abs(), f64::INFINITY];
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(a, b);
+        let found = force(middle)?;
+        if found == 0.0 {
+            return Ok((middle, 0.0));
+        }
+        if (found > 0.0) == (at_a > 0.0) {
+            (a, sizes[0]) = (middle, found.abs());
+        } else {
+            (b, sizes[1]) = (middle, found.abs());
+        }
+    }
+    Ok((f64::midpoint(a, b), sizes[0].max(sizes[1])))
+}
+
+/// The forces of slides across their guides, at any coordinate.
 struct Across<'a> {
     solver: Solver<'a>,
-    pair: usize,
-    slide: usize,
+    /// Slides with their pairs.
+    slides: Vec<(usize, usize)>,
     state_at: &'a dyn Fn(f64) -> State,
     position: assur_kinematics::Position,
     wrenches: Vec<Wrench<f64>>,
@@ -98,15 +224,18 @@ struct Across<'a> {
 }
 
 impl<'a> Across<'a> {
-    fn new(solver: Solver<'a>, pair: usize, slide: usize, state_at: &'a dyn Fn(f64) -> State) -> Self {
+    fn new(solver: Solver<'a>, slides: &[usize], state_at: &'a dyn Fn(f64) -> State) -> Self {
         let linkage = solver.linkage;
         let (position, out) = (linkage.position(), Reactions::new(linkage).without_idle(solver.carrying));
         let wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        Self { solver, pair, slide, state_at, position, wrenches, out }
+        let pair_of =
+            |slide| linkage.structure.pairs.iter().position(|pair| pair.source == PairId::Slide(slide));
+        let slides = slides.iter().filter_map(|&slide| Some((slide, pair_of(slide)?))).collect();
+        Self { solver, slides, state_at, position, wrenches, out }
     }
 
-    /// Force to the left of the guide's direction on the sliding link, N.
-    fn at(&mut self, coordinate: f64) -> Result<f64, DiagramError> {
+    /// Forces to the left of the directions of the guides on the sliding links, N.
+    fn all(&mut self, coordinate: f64) -> Result<Vec<f64>, DiagramError> {
         let state = (self.state_at)(coordinate);
         let Solver { linkage, loads, analyzer, order, .. } = self.solver;
         linkage.solve(coordinate, order, &mut self.position)?;
@@ -114,26 +243,11 @@ impl<'a> Across<'a> {
         loads.apply(&state, bodies, &mut self.wrenches);
         loads.inertia(&state, bodies, &mut self.wrenches);
         analyzer.solve(linkage, &self.position, &mut self.wrenches, &mut self.out)?;
-        let slide = &linkage.mechanism.slides[self.slide];
-        let along = bodies[slide.on].turned([slide.angle.cos(), slide.angle.sin()]);
-        Ok(dot(perp(along), self.out.pairs[self.pair].force()))
-    }
-
-    /// The change between two coordinates, and the least force on its two sides.
-    fn root(&mut self, [mut a, mut b]: [f64; 2], at_a: f64) -> Result<(f64, f64), DiagramError> {
-        let mut sizes = [at_a.abs(), f64::INFINITY];
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(a, b);
-            let force = self.at(middle)?;
-            if force == 0.0 {
-                return Ok((middle, 0.0));
-            }
-            if (force > 0.0) == (at_a > 0.0) {
-                (a, sizes[0]) = (middle, force.abs());
-            } else {
-                (b, sizes[1]) = (middle, force.abs());
-            }
-        }
-        Ok((f64::midpoint(a, b), sizes[0].max(sizes[1])))
+        let force = |&(slide, pair): &(usize, usize)| {
+            let slide = &linkage.mechanism.slides[slide];
+            let along = bodies[slide.on].turned([slide.angle.cos(), slide.angle.sin()]);
+            dot(perp(along), self.out.pairs[pair].force())
+        };
+        Ok(self.slides.iter().map(force).collect())
     }
 }

@@ -51,12 +51,60 @@ fn the_guide_changes_its_side_where_the_force_passes_through_a() {
     // A lies at r1 cos q; B on the axis of y: r1 cos q + b cos theta = 0.
     let wanted = (-0.16 * theta.cos() / 0.04).acos();
     for name in ["groups", "longitudinal", "newton-euler"] {
-        let found = sign_changes(&solver(&linkage, &loads, name), 0, &at).unwrap();
+        let found = sign_changes(&solver(&linkage, &loads, name), &[0], &at).unwrap().remove(0);
         assert_eq!(found.len(), 1, "{name} {found:?}");
         assert!((found[0].coordinate - wanted).abs() < 1e-12, "{name}");
         assert!(!found[0].jump && found[0].before * found[0].after < 0.0);
     }
     let linkage = compile(&fixture("press"));
     let loads = Loads::compile(&linkage).unwrap();
-    assert_eq!(sign_changes(&solver(&linkage, &loads, "groups"), 0, &at), Ok(Vec::new()));
+    assert_eq!(sign_changes(&solver(&linkage, &loads, "groups"), &[0], &at), Ok(vec![Vec::new()]));
+}
+
+/// A slider pushed across its guide by a table over the crank's angle: the guide answers with the opposite, wherever it stands.
+fn pushed(table: &str, positions: usize) -> String {
+    format!(
+        "[ground]\npoints = {{ O = [0, 0] }}\n[link.crank]\npoints = {{ O = 0, A = 1 }}\n[link.rod]\npoints = {{ A = 0, B = 3 }}\n\
+         [link.slider]\npoints = {{ B = 0 }}\n[[slide]]\nlink = \"slider\"\non = \"ground\"\n\
+         [[force]]\nlink = \"slider\"\nat = \"B\"\nangle = \"90 deg\"\nvalue = {{ over = \"angle\", table = {table} }}\n\
+         [input]\nlink = \"crank\"\npositions = {positions}\n"
+    )
+}
+
+#[test]
+fn changes_between_two_positions_are_found_however_few_there_are() {
+    let ramps = r#"[["0 deg", 1], ["100 deg", 1], ["100.2 deg", -1], ["100.8 deg", -1], ["101 deg", 1], ["360 deg", 1]]"#;
+    let jumps = r#"[["0 deg", 1], ["100.1 deg", 1], ["100.1 deg", -1], ["100.9 deg", -1], ["100.9 deg", 1], ["360 deg", 1]]"#;
+    for (table, jump) in [(ramps, false), (jumps, true)] {
+        for positions in [1, 2, 7, 12, 48, 360] {
+            let linkage = compile(&pushed(table, positions));
+            let loads = Loads::compile(&linkage).unwrap();
+            let at = |q| State::prescribed(&linkage.mechanism, q);
+            let found = sign_changes(&solver(&linkage, &loads, "groups"), &[0], &at).unwrap().remove(0);
+            let places: Vec<f64> = found.iter().map(|change| change.coordinate.to_degrees()).collect();
+            assert_eq!(places.len(), 2, "{positions} {found:?}");
+            assert!((places[0] - 100.1).abs() < 1e-9 && (places[1] - 100.9).abs() < 1e-9, "{places:?}");
+            assert!(found.iter().all(|change| change.jump == jump), "{positions} {found:?}");
+        }
+    }
+}
+
+/// A force P along the guide presses the slider against it with P tan(b), sin(b) = sin(q)/3; a force across the guide that is
+/// smaller than the greatest of these by 1e-5 leaves two changes less than a degree apart.
+#[test]
+fn a_dip_through_zero_between_samples_is_two_changes() {
+    let across = 1.0 / 8.0_f64.sqrt() - 1e-5;
+    let wanted = 3.0 * across / (1.0 + across * across).sqrt();
+    for positions in [3, 7, 12, 90] {
+        let along = "[[force]]\nlink = \"slider\"\nat = \"B\"\nangle = 0\nvalue = 1\n[input]";
+        let table = format!("[[0, {across}], [\"360 deg\", {across}]]");
+        let linkage = compile(&pushed(&table, positions).replace("[input]", along));
+        let loads = Loads::compile(&linkage).unwrap();
+        let at = |q| State::prescribed(&linkage.mechanism, q);
+        let found = sign_changes(&solver(&linkage, &loads, "groups"), &[0], &at).unwrap().remove(0);
+        assert_eq!(found.len(), 2, "{positions} {found:?}");
+        for change in &found {
+            assert!((change.coordinate.sin().abs() - wanted).abs() < 1e-12 && !change.jump, "{found:?}");
+        }
+    }
 }
