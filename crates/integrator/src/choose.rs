@@ -1,5 +1,6 @@
 //! Which method solves an equation, and which ones follow where it can't: ranked by what the methods declare.
 
+use crate::accuracy;
 use crate::{Dependence, IntegrationError, IntegratorPlugin, Motion, Request, Trajectory, find, integrators};
 
 /// The name that leaves the choice of the method to the program.
@@ -86,7 +87,7 @@ fn ranked(
 }
 
 impl Choice {
-    /// Solves the equation by the first method that can treat it.
+    /// Solves the equation by the first method that can treat it, so that the whole motion keeps the tolerance.
     ///
     /// # Errors
     ///
@@ -97,7 +98,7 @@ impl Choice {
         let mut candidate = &self.first;
         loop {
             let Candidate { integrator, reason } = candidate;
-            match (integrator.solve(motion, request), self.stiff) {
+            match (accuracy::solve(integrator, motion, request), self.stiff) {
                 (Ok(trajectory), _) => {
                     return Ok(Solution { trajectory, integrator, reason: format!("{reason}{refusals}") });
                 }
@@ -111,11 +112,8 @@ impl Choice {
                     let reason = format!(
                         "the equation is stiff: an explicit method had to keep h*lambda at {product:.2}"
                     );
-                    return Ok(Solution {
-                        trajectory: stiff.solve(motion, request)?,
-                        integrator: stiff,
-                        reason,
-                    });
+                    let trajectory = accuracy::solve(stiff, motion, request)?;
+                    return Ok(Solution { trajectory, integrator: stiff, reason });
                 }
                 (Err(error), _) => return Err(error),
             }

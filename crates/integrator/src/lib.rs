@@ -22,6 +22,7 @@
 //! position may not exist. None of the three has a notion of a piece that a trial step may leave smoothly. So the
 //! methods are ours, with the published coefficients, and the order conditions are tests.
 
+mod accuracy;
 pub mod chebyshev;
 mod choose;
 mod control;

@@ -183,6 +183,11 @@ pub struct Statistics {
     /// steps; an explicit method is slow by stiffness where it lies near 3 or above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
+    /// Estimated error of the motion, as [`Trajectory::deviation`] from a run to a tenth of the tolerance; none for a method
+    /// without error of discretization in time, for a fixed step, and where the finer run failed. Where it is far above the
+    /// tolerance the motion is too sensitive for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
 }
 
 /// A motion.

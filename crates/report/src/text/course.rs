@@ -38,6 +38,12 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
     if let Some(product) = cost.stiffness {
         page.paragraph(&format!("Step times largest eigenvalue at the end: {}", short(product)));
     }
+    if let Some(error) = cost.error {
+        page.paragraph(&format!(
+            "Estimated error of the motion, as a part of its largest speed and of its travel: {}",
+            short(error)
+        ));
+    }
     page.paragraph(&format!(
         "End: {} s, {} {} ({} {}), {} {}",
         single(found.end.time),
