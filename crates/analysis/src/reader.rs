@@ -1,5 +1,6 @@
 //! Reads named results off a solved position: positions of the input and samples of a motion alike.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use assur_force::{
@@ -183,7 +184,8 @@ impl Forces<'_> {
         let joints = joint_reactions(linkage, &self.reactions);
         let each = joints.iter().flat_map(|joint| &joint.forces);
         let greatest = each.map(|(_, force)| force[0].hypot(force[1])).fold(0.0, f64::max);
-        let asked_for = joints.iter().filter(|joint| wanted.reactions.contains(&joint.joint));
+        let reactions: HashSet<PairId> = wanted.reactions.iter().copied().collect();
+        let asked_for = joints.iter().filter(|joint| reactions.contains(&joint.joint));
         asked_for
             .map(|joint| {
                 let forces =

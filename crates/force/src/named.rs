@@ -21,21 +21,25 @@ pub struct JointReaction {
 /// A multiple joint is several pairs; the force of the pin on a link is the sum over the pairs of that link.
 pub fn joint_reactions(linkage: &Linkage, reactions: &Reactions) -> Vec<JointReaction> {
     let mechanism = &linkage.mechanism;
-    let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
-    let mut joints: Vec<_> = pins
-        .map(|(id, point)| JointReaction {
-            joint: PairId::Pin(id),
-            forces: point.places.iter().map(|place| (place.link, [0.0; 2])).collect(),
-            moment: None,
-        })
-        .collect();
+    let mut joints = Vec::with_capacity(mechanism.points.len() + mechanism.slides.len());
+    let mut of_point = vec![usize::MAX; mechanism.points.len()];
+    for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
+        of_point[id] = joints.len();
+        let forces = point.places.iter().map(|place| (place.link, [0.0; 2])).collect();
+        joints.push(JointReaction { joint: PairId::Pin(id), forces, moment: None });
+    }
+    let pins = joints.len();
     joints.extend(mechanism.slides.iter().enumerate().map(|(id, slide)| JointReaction {
         joint: PairId::Slide(id),
         forces: vec![(slide.link, [0.0; 2]), (slide.on, [0.0; 2])],
         moment: Some(0.0),
     }));
     for (named, reaction) in linkage.structure.pairs.iter().zip(&reactions.pairs) {
-        let Some(joint) = joints.iter_mut().find(|joint| joint.joint == named.source) else { continue };
+        let index = match named.source {
+            PairId::Pin(point) => of_point[point],
+            PairId::Slide(slide) => pins + slide,
+        };
+        let Some(joint) = joints.get_mut(index) else { continue };
         for (link, force) in &mut joint.forces {
             let sign =
                 f64::from(u8::from(*link == named.pair.a)) - f64::from(u8::from(*link == named.pair.b));

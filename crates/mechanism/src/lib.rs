@@ -218,7 +218,7 @@ pub struct Output {
 }
 
 /// A pair as the scene names it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PairId {
     /// A pin, with all its links.
     Pin(PointId),

@@ -18,7 +18,7 @@ assur_force::inventory::submit! {
         name: "newton-euler",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "one linear system for all links: every reaction and the balancing load, without groups",
-        source: "equilibrium of each link with its inertia loads (d'Alembert); LU with partial pivoting",
+        source: "equilibrium of each link with its inertia loads (d'Alembert); sparse LU with partial pivoting",
         instance: &NewtonEuler,
         gives_reactions: true,
         by_groups: false,
@@ -63,17 +63,17 @@ impl ForceAnalyzer for NewtonEuler {
 /// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all bodies further out in the tree.
 fn to_pairs(linkage: &Linkage, system: &System<'_>, solution: &Solution, pairs: &mut [Wrench<f64>]) {
     let named = &linkage.structure.pairs;
+    let mut of_pin: Vec<Vec<usize>> = vec![Vec::new(); linkage.mechanism.points.len()];
     for (id, one) in named.iter().enumerate().rev() {
         pairs[id] = match one.source {
             PairId::Slide(slide) => solution.slides[slide],
             PairId::Pin(point) => {
                 let mut force = system.force_on(solution, point, one.pair.a);
-                for (hung, other) in named.iter().enumerate() {
-                    if hung != id && other.source == one.source && other.pair.b == one.pair.a {
-                        force[0] += pairs[hung].fx;
-                        force[1] += pairs[hung].fy;
-                    }
+                for &further in of_pin[point].iter().filter(|other| named[**other].pair.b == one.pair.a) {
+                    force[0] += pairs[further].fx;
+                    force[1] += pairs[further].fy;
                 }
+                of_pin[point].push(id);
                 Wrench { fx: force[0], fy: force[1], m: 0.0 }
             }
         };

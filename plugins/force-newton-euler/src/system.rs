@@ -2,10 +2,14 @@
 
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PointId, SlideId};
-use nalgebra::{DMatrix, DVector};
+use rsparse::data::{Nmrc, Sprs};
 
 /// A matrix whose pivots differ more than this is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
+
+/// Column ordering of the factorization for little fill: by the minimum degree of the product of the transposed matrix and
+/// the matrix, dense rows left out.
+const ORDERING: i8 = 1;
 
 /// What is unknown; each takes two columns, the balancing load the last one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +25,8 @@ enum Unknown {
 pub(crate) struct System<'a> {
     mechanism: &'a Mechanism,
     unknowns: Vec<Unknown>,
+    /// Index of the first unknown of each pin, and after the last pin that of the slides.
+    first: Vec<usize>,
     /// Moments are divided by this length, so that all equations are forces, m.
     scale: f64,
 }
@@ -33,13 +39,19 @@ pub(crate) struct Solution {
     pub(crate) balancing: f64,
 }
 
+/// Entries of one column of the matrix: row and value.
+type Column = Vec<(usize, f64)>;
+
 impl<'a> System<'a> {
     pub(crate) fn of(mechanism: &'a Mechanism, scale: f64) -> Self {
-        let pins = mechanism.points.iter().enumerate();
-        let members =
-            pins.flat_map(|(id, pin)| (1..pin.places.len()).map(move |member| Unknown::Member(id, member)));
-        let slides = (0..mechanism.slides.len()).map(Unknown::Slide);
-        Self { mechanism, unknowns: members.chain(slides).collect(), scale }
+        let (mut unknowns, mut first) = (Vec::new(), Vec::with_capacity(mechanism.points.len() + 1));
+        for (id, pin) in mechanism.points.iter().enumerate() {
+            first.push(unknowns.len());
+            unknowns.extend((1..pin.places.len()).map(|member| Unknown::Member(id, member)));
+        }
+        first.push(unknowns.len());
+        unknowns.extend((0..mechanism.slides.len()).map(Unknown::Slide));
+        Self { mechanism, unknowns, first, scale }
     }
 
     /// Number of equations and of unknowns.
@@ -57,30 +69,54 @@ impl<'a> System<'a> {
         if rows != columns {
             return Err(0.0);
         }
-        let mut matrix = DMatrix::zeros(rows, columns);
-        for (index, unknown) in self.unknowns.iter().enumerate() {
-            self.fill(&mut matrix, 2 * index, *unknown, bodies);
-        }
-        self.fill_balance(&mut matrix, columns - 1, bodies);
-        let mut right = DVector::zeros(rows);
-        for (link, load) in loads.iter().enumerate().skip(1) {
-            let row = 3 * (link - 1);
-            (right[row], right[row + 1], right[row + 2]) = (-load.fx, -load.fy, -load.m / self.scale);
-        }
-        let lu = matrix.lu();
-        let pivots: Vec<f64> = lu.u().diagonal().iter().map(|pivot| pivot.abs()).collect();
-        let (least, greatest) =
-            pivots.iter().fold((f64::INFINITY, 0.0_f64), |(l, g), p| (l.min(*p), g.max(*p)));
+        let matrix = self.matrix(bodies);
+        let mut symbolic = rsparse::sqr(&matrix, ORDERING, false);
+        let Nmrc { l, u, pinv, .. } = rsparse::lu(&matrix, &mut symbolic, 1.0).map_err(|_| 0.0)?;
+        let pivots = (0..rows).map(|k| u.x[index(u.p[k + 1]) - 1].abs());
+        let (least, greatest) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, g), p| (l.min(p), g.max(p)));
         let health = if greatest > 0.0 { least / greatest } else { 0.0 };
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
         }
-        let solved = lu.solve(&right).ok_or(health)?;
-        Ok(self.read(solved.as_slice(), bodies))
+        let place =
+            |permutation: &Option<Vec<isize>>, k: usize| permutation.as_ref().map_or(k, |p| index(p[k]));
+        let mut x = vec![0.0; rows];
+        for (link, load) in loads.iter().enumerate().skip(1) {
+            for (k, right) in [-load.fx, -load.fy, -load.m / self.scale].into_iter().enumerate() {
+                x[place(&pinv, 3 * (link - 1) + k)] = right;
+            }
+        }
+        rsparse::lsolve(&l, &mut x);
+        rsparse::usolve(&u, &mut x);
+        let mut solved = vec![0.0; columns];
+        for (k, value) in x.into_iter().enumerate() {
+            solved[place(&symbolic.q, k)] = value;
+        }
+        Ok(self.read(solved, bodies))
+    }
+
+    /// The matrix by compressed columns: two for each unknown, the balancing load last.
+    fn matrix(&self, bodies: &[Body<f64>]) -> Sprs<f64> {
+        let (rows, columns) = self.size();
+        let mut all: Vec<Column> = vec![Column::new(); columns];
+        for (unknown, pair) in self.unknowns.iter().zip(all.chunks_exact_mut(2)) {
+            self.fill(pair, *unknown, bodies);
+        }
+        self.fill_balance(&mut all[columns - 1], bodies);
+        let mut matrix = Sprs::zeros(rows, columns, 0);
+        for (k, column) in all.into_iter().enumerate() {
+            for (row, value) in column {
+                matrix.i.push(row);
+                matrix.x.push(value);
+            }
+            matrix.p[k + 1] = isize::try_from(matrix.i.len()).unwrap_or(isize::MAX);
+        }
+        matrix.nzmax = matrix.i.len();
+        matrix
     }
 
     /// The effect of an unknown on every moving link.
-    fn fill(&self, matrix: &mut DMatrix<f64>, column: usize, unknown: Unknown, bodies: &[Body<f64>]) {
+    fn fill(&self, columns: &mut [Column], unknown: Unknown, bodies: &[Body<f64>]) {
         let units = [[1.0, 0.0], [0.0, 1.0]];
         match unknown {
             Unknown::Member(pin, member) => {
@@ -88,7 +124,7 @@ impl<'a> System<'a> {
                 for (sign, place) in [(1.0, places[member]), (-1.0, places[0])] {
                     let arm = turn(&bodies[place.link], place.at);
                     for (k, unit) in units.into_iter().enumerate() {
-                        self.add(matrix, column + k, place.link, arm, unit.map(|u| sign * u), 0.0);
+                        self.add(&mut columns[k], place.link, arm, unit.map(|u| sign * u), 0.0);
                     }
                 }
             }
@@ -98,46 +134,41 @@ impl<'a> System<'a> {
                 let normal = self.normal(id, bodies);
                 let arm = turn(link, slide.point);
                 let arm_on = [link.x + arm[0] - on.x, link.y + arm[1] - on.y];
-                self.add(matrix, column, slide.link, arm, normal, 0.0);
-                self.add(matrix, column, slide.on, arm_on, normal.map(|n| -n), 0.0);
+                self.add(&mut columns[0], slide.link, arm, normal, 0.0);
+                self.add(&mut columns[0], slide.on, arm_on, normal.map(|n| -n), 0.0);
                 // The unknown moment is M / scale, in N.
-                self.add(matrix, column + 1, slide.link, arm, [0.0, 0.0], self.scale);
-                self.add(matrix, column + 1, slide.on, arm_on, [0.0, 0.0], -self.scale);
+                self.add(&mut columns[1], slide.link, arm, [0.0, 0.0], self.scale);
+                self.add(&mut columns[1], slide.on, arm_on, [0.0, 0.0], -self.scale);
             }
         }
     }
 
     /// Adds a force at an arm and a moment to the equations of a link.
-    fn add(
-        &self,
-        matrix: &mut DMatrix<f64>,
-        column: usize,
-        link: LinkId,
-        arm: [f64; 2],
-        force: [f64; 2],
-        moment: f64,
-    ) {
+    fn add(&self, column: &mut Column, link: LinkId, arm: [f64; 2], force: [f64; 2], moment: f64) {
         if link == GROUND {
             return;
         }
-        let row = 3 * (link - 1);
-        matrix[(row, column)] += force[0];
-        matrix[(row + 1, column)] += force[1];
-        matrix[(row + 2, column)] += (arm[0] * force[1] - arm[1] * force[0] + moment) / self.scale;
+        let about = (arm[0] * force[1] - arm[1] * force[0] + moment) / self.scale;
+        for (row, value) in (3 * (link - 1)..).zip([force[0], force[1], about]) {
+            match column.iter_mut().find(|(known, _)| *known == row) {
+                Some((_, sum)) => *sum += value,
+                None => column.push((row, value)),
+            }
+        }
     }
 
     /// The balancing load: a moment in units of 1/scale, a force as it is.
-    fn fill_balance(&self, matrix: &mut DMatrix<f64>, column: usize, bodies: &[Body<f64>]) {
+    fn fill_balance(&self, column: &mut Column, bodies: &[Body<f64>]) {
         let input = &self.mechanism.input;
         match (self.mechanism.balance, input.pair) {
             (Some(Balance::Force { at, angle }), _) => {
                 let arm = turn(&bodies[at.link], at.at);
-                self.add(matrix, column, at.link, arm, [angle.cos(), angle.sin()], 0.0);
+                self.add(column, at.link, arm, [angle.cos(), angle.sin()], 0.0);
             }
             (Some(Balance::Moment(link)), _) => {
-                self.add(matrix, column, link, [0.0; 2], [0.0; 2], self.scale);
+                self.add(column, link, [0.0; 2], [0.0; 2], self.scale);
             }
-            (None, InputPair::Pin(_)) => self.add(matrix, column, input.link, [0.0; 2], [0.0; 2], self.scale),
+            (None, InputPair::Pin(_)) => self.add(column, input.link, [0.0; 2], [0.0; 2], self.scale),
             (None, InputPair::Slide(id)) => {
                 let normal = self.normal(id, bodies);
                 let slide = &self.mechanism.slides[id];
@@ -147,7 +178,7 @@ impl<'a> System<'a> {
                     if slide.link == input.link { (1.0, input.link) } else { (-1.0, slide.on) };
                 let (link, own) = (&bodies[slide.link], turn(&bodies[slide.link], slide.point));
                 let arm = [link.x + own[0] - bodies[body].x, link.y + own[1] - bodies[body].y];
-                self.add(matrix, column, body, arm, along.map(|a| sign * a), 0.0);
+                self.add(column, body, arm, along.map(|a| sign * a), 0.0);
             }
         }
     }
@@ -158,37 +189,38 @@ impl<'a> System<'a> {
         turn(&bodies[slide.on], [-slide.angle.sin(), slide.angle.cos()])
     }
 
-    fn read(&self, columns: &[f64], bodies: &[Body<f64>]) -> Solution {
+    fn read(&self, columns: Vec<f64>, bodies: &[Body<f64>]) -> Solution {
+        let after_pins = self.first.last().copied().unwrap_or_default();
         let slides = (0..self.mechanism.slides.len()).map(|id| {
-            let Some(index) = self.unknowns.iter().position(|unknown| *unknown == Unknown::Slide(id)) else {
-                return Wrench::ZERO;
-            };
-            let (force, moment) = (columns[2 * index], columns[2 * index + 1] * self.scale);
+            let at = 2 * (after_pins + id);
+            let (force, moment) = (columns[at], columns[at + 1] * self.scale);
             let [nx, ny] = self.normal(id, bodies);
             Wrench { fx: force * nx, fy: force * ny, m: moment }
         });
+        let slides = slides.collect();
         let last = columns.last().copied().unwrap_or(f64::NAN);
         let balancing = if self.mechanism.balances_by_moment() { last * self.scale } else { last };
-        Solution { slides: slides.collect(), balancing, columns: columns.to_vec() }
+        Solution { slides, balancing, columns }
     }
 
     /// Force of a pin on one of its links, N.
     pub(crate) fn force_on(&self, solution: &Solution, pin: PointId, link: LinkId) -> [f64; 2] {
         let places = &self.mechanism.points[pin].places;
         let mut sum = [0.0; 2];
-        for (index, unknown) in self.unknowns.iter().enumerate() {
-            let Unknown::Member(point, member) = *unknown else { continue };
-            if point != pin {
-                continue;
-            }
-            let force = [solution.columns[2 * index], solution.columns[2 * index + 1]];
-            if places[member].link == link {
+        for (place, unknown) in places.iter().skip(1).zip(self.first[pin]..) {
+            let force = [solution.columns[2 * unknown], solution.columns[2 * unknown + 1]];
+            if place.link == link {
                 return force;
             }
             sum = [sum[0] - force[0], sum[1] - force[1]];
         }
         sum
     }
+}
+
+/// An index of `rsparse`, which are signed there; never negative in a finished factorization.
+fn index(signed: isize) -> usize {
+    usize::try_from(signed).unwrap_or_default()
 }
 
 /// A vector of a link turned into the frame of the ground.
