@@ -1,11 +1,12 @@
 //! Files of the user: read with the place of what is wrong, written as a whole or not at all.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use assur_report::csv::CsvFile;
-use assur_scene::SceneErrors;
+use assur_mechanism::{Mechanism, Motion};
+use assur_scene::{SceneErrors, document};
 use assur_structure::StructureError;
 use tempfile::NamedTempFile;
 
@@ -49,12 +50,19 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     if path.is_dir() {
         return Err(error("is a folder, not a scene file".to_owned()));
     }
-    let bytes = fs::read(path).map_err(|problem| match problem.kind() {
+    let most = document::MOST_BYTES;
+    let mut bytes = Vec::new();
+    // A device has no size, and may have no end.
+    let found = fs::File::open(path).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
+    found.map_err(|problem| match problem.kind() {
         io::ErrorKind::NotFound => {
             error("there is no such file (`assur new FILE` writes a scene to begin with)".to_owned())
         }
         _ => error(format!("can't be read: {problem}")),
     })?;
+    if bytes.len() > most {
+        return Err(error(format!("is larger than {} MiB: is it the right file?", most >> 20)));
+    }
     String::from_utf8(bytes).map_err(|problem| {
         let at = problem.utf8_error().valid_up_to();
         let line = problem.as_bytes()[..at].split(|byte| *byte == b'\n').count();
@@ -64,7 +72,14 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
 
 /// A fault of the structure at its line of the scene, where it concerns a link.
 pub(crate) fn located(name: &str, text: &str, error: &StructureError) -> Option<SceneErrors> {
-    assur_scene::fault_at_link(name, text, error.link()?, &error.to_string())
+    assur_scene::fault_at(name, text, &["link", error.link()?], &error.to_string())
+}
+
+/// An integrator of a scene that is not registered, at its line.
+pub(crate) fn integrator_fault(name: &str, text: &str, mechanism: &Mechanism) -> Option<SceneErrors> {
+    let Some(Motion::Transient { integrator, .. }) = &mechanism.motion else { return None };
+    let error = assur_integrator::find(integrator).err().filter(|_| integrator != "auto")?;
+    assur_scene::fault_at(name, text, &["motion", "integrator"], &error.to_string())
 }
 
 /// Writes a file as a whole: a failure leaves what was there before.

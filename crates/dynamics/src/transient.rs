@@ -107,7 +107,7 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
     let initial = State { time: 0.0, coordinate: mechanism.input.from, speed: *speed };
     let until = match until {
         AskedUntil::Time(end) => Until::Time(*end),
-        AskedUntil::Rest => Until::Rest,
+        AskedUntil::Rest | AskedUntil::Turn => Until::Rest,
         AskedUntil::Way(way) => {
             Until::Coordinate(initial.coordinate + heading(&initial, mechanism, motion)? * way)
         }

@@ -39,6 +39,8 @@ pub enum Until {
     Time(f64),
     /// After this way of the coordinate, rad or m, positive.
     Way(f64),
-    /// When it stands still.
+    /// When it stands still for good.
     Rest,
+    /// At the first reversal: the first instant of zero speed after the start.
+    Turn,
 }

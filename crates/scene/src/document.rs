@@ -9,6 +9,9 @@ use crate::SceneErrors;
 use crate::error::Faults;
 use crate::text::shown;
 
+/// The greatest file that is read, in bytes: a scene has some kilobytes, tables of a hundred thousand rows some megabytes.
+pub const MOST_BYTES: usize = 8 << 20;
+
 /// Faults of syntax that are reported: the parser's recovery after the first few invents more.
 const SYNTAX_FAULTS: usize = 3;
 
@@ -41,6 +44,12 @@ pub fn read<T>(
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
     let faults = Faults::default();
+    if text.len() > MOST_BYTES {
+        let size = text.len().div_ceil(1 << 20);
+        let message = format!("{what} has at most {} MiB, this one has {size}", MOST_BYTES >> 20);
+        faults.push(Fault::new(0..0, message).label("is it the right file?"));
+        return Err(faults.into_errors(file_name, ""));
+    }
     let (document, syntax) = DeTable::parse_recoverable(text);
     let value = if syntax.is_empty() {
         Some(make(&Section::root(document.get_ref(), what, known, &faults)))
@@ -51,8 +60,10 @@ pub fn read<T>(
         }
         None
     };
-    let errors = faults.into_errors(file_name, text);
-    value.filter(|_| errors.errors.is_empty()).ok_or(errors)
+    match value.filter(|_| faults.is_empty()) {
+        Some(value) => Ok(value),
+        None => Err(faults.into_errors(file_name, text)),
+    }
 }
 
 /// What the parser says, with the key that it does not name.

@@ -5,7 +5,7 @@ use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, Rated
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::Bound;
-use crate::text::{did_you_mean, nearest, shown};
+use crate::text::{brief, did_you_mean, nearest, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -37,8 +37,10 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     let flywheel = solved(&section, "flywheel", Dimension::Inertia, Bound::NotNegative);
     let efficiency = section.quantity_or("efficiency", Dimension::Number, Bound::Positive, 1.0);
     if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
-        entry
-            .fault(format!("`efficiency` is greater than 0 and at most 1, got {efficiency}"), "such as 0.95");
+        entry.fault(
+            format!("`efficiency` is greater than 0 and at most 1, got {}", brief(efficiency)),
+            "such as 0.95",
+        );
     }
     check_solved(&section, motion);
     let place = section.get("flywheel_on").and_then(|entry| entry.choice(PLACES));
@@ -203,7 +205,7 @@ fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
         let value = entry.bounded(Dimension::Number, Bound::Any)?;
         if value <= 1.0 {
             entry.fault(
-                format!("`max_torque_ratio` must be greater than 1, got {value}"),
+                format!("`max_torque_ratio` must be greater than 1, got {}", brief(value)),
                 "breakdown torque / rated torque",
             );
         }

@@ -1,6 +1,6 @@
 //! Faults of a scene: gathered with byte ranges, given out with lines and columns.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
 /// One fault of a scene file.
@@ -18,10 +18,8 @@ pub struct SceneError {
     pub label: String,
     /// What is allowed.
     pub help: Option<String>,
-    /// The line of the file.
-    pub(crate) source: String,
-    /// Bytes of `source` that are at fault.
-    pub(crate) marked: Range<usize>,
+    /// Bytes of the line of the file.
+    pub(crate) source: Range<usize>,
 }
 
 /// All the faults of a scene, or of another file, in the order of the file; never empty.
@@ -29,9 +27,16 @@ pub struct SceneError {
 pub struct SceneErrors {
     /// The name of the file as it was given.
     pub file: String,
-    /// The faults.
+    /// The faults, the first ones if there are very many.
     pub errors: Vec<SceneError>,
+    /// How many more there are.
+    pub more: usize,
+    /// The text of the file.
+    pub(crate) text: String,
 }
+
+/// Faults that are kept; the rest are counted. Nobody reads more, and a file of many megabytes may have one in every word.
+const MOST_FAULTS: usize = 1000;
 
 impl std::error::Error for SceneErrors {}
 
@@ -63,26 +68,44 @@ impl Fault {
         self.help = Some(help.into());
         self
     }
+}
 
-    fn locate(self, text: &str) -> SceneError {
-        let start = floor(text, self.span.start);
-        let end = floor(text, self.span.end.max(start));
+/// Lines and columns of places that are asked for in the order of the file.
+struct Lines<'t> {
+    text: &'t str,
+    /// Start and number of the line that was asked for last.
+    line: (usize, usize),
+    /// The place that was asked for last, and its column.
+    last: (usize, usize),
+}
+
+impl<'t> Lines<'t> {
+    fn of(text: &'t str) -> Self {
         // A byte order mark is no part of the first line.
         let mark = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        let from = text[..start].rfind('\n').map_or(mark, |newline| newline + 1);
-        let start = start.max(from);
-        let end = end.max(start);
+        Self { text, line: (mark, 1), last: (mark, 1) }
+    }
+
+    fn locate(&mut self, fault: Fault) -> SceneError {
+        let text = self.text;
+        let start = floor(text, fault.span.start).max(self.last.0);
+        let end = floor(text, fault.span.end).max(start);
+        let passed = &text[self.line.0..start];
+        if let Some(newline) = passed.rfind('\n') {
+            self.line = (self.line.0 + newline + 1, self.line.1 + passed.matches('\n').count());
+            self.last = (self.line.0, 1);
+        }
+        self.last = (start, self.last.1 + text[self.last.0..start].chars().count());
         let until = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
-        let source = text[from..until].trim_end_matches('\r');
+        let source = text[self.line.0..until].trim_end_matches('\r');
         SceneError {
-            line: text[..from].matches('\n').count() + 1,
-            column: text[from..start].chars().count() + 1,
+            line: self.line.1,
+            column: self.last.1,
             span: start..end,
-            message: self.message,
-            label: self.label,
-            help: self.help,
-            marked: (start - from).min(source.len())..(end - from).min(source.len()),
-            source: source.to_owned(),
+            message: fault.message,
+            label: fault.label,
+            help: fault.help,
+            source: self.line.0..self.line.0 + source.len(),
         }
     }
 }
@@ -98,18 +121,36 @@ fn floor(text: &str, at: usize) -> usize {
 
 /// Gathers faults, so that a reader can go on and find the next one.
 #[derive(Debug, Default)]
-pub(crate) struct Faults(RefCell<Vec<Fault>>);
+pub(crate) struct Faults {
+    kept: RefCell<Vec<Fault>>,
+    more: Cell<usize>,
+}
 
 impl Faults {
+    /// Notes a fault; `make` is asked only while faults are kept.
+    pub(crate) fn note(&self, make: impl FnOnce() -> Fault) {
+        if self.kept.borrow().len() < MOST_FAULTS {
+            let fault = make();
+            self.kept.borrow_mut().push(fault);
+        } else {
+            self.more.set(self.more.get() + 1);
+        }
+    }
+
     pub(crate) fn push(&self, fault: Fault) {
-        self.0.borrow_mut().push(fault);
+        self.note(|| fault);
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.kept.borrow().is_empty()
     }
 
     /// All of them in the order of the file; empty where there were none.
     pub(crate) fn into_errors(self, file: &str, text: &str) -> SceneErrors {
-        let mut faults = self.0.into_inner();
+        let mut faults = self.kept.into_inner();
         faults.sort_by_key(|fault| fault.span.start);
-        let errors = faults.into_iter().map(|fault| fault.locate(text)).collect();
-        SceneErrors { file: file.to_owned(), errors }
+        let mut lines = Lines::of(text);
+        let errors = faults.into_iter().map(|fault| lines.locate(fault)).collect();
+        SceneErrors { file: file.to_owned(), errors, more: self.more.get(), text: text.to_owned() }
     }
 }

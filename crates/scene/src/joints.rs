@@ -109,7 +109,7 @@ fn contact(
     let linkage = context.linkage;
     let radius =
         section.need("radius").and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
-    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Any, 0.0);
+    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
     let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
     let force = section.need("force").and_then(|entry| value::read(&entry, Dimension::Force, false, context));
     let during = section.get("during").and_then(|entry| interval(&entry, context));
@@ -125,7 +125,12 @@ fn contact(
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {
     let [from, to] = pair(entry, "[from, to]", context.coordinate())?;
     if from > to {
-        entry.fault("`during` ends before it begins", "[from, to] with `from` not greater than `to`");
+        entry.fault("`during` ends before it begins", "[from, to] with `from` less than `to`");
+    } else if from.total_cmp(&to).is_eq() && context.coordinate().is_some() {
+        entry.fault(
+            "`during` has equal ends: the contact never acts",
+            "[from, to] with `from` less than `to`",
+        );
     }
     Some([from, to])
 }

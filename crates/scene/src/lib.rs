@@ -65,12 +65,14 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     document::read(file_name, text, "a scene", KEYS, scene)
 }
 
-/// A fault of the scene as a whole, told at the table of the link that it concerns; `None` where there is none of that
-/// name. `file_name` is only repeated.
-pub fn fault_at_link(file_name: &str, text: &str, link: &str, message: &str) -> Option<SceneErrors> {
+/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["motion", "integrator"]`; `None`
+/// where the scene has no such key. `file_name` is only repeated.
+pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Option<SceneErrors> {
     let (document, _) = DeTable::parse_recoverable(text);
-    let links = document.get_ref().get("link")?.get_ref().as_table()?;
-    let (key, _) = links.get_key_value(link)?;
+    let (last, tables) = path.split_last()?;
+    let table =
+        tables.iter().try_fold(document.get_ref(), |table, key| table.get(*key)?.get_ref().as_table())?;
+    let (key, _) = table.get_key_value(*last)?;
     let faults = Faults::default();
     faults.push(Fault::new(key.span(), message));
     Some(faults.into_errors(file_name, text))

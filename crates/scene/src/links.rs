@@ -2,9 +2,10 @@
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point};
 
+use crate::error::Fault;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
-use crate::text::shown;
+use crate::text::{is_unprintable, row, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -33,7 +34,36 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
             add_mass(&mut linkage, index + 1, section);
         }
     }
+    // A point with a fault stands at the origin until then.
+    if root.faults.is_empty() {
+        refuse_points(&linkage, &links);
+    }
     (linkage, firsts)
+}
+
+/// A link whose pins all lie at one place turns freely about it: nothing determines its angle.
+fn refuse_points(linkage: &Linkage, links: &[Entry<'_>]) {
+    for (index, entry) in links.iter().enumerate() {
+        let place =
+            |point: &&Point| point.places.iter().find(|place| place.link == index + 1).map(|place| place.at);
+        let pins: Vec<_> =
+            linkage.points.iter().filter(|point| point.is_pin() && place(point).is_some()).collect();
+        let [first, others @ ..] = &pins[..] else { continue };
+        let is_same = |pin: &&Point| {
+            place(pin).map(|at| at.map(|x| x + 0.0)) == place(first).map(|at| at.map(|x| x + 0.0))
+        };
+        if !others.is_empty() && others.iter().all(is_same) {
+            let names = row(pins.iter().map(|pin| pin.name.as_str()));
+            let message = format!(
+                "link `{}` has its pins {names} at one place: its length is zero",
+                shown(&entry.name)
+            );
+            let fault = Fault::new(entry.key.clone(), message);
+            entry
+                .faults
+                .push(fault.label("give them different coordinates, or join the neighbors in one pin"));
+        }
+    }
 }
 
 fn massless(name: &str) -> Link {
@@ -45,6 +75,11 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
     check_name(entry, "link");
     if entry.name == "ground" {
         entry.fault("the ground is no moving link", "its points stand in [ground]");
+    }
+    if entry.name == "moment" {
+        // In results the moment of a slide stands beside the forces on its links, under this name.
+        let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
+        entry.faults.push(fault.label("results use it: choose another name"));
     }
     let id = linkage.links.len();
     linkage.links.push(massless(&entry.name));
@@ -75,10 +110,11 @@ fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2
 /// Names are printed in tables and written as "link.point".
 fn check_name(entry: &Entry<'_>, what: &str) {
     let name = &entry.name;
-    if name.trim().is_empty() || name.contains('.') || name.chars().any(char::is_control) {
-        let fault =
-            crate::error::Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
-        entry.faults.push(fault.label("a name is not empty and has neither a point nor control characters"));
+    if name.trim().is_empty() || name.contains('.') || name.chars().any(is_unprintable) {
+        let fault = Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
+        entry
+            .faults
+            .push(fault.label("a name is not empty and has neither a point nor characters that don't show"));
     }
 }
 

@@ -62,7 +62,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
         section.missing("angle", "the direction: `angle`, or `against_motion = true`");
         return None;
     };
-    let angle = angle.bounded(Dimension::Angle, Bound::Any)?;
+    let angle = angle.bounded(Dimension::Angle, Bound::Direction)?;
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 

@@ -5,7 +5,7 @@ use assur_mechanism::{Motion, Until};
 use crate::context::Context;
 use crate::input::MOST;
 use crate::numbers::Bound;
-use crate::text::shown;
+use crate::text::{brief, shown};
 use crate::units::{Dimension, UnitError, is_bare, quantity};
 use crate::walk::{Entry, Section};
 
@@ -88,28 +88,37 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let integrator = section.get("integrator").and_then(|entry| entry.text("the name of an integrator"));
     let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
-        entry.fault(format!("`tolerance` is relative and less than 1, got {tolerance}"), "such as 1e-9");
+        entry.fault(
+            format!("`tolerance` is relative and less than 1, got {}", brief(tolerance)),
+            "such as 1e-9",
+        );
     }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
     Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance })
 }
 
-/// "rest", a time, or a way of the input.
+/// "rest", "turn", a time, or a way of the input.
 fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
     let Some(text) = entry.value.as_str() else {
         return entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time);
     };
-    if text == "rest" {
-        return Some(Until::Rest);
+    match text {
+        "rest" => return Some(Until::Rest),
+        "turn" => return Some(Until::Turn),
+        _ => {}
     }
     let way = context.coordinate().unwrap_or(Dimension::Angle);
     let is_way = !is_bare(text, way) && quantity(text, way).is_ok();
     if is_way {
         return entry.bounded(way, Bound::Positive).map(Until::Way);
     }
-    let wanted =
-        format!("a time ({}), {} ({}) or \"rest\"", Dimension::Time.units(), way.name(), way.units());
+    let wanted = format!(
+        "a time ({}), {} ({}), \"rest\" or \"turn\"",
+        Dimension::Time.units(),
+        way.name(),
+        way.units()
+    );
     match quantity(text, Dimension::Time) {
         Err(UnitError::WrongDimension { unit, found, .. }) => {
             let found = found.map_or("no quantity of a scene", Dimension::name);
@@ -136,7 +145,7 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         let value = entry.bounded(Dimension::Number, Bound::Positive)?;
         if value >= 2.0 {
             entry.fault(
-                format!("`unevenness` is (max - min) / mean and less than 2, got {value}"),
+                format!("`unevenness` is (max - min) / mean and less than 2, got {}", brief(value)),
                 "such as 0.05",
             );
         }

@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use crate::text::{did_you_mean, shown};
-use crate::units::{Dimension, MOST, UnitError, is_bare, quantity};
+use crate::units::{Dimension, UnitError, is_bare, quantity, within};
 use crate::walk::{Entry, Section};
 
 /// What a number must be besides finite.
@@ -15,7 +15,15 @@ pub(crate) enum Bound {
     NotNegative,
     /// Greater than 0.
     Positive,
+    /// An angle that is a direction: few turns, since each takes digits from it.
+    Direction,
 }
+
+/// The greatest angle of a direction, rad: 12 digits of it are left.
+const MOST_DIRECTION: f64 = 1e4;
+
+/// Shown beside a number out of range.
+const OUT_OF_RANGE: &str = "results would have no digits: is the unit right?";
 
 impl Entry<'_> {
     /// A bare number (SI) or a text with a unit. `None` for the dimension: a fault elsewhere hides it, any will do.
@@ -26,7 +34,7 @@ impl Entry<'_> {
                 Some(wanted) => self.with_unit(text, wanted),
                 None => Some(0.0),
             },
-            DeValue::Integer(_) | DeValue::Float(_) => self.number(),
+            DeValue::Integer(_) | DeValue::Float(_) => self.number(wanted),
             _ => {
                 let wanted = wanted.unwrap_or(Dimension::Number);
                 self.wrong(wanted.name(), such_as(wanted));
@@ -44,6 +52,7 @@ impl Entry<'_> {
             Bound::Any => (true, ""),
             Bound::NotNegative => (value >= 0.0, "must not be negative"),
             Bound::Positive => (value > 0.0, "must be greater than 0"),
+            Bound::Direction => (value.abs() <= MOST_DIRECTION, "is a direction and at most 1e4 rad"),
         };
         if !holds {
             self.fault(format!("`{}` {limit}, got {}", shown(&self.name), self.written()), such_as(wanted));
@@ -74,23 +83,24 @@ impl Entry<'_> {
         };
         let label = match &error {
             UnitError::UnknownUnit { near: Some(near), .. } => did_you_mean(Some(near)),
-            UnitError::TooLarge { .. } => String::new(),
+            UnitError::TooLarge { .. } | UnitError::TooSmall { .. } => OUT_OF_RANGE.to_owned(),
             _ => such_as(wanted),
         };
         self.fault(format!("`{name}` {error}"), label);
         None
     }
 
-    fn number(&self) -> Option<f64> {
+    fn number(&self, wanted: Option<Dimension>) -> Option<f64> {
         let value = match self.value {
             DeValue::Integer(number) => integer(number.as_str(), number.radix()),
             DeValue::Float(number) => number.as_str().parse().ok(),
             _ => None,
         };
         let finite = value.filter(|value: &f64| value.is_finite());
-        if finite.is_some_and(|value| value.abs() > MOST) {
-            let message = format!("`{}` is too large: {}", shown(&self.name), self.written());
-            self.fault(message, "numbers beyond 1e30 are refused: with them nothing can be calculated");
+        if let (Some(value), Some(wanted)) = (finite, wanted)
+            && let Err(error) = within(value, &self.written(), wanted)
+        {
+            self.fault(format!("`{}` {error}", shown(&self.name)), OUT_OF_RANGE);
             return None;
         }
         if finite.is_none() {

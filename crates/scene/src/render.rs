@@ -5,6 +5,7 @@ use std::fmt;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::error::{SceneError, SceneErrors};
+use crate::text::is_unprintable;
 
 /// Faults that are printed; the rest are counted.
 const MOST: usize = 20;
@@ -19,20 +20,20 @@ impl fmt::Display for SceneErrors {
             if index > 0 {
                 writeln!(f)?;
             }
-            render(f, &self.file, error)?;
+            render(f, self, error)?;
         }
-        match self.errors.len().saturating_sub(MOST) {
+        match (self.errors.len() + self.more).saturating_sub(MOST) {
             0 => Ok(()),
             more => writeln!(f, "\n... and {more} more"),
         }
     }
 }
 
-fn render(f: &mut fmt::Formatter<'_>, file: &str, error: &SceneError) -> fmt::Result {
+fn render(f: &mut fmt::Formatter<'_>, errors: &SceneErrors, error: &SceneError) -> fmt::Result {
     let gutter = error.line.to_string().len();
-    let (line, before, marked) = excerpt(error);
+    let (line, before, marked) = excerpt(&errors.text, error);
     writeln!(f, "error: {}", error.message)?;
-    writeln!(f, "  {}, line {}, column {}", printable(file), error.line, error.column)?;
+    writeln!(f, "  {}, line {}, column {}", printable(&errors.file), error.line, error.column)?;
     writeln!(f, "{:gutter$} |", "")?;
     writeln!(f, "{}", format!("{} | {line}", error.line).trim_end())?;
     let carets = "^".repeat(marked.max(1));
@@ -44,11 +45,11 @@ fn render(f: &mut fmt::Formatter<'_>, file: &str, error: &SceneError) -> fmt::Re
 }
 
 /// The source line fit to print, the columns before the marked part, and its columns.
-fn excerpt(error: &SceneError) -> (String, usize, usize) {
-    let source = error.source.as_str();
-    let head = printable(&source[..error.marked.start]);
-    let mark = printable(&source[error.marked.clone()]);
-    let tail = printable(&source[error.marked.end..]);
+fn excerpt(text: &str, error: &SceneError) -> (String, usize, usize) {
+    let line = error.source.clone();
+    let (start, end) = (error.span.start.min(line.end), error.span.end.min(line.end));
+    let [head, mark, tail] =
+        [line.start..start, start..end, end..line.end].map(|part| printable(&text[part]));
     if head.width() + mark.width() + tail.width() <= WIDEST {
         let (before, marked) = (head.width(), mark.width());
         return (head + &mark + &tail, before, marked);
@@ -62,10 +63,10 @@ fn excerpt(error: &SceneError) -> (String, usize, usize) {
     (format!("{head}{mark}{tail}..."), before, marked)
 }
 
-/// Tabs become four spaces, other control characters a question mark.
+/// Tabs become four spaces, characters that don't show or change what is beside them a question mark.
 fn printable(piece: &str) -> String {
     let piece = piece.replace('\t', "    ");
-    piece.chars().map(|c| if c.is_control() { '?' } else { c }).collect()
+    piece.chars().map(|c| if is_unprintable(c) { '?' } else { c }).collect()
 }
 
 fn first_columns(text: &str, columns: usize) -> &str {

@@ -2,6 +2,7 @@
 
 use assur_mechanism::{GROUND, Slide};
 
+use crate::error::Fault;
 use crate::linkage::Linkage;
 use crate::numbers::Bound;
 use crate::text::shown;
@@ -20,8 +21,8 @@ pub(crate) fn read(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]
 }
 
 fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
-    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Any, 0.0);
-    let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Any, 0.0);
+    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
+    let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
     let (link, on) = (section.need("link"), section.need("on"));
     let swap = "let the moving link slide on \"ground\"";
     let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap));
@@ -44,13 +45,12 @@ fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<
 fn name(section: &Section<'_>, linkage: &Linkage, default: &str) -> String {
     let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0);
-    if linkage.slides.iter().any(|slide| slide.name == name) {
-        let message = format!("two slides have the name `{}`", shown(name));
-        let label = "give this one a `name` of its own";
-        match given {
-            Some((_, entry)) => entry.fault(message, label),
-            None => section.faults.push(crate::error::Fault::new(section.span.clone(), message).label(label)),
-        }
+    let is_pin = linkage.points.iter().any(|point| point.name == name && point.is_pin());
+    if is_pin || linkage.slides.iter().any(|slide| slide.name == name) {
+        let what = if is_pin { "a pin and a slide" } else { "two slides" };
+        let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
+        let fault = Fault::new(span, format!("{what} have the name `{}`", shown(name)));
+        section.faults.push(fault.label("give this one a `name` of its own"));
     }
     name.to_owned()
 }

@@ -3,9 +3,25 @@
 /// The longest piece of a scene that a message repeats, in characters.
 const LONGEST: usize = 40;
 
+/// Whether a character is a control character, or one that has no width or turns the direction of writing: a name with it
+/// looks like another one.
+pub(crate) fn is_unprintable(c: char) -> bool {
+    let is_invisible = matches!(c,
+        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+        | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}');
+    c.is_control() || is_invisible
+}
+
+/// A number for a message: in full where it is short.
+pub(crate) fn brief(value: f64) -> String {
+    let plain = value.to_string();
+    if plain.len() <= 12 { plain } else { format!("{value:.4e}") }
+}
+
 /// A piece of the scene as a message can repeat it: one line, no control characters, not endless.
 pub(crate) fn shown(piece: &str) -> String {
-    let mut out: String = piece.chars().take(LONGEST).map(|c| if c.is_control() { '?' } else { c }).collect();
+    let mut out: String =
+        piece.chars().take(LONGEST).map(|c| if is_unprintable(c) { '?' } else { c }).collect();
     if piece.chars().nth(LONGEST).is_some() {
         out.push_str("...");
     }

@@ -4,6 +4,7 @@ use assur_mechanism::{Over, Shape, Table, Value};
 
 use crate::context::Context;
 use crate::numbers::Bound;
+use crate::text::brief;
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -18,6 +19,9 @@ const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward
 const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
 const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
 const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
+
+/// More rows than anybody measures.
+const MOST_ROWS: usize = 100_000;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
@@ -113,7 +117,7 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
             Some(Dimension::Angle) => ("deg", 180.0 / std::f64::consts::PI),
             _ => ("m", 1.0),
         };
-        let rounded = |value: f64| (value * scale * 1e6).round() / 1e6;
+        let rounded = |value: f64| brief((value * scale * 1e6).round() / 1e6);
         let message =
             format!("the table spans {} {unit}, the cycle has {} {unit}", rounded(span), rounded(cycle));
         entry.fault(message, "`repeat = false`, a longer `cycle` of the input, or fewer rows");
@@ -121,7 +125,7 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
 }
 
 fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<Value> {
-    let axis = section.need("axis").and_then(|axis| axis.quantity(Dimension::Angle));
+    let axis = section.need("axis").and_then(|axis| axis.bounded(Dimension::Angle, Bound::Direction));
     let side = |key: &str| match section.get(key) {
         None => Some(Table::constant(0.0)),
         Some(entry) => one_way(&entry, shape, dimension),
@@ -141,7 +145,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
     let rows = rows(entry, Dimension::Number, dimension)?;
     let ends = [rows.first(), rows.last()];
     if let Some([at, _]) = ends.into_iter().flatten().find(|row| !(0.0..=1.0).contains(&row[0])) {
-        entry.fault(format!("`{}` has a row at {at}: a stroke runs from 0 to 1", entry.name), "");
+        entry.fault(format!("`{}` has a row at {}: a stroke runs from 0 to 1", entry.name, brief(*at)), "");
         return None;
     }
     Some(Table { rows, shape })
@@ -161,6 +165,11 @@ fn rows(
     let items = entry.list("a list of rows");
     if items.is_empty() {
         entry.fault(format!("`{}` has no rows", entry.name), "such as [[0, 10], [1, 20]]");
+        return None;
+    }
+    if items.len() > MOST_ROWS {
+        let message = format!("`{}` has {} rows, at most {MOST_ROWS} are read", entry.name, items.len());
+        entry.fault(message, "leave rows out: between them lines are drawn");
         return None;
     }
     let mut rows: Vec<[f64; 2]> = Vec::with_capacity(items.len());

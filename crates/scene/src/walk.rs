@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
-use crate::text::{did_you_mean, nearest, row, shown};
+use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
 
 /// A table of the file whose keys are known.
 #[derive(Debug, Clone)]
@@ -52,10 +52,13 @@ impl<'a> Section<'a> {
     fn refuse_unknown(&self) {
         for entry in self.entries() {
             if !self.known.contains(&entry.name.as_str()) {
-                let help = format!("{} knows: {}", self.what, self.known.join(", "));
-                entry.unknown("key", self.known.iter().copied(), help);
+                entry.unknown("key", self.known.iter().copied(), || self.knows());
             }
         }
+    }
+
+    fn knows(&self) -> String {
+        format!("{} knows: {}", self.what, self.known.join(", "))
     }
 
     /// The value of a key.
@@ -76,10 +79,8 @@ impl<'a> Section<'a> {
     /// Notes that a key is missing, and why it is wanted.
     pub(crate) fn missing(&self, key: &str, why: &str) {
         let label = if why.is_empty() { format!("add `{key} = ...`") } else { why.to_owned() };
-        let help = format!("{} knows: {}", self.what, self.known.join(", "));
-        self.faults.push(
-            Fault::new(self.span.clone(), format!("{} needs `{key}`", self.what)).label(label).help(help),
-        );
+        let message = format!("{} needs `{key}`", self.what);
+        self.faults.push(Fault::new(self.span.clone(), message).label(label).help(self.knows()));
     }
 
     /// Every key with its value, in the order of the file.
@@ -114,10 +115,17 @@ impl<'a> Entry<'a> {
     }
 
     /// Notes that nobody knows the key, which is a `what`, and the known one that is spelled nearly so.
-    pub fn unknown<'k>(&self, what: &str, known: impl IntoIterator<Item = &'k str>, help: impl Into<String>) {
-        let near = nearest(&self.name, known);
-        let message = format!("unknown {what} `{}`", shown(&self.name));
-        self.faults.push(Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help));
+    pub fn unknown<'k>(
+        &self,
+        what: &str,
+        known: impl IntoIterator<Item = &'k str>,
+        help: impl FnOnce() -> String,
+    ) {
+        self.faults.note(|| {
+            let near = nearest(&self.name, known);
+            let message = format!("unknown {what} `{}`", shown(&self.name));
+            Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help())
+        });
     }
 
     /// Whether it is a list.
@@ -194,8 +202,12 @@ impl<'a> Entry<'a> {
             return None;
         };
         let text = text.as_ref();
-        if text.trim().is_empty() || text.chars().any(char::is_control) {
-            let got = if text.trim().is_empty() { "an empty text" } else { "a text with control characters" };
+        if text.trim().is_empty() || text.chars().any(is_unprintable) {
+            let got = if text.trim().is_empty() {
+                "an empty text"
+            } else {
+                "a text with characters that don't show"
+            };
             self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
             return None;
         }
@@ -208,7 +220,7 @@ impl<'a> Entry<'a> {
         if text.is_none() {
             self.wrong("a text", "in quotes");
         }
-        text.map(|text| text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
+        text.map(|text| text.chars().map(|c| if is_unprintable(c) { ' ' } else { c }).collect())
     }
 
     /// One of some words.

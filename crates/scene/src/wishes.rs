@@ -50,7 +50,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
         (Some(at), Some(angle)) => {
-            let (at, angle) = (linkage.place(&at, link?), angle.bounded(Dimension::Angle, Bound::Any));
+            let (at, angle) = (linkage.place(&at, link?), angle.bounded(Dimension::Angle, Bound::Direction));
             Some(Balance::Force { at: at?, angle: angle? })
         }
         (at, _) => {

@@ -19,7 +19,8 @@ pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
     let text = text_of(path)?;
     let name = path.display().to_string();
     let mechanism = assur_scene::read(&name, &text).map_err(|errors| faults(&errors, style))?;
-    match Structure::of(&mechanism).err().and_then(|error| files::located(&name, &text, &error)) {
+    let structure = || Structure::of(&mechanism).err().and_then(|error| files::located(&name, &text, &error));
+    match files::integrator_fault(&name, &text, &mechanism).or_else(structure) {
         Some(errors) => Err(faults(&errors, style)),
         None => Ok(mechanism),
     }

@@ -93,7 +93,7 @@ fn keymap(table: &Entry<'_>) -> Keymap {
             entry.unknown(
                 "command",
                 COMMANDS.iter().map(|command| command.name),
-                "`assur config` prints all commands with their keys",
+                || "`assur config` prints all commands with their keys".to_owned(),
             );
             continue;
         };

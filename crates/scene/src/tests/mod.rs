@@ -2,6 +2,7 @@
 
 mod display;
 mod faults;
+mod limits;
 mod robust;
 mod values;
 

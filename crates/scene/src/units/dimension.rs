@@ -42,25 +42,38 @@ pub enum Dimension {
 
 use Dimension as D;
 
-/// Dimension, its powers, its name, its usual units (SI first), an example.
-type Row = (Dimension, Powers, &'static str, &'static str, &'static str);
+/// Dimension, its powers, its name, its usual units (SI first), an example, the greatest size in SI.
+type Row = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
 
+/// Sizes below this, other than 0, are refused: no measurement is so fine, and products of a few of them are no numbers.
+pub(crate) const LEAST: f64 = 1e-30;
+
+// The greatest sizes lie far beyond any machine, and near enough that results keep digits: an angle of 1e9 rad has 7 digits
+// left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest masses and speeds stay
+// numbers. docs/ranges.md tells them to the user.
 const ROWS: [Row; 15] = [
-    (D::Number, [0, 0, 0, 0], "a plain number", "", "0.5"),
-    (D::Length, [1, 0, 0, 0], "a length", "m, mm, cm, km, um", "120 mm"),
-    (D::Angle, [0, 0, 0, 1], "an angle", "rad, deg, rev", "30 deg"),
-    (D::Mass, [0, 1, 0, 0], "a mass", "kg, g, t", "4 kg"),
-    (D::Time, [0, 0, 1, 0], "a time", "s, ms, min, h", "0.5 s"),
-    (D::Force, [1, 1, -2, 0], "a force", "N, kN, MN, mN", "1.5 kN"),
-    (D::Moment, [2, 1, -2, 0], "a moment", "N*m, kN*m, N*mm", "25 N*m"),
-    (D::Speed, [1, 0, -1, 0], "a speed", "m/s, mm/s, km/h", "0.3 m/s"),
-    (D::AngularSpeed, [0, 0, -1, 1], "a speed of rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm"),
-    (D::Acceleration, [1, 0, -2, 0], "an acceleration", "m/s^2, mm/s^2", "9.81 m/s^2"),
-    (D::AngularAcceleration, [0, 0, -2, 1], "an angular acceleration", "rad/s^2, deg/s^2", "40 rad/s^2"),
-    (D::Inertia, [2, 1, 0, 0], "a moment of inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2"),
-    (D::Stiffness, [0, 1, -2, 0], "a stiffness", "N/m, N/mm, kN/m", "4530 N/m"),
-    (D::Damping, [0, 1, -1, 0], "a damping", "N*s/m, kN*s/m", "12 N*s/m"),
-    (D::Power, [2, 1, -3, 0], "a power", "W, kW, MW", "1.5 kW"),
+    (D::Number, [0, 0, 0, 0], "a plain number", "", "0.5", 1e15),
+    (D::Length, [1, 0, 0, 0], "a length", "m, mm, cm, km, um", "120 mm", 1e6),
+    (D::Angle, [0, 0, 0, 1], "an angle", "rad, deg, rev", "30 deg", 1e9),
+    (D::Mass, [0, 1, 0, 0], "a mass", "kg, g, t", "4 kg", 1e12),
+    (D::Time, [0, 0, 1, 0], "a time", "s, ms, min, h", "0.5 s", 1e9),
+    (D::Force, [1, 1, -2, 0], "a force", "N, kN, MN, mN", "1.5 kN", 1e15),
+    (D::Moment, [2, 1, -2, 0], "a moment", "N*m, kN*m, N*mm", "25 N*m", 1e15),
+    (D::Speed, [1, 0, -1, 0], "a speed", "m/s, mm/s, km/h", "0.3 m/s", 1e6),
+    (D::AngularSpeed, [0, 0, -1, 1], "a speed of rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm", 1e9),
+    (D::Acceleration, [1, 0, -2, 0], "an acceleration", "m/s^2, mm/s^2", "9.81 m/s^2", 1e9),
+    (
+        D::AngularAcceleration,
+        [0, 0, -2, 1],
+        "an angular acceleration",
+        "rad/s^2, deg/s^2",
+        "40 rad/s^2",
+        1e12,
+    ),
+    (D::Inertia, [2, 1, 0, 0], "a moment of inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2", 1e15),
+    (D::Stiffness, [0, 1, -2, 0], "a stiffness", "N/m, N/mm, kN/m", "4530 N/m", 1e15),
+    (D::Damping, [0, 1, -1, 0], "a damping", "N*s/m, kN*s/m", "12 N*s/m", 1e15),
+    (D::Power, [2, 1, -3, 0], "a power", "W, kW, MW", "1.5 kW", 1e15),
 ];
 
 impl Dimension {
@@ -87,6 +100,11 @@ impl Dimension {
     /// A quantity of this kind as a scene has it: "4 kg".
     pub fn example(self) -> &'static str {
         self.row().4
+    }
+
+    /// The greatest size of a number of this kind in a scene, SI.
+    pub(crate) fn most(self) -> f64 {
+        self.row().5
     }
 
     /// Name and units: "a mass (kg, g, t)".

@@ -28,11 +28,21 @@ pub enum UnitError {
         /// The text.
         text: String,
     },
-    /// The number is beyond 1e30.
-    #[error("is too large: `{}`", shown(text))]
+    /// The number is so great that results would have no digits.
+    #[error("is too large: `{}`, at most {:e} {}", shown(text), wanted.most(), wanted.si())]
     TooLarge {
         /// The text.
         text: String,
+        /// What was wanted.
+        wanted: Dimension,
+    },
+    /// The number is not 0, but less than anything that can be measured.
+    #[error("is too small: `{}`, at least {:e} {} or 0", shown(text), dimension::LEAST, wanted.si())]
+    TooSmall {
+        /// The text.
+        text: String,
+        /// What was wanted.
+        wanted: Dimension,
     },
     /// No unit of this name is known.
     #[error("wants {}, got the unknown unit `{}`", wanted.full(), shown(unit))]
@@ -56,19 +66,29 @@ pub enum UnitError {
     },
 }
 
-/// The greatest size of a number of a scene, SI: beyond it products of masses, lengths and squared speeds stop being
-/// numbers.
-pub(crate) const MOST: f64 = 1e30;
+/// An SI value if it lies in the range of its kind; `text` is how it was written.
+///
+/// # Errors
+///
+/// [`UnitError::TooLarge`], [`UnitError::TooSmall`].
+pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, UnitError> {
+    let text = || text.to_owned();
+    match value.abs() {
+        size if size > wanted.most() => Err(UnitError::TooLarge { text: text(), wanted }),
+        size if size > 0.0 && size < dimension::LEAST => Err(UnitError::TooSmall { text: text(), wanted }),
+        _ => Ok(value),
+    }
+}
 
 /// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number alone is SI already.
 ///
 /// # Errors
 ///
-/// [`UnitError`]: no number, too large a number, an unknown unit, a unit of another dimension.
+/// [`UnitError`]: no number, one out of range, an unknown unit, a unit of another dimension.
 pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let (number, unit) = parse::split(text, wanted)?;
     if unit.is_empty() {
-        return Ok(number);
+        return within(number, text, wanted);
     }
     let scale = parse::unit(unit, wanted)?;
     if !wanted.accepts(scale.powers) {
@@ -78,7 +98,7 @@ pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. And pi
     // comes last: 60 rpm is 2 pi rad/s to the last bit.
     let value = number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns);
-    if value.abs() <= MOST { Ok(value) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
+    within(value, text, wanted)
 }
 
 /// Whether a text is a unit, of whatever quantity.

@@ -70,7 +70,11 @@ pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitEr
         .replace('\u{2212}', "-")
         .parse()
         .map_err(|_| UnitError::NotANumber { text: text.to_owned(), wanted })?;
-    if value.is_finite() { Ok((value, unit)) } else { Err(UnitError::TooLarge { text: text.to_owned() }) }
+    if value.is_finite() {
+        Ok((value, unit))
+    } else {
+        Err(UnitError::TooLarge { text: text.to_owned(), wanted })
+    }
 }
 
 /// Length in bytes of the number at the beginning: sign, digits with a point, exponent.
