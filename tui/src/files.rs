@@ -4,8 +4,8 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use assur_report::csv::CsvFile;
 use assur_mechanism::{Mechanism, Motion};
+use assur_report::csv::CsvFile;
 use assur_scene::{SceneErrors, document};
 use assur_structure::StructureError;
 use tempfile::NamedTempFile;

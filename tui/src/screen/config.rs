@@ -90,11 +90,9 @@ fn keymap(table: &Entry<'_>) -> Keymap {
     let (mut keymap, mut written) = (Keymap::of(COMMANDS), Vec::new());
     for entry in table.named("a table", "write [keys] and a line for each command") {
         let Some(command) = COMMANDS.iter().find(|command| command.name == entry.name) else {
-            entry.unknown(
-                "command",
-                COMMANDS.iter().map(|command| command.name),
-                || "`assur config` prints all commands with their keys".to_owned(),
-            );
+            entry.unknown("command", COMMANDS.iter().map(|command| command.name), || {
+                "`assur config` prints all commands with their keys".to_owned()
+            });
             continue;
         };
         let keys = keys(&entry, command);
