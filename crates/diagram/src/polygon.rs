@@ -138,7 +138,12 @@ impl Drawer<'_> {
             let (name, what) =
                 (structure.pair_name(mechanism, id), if pair.is_slide() { "guide" } else { "pin" });
             let [on, from] = [link, pair.other(link)].map(|link| &mechanism.links[link].name);
-            list.push((format!("R({name})"), force, format!("{what} {name} on `{on}`, from `{from}`")));
+            let share = if structure.is_share(id) { format!(" from {from}") } else { String::new() };
+            list.push((
+                format!("R({name}{share})"),
+                force,
+                format!("{what} {name} on `{on}`, from `{from}`"),
+            ));
         }
         list
     }

@@ -86,6 +86,13 @@ impl Structure {
         name_of(mechanism, self.pairs[pair].source)
     }
 
+    /// Whether a pair is one of several in a joint of more than two links, so that its reaction is a share of what the joint
+    /// exerts on a link.
+    pub fn is_share(&self, pair: usize) -> bool {
+        let source = self.pairs[pair].source;
+        self.pairs.iter().filter(|other| other.source == source).count() > 1
+    }
+
     /// `group 1 (RRR rod, rocker)`, for messages.
     pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> String {
         let found = &self.groups[group];

@@ -28,6 +28,10 @@ const FORCES: [&str; 4] = [
     "Assumptions: pairs without friction; weights and inertia at the centers of mass.",
 ];
 
+/// Where a joint has more than two links.
+const SHARES: &str = "In a joint B of more than two links, Rx_B_s_t_r is the share of links s and t alone; the reaction of B on r \
+                      is the sum of its shares.";
+
 impl Work<'_> {
     /// The first part: signs, symbols, assumptions.
     pub(crate) fn conventions(&mut self, index: usize, forces: bool) {
@@ -42,6 +46,10 @@ impl Work<'_> {
         if forces {
             for words in FORCES {
                 self.sheet.note(words);
+            }
+            let structure = &self.linkage.structure;
+            if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
+                self.sheet.note(SHARES);
             }
         }
     }

@@ -6,7 +6,8 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, Mechanism, Place};
 use assur_worksheet::Names;
 
-/// Names of all bodies, pairs and places that a working may speak of.
+/// Names of all bodies, pairs and places that a working may speak of. A pair of a joint of more than two links is named by its
+/// links too: what it exerts is a share of the joint's reaction.
 pub(crate) fn of(linkage: &Linkage) -> Names {
     let mechanism = &linkage.mechanism;
     let mut places = Places { found: Vec::new(), used: BTreeSet::new() };
@@ -28,16 +29,14 @@ pub(crate) fn of(linkage: &Linkage) -> Names {
     places.loads(mechanism);
     let mut used = BTreeSet::new();
     let bodies = mechanism.links.iter().map(|link| unique(&mut used, &link.name)).collect();
-    let mut used = BTreeSet::new();
     let sources = linkage.structure.pairs.iter().enumerate();
     let pairs = sources.map(|(id, pair)| {
         let name = linkage.structure.pair_name(mechanism, id);
-        // A multiple joint is several pairs of one name: told apart by the links on which their reactions act.
-        if used.insert((plain(name), pair.pair.a.max(pair.pair.b))) {
-            name.to_owned()
-        } else {
-            format!("{name}_{id}")
+        if !linkage.structure.is_share(id) {
+            return name.to_owned();
         }
+        let [a, b] = [pair.pair.a, pair.pair.b].map(|link| mechanism.links[link].name.as_str());
+        format!("{name}_{a}_{b}")
     });
     Names { bodies, places: places.found, pairs: pairs.collect() }
 }

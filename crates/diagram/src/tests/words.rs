@@ -73,3 +73,15 @@ fn where_the_published_form_fails_the_sheet_still_comes() {
     let found = sheet(&linkage, &loads, &state, true, find("longitudinal").unwrap()).unwrap();
     assert_eq!(found.constructions.len(), 3);
 }
+
+/// At the conveyor's pin of three links, an arrow of a polygon is the share of one pair, and is called so.
+#[test]
+fn a_share_of_a_multiple_joint_is_not_called_by_the_whole_reaction() {
+    let linkage = compile(&fixture("conveyor"));
+    let loads = Loads::compile(&linkage).unwrap();
+    let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(2));
+    let found = sheet(&linkage, &loads, &state, true, find("groups").unwrap()).unwrap();
+    let names: Vec<_> = found.polygons.iter().flat_map(|plan| &plan.items).map(|v| v.name.as_str()).collect();
+    assert!(names.iter().any(|name| name.starts_with("R(B from ")), "{names:?}");
+    assert!(!names.contains(&"R(B)") && names.contains(&"R(C)"), "{names:?}");
+}

@@ -2,26 +2,14 @@ use super::evaluate::recomputes;
 use super::{compiled, forces_agree, worked};
 
 pub(crate) fn scene(name: &str) -> assur_mechanism::Mechanism {
-    let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    assur_scene::read(name, &std::fs::read_to_string(path).unwrap()).unwrap()
-}
-
-/// Every scene of the folder.
-fn names() -> Vec<String> {
-    let folder = format!("{}/../../fixtures", env!("CARGO_MANIFEST_DIR"));
-    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
-    let mut names: Vec<_> =
-        scenes.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
+    assur_scene::read(name, assur_fixtures::scene(name)).unwrap()
 }
 
 #[test]
 fn every_line_of_every_scene_recomputes() {
     let (mut lines, mut general) = (0, Vec::new());
-    for name in names() {
-        let (linkage, loads) = compiled(scene(&name));
+    for (name, _) in assur_fixtures::SCENES {
+        let (linkage, loads) = compiled(scene(name));
         let count = linkage.mechanism.input.positions;
         for index in [0, 1, 3, count / 4, count / 2, count - 1].into_iter().filter(|index| *index < count) {
             let mut position = linkage.position();
@@ -30,7 +18,7 @@ fn every_line_of_every_scene_recomputes() {
             }
             let working = worked(&linkage, loads.as_ref(), index);
             lines += recomputes(&format!("{name}, position {index}"), &working.text());
-            general.extend(working.general.iter().map(|group| (name.clone(), index, *group)));
+            general.extend(working.general.iter().map(|group| (*name, index, *group)));
         }
     }
     assert!(lines > 3000, "{lines} lines");

@@ -47,3 +47,26 @@ fn a_position_that_does_not_exist() {
     assert_eq!(error, WorkingError::Index { index: 24, last: 23 });
     assert_eq!(error.to_string(), "there is no position 24: the scene has positions 0 to 23");
 }
+
+/// The conveyor's pin B joins rod, rocker and connecting rod: two pairs, whose shares sum to the reaction on each link.
+#[test]
+fn a_share_of_a_multiple_joint_is_named_by_both_its_links() {
+    let (linkage, loads) = compiled(scene("conveyor"));
+    let working = worked(&linkage, loads.as_ref(), 2);
+    let text = working.text();
+    let multiple = |pair: usize| linkage.structure.is_share(pair);
+    let shares: Vec<_> = working.reactions.iter().filter(|reaction| multiple(reaction.pair)).collect();
+    assert_eq!(shares.len(), 2);
+    for reaction in shares {
+        let pair = &linkage.structure.pairs[reaction.pair].pair;
+        let [a, b, on] =
+            [pair.a, pair.b, reaction.on].map(|link| linkage.mechanism.links[link].name.as_str());
+        let name =
+            format!("Rx_{}_{a}_{b}_{on}", linkage.structure.pair_name(&linkage.mechanism, reaction.pair));
+        let wanted = reaction.force[0].value();
+        assert!((value(&text, &name) - wanted).abs() <= 1e-5 * wanted.abs(), "{name}");
+    }
+    assert!(text.contains("is the share of links s and t alone"));
+    let (simple, loads) = compiled(scene("slider-crank"));
+    assert!(!worked(&simple, loads.as_ref(), 2).text().contains("share"));
+}
