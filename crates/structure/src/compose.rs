@@ -1,7 +1,7 @@
 //! From the counted system to groups with pairs, kinds and a formula.
 
 use assur_group::{GroupFrame, Pair, PairGeometry, SeenPair, plugin_for};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 
 use crate::graph::{Block, Graph, Node};
 use crate::{
@@ -12,13 +12,15 @@ pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError
     let mobility = count(mechanism);
     let graph = counted_system(mechanism);
     refuse_other_mobility(mechanism, &mobility, &graph)?;
-    let scale = typical_length(mechanism);
+    let incidence = Incidence::of(mechanism);
+    let scale = typical_length(mechanism, &incidence);
     let mut pairs = vec![input_pair(mechanism)];
     let mut rank = vec![usize::MAX; mechanism.links.len()];
     (rank[GROUND], rank[mechanism.input.link]) = (0, 1);
     let mut groups = Vec::new();
     for part in graph.parts() {
-        let frame = frame_of(mechanism, &graph, &part, &rank, scale, &mut pairs);
+        let links = links_of(&graph, &part);
+        let frame = frame_of(mechanism, &incidence, links, &rank, scale, &mut pairs);
         if frame.links.is_empty() {
             continue;
         }
@@ -29,6 +31,35 @@ pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError
     }
     let formula = formula(mechanism, &groups);
     Ok(Structure { mobility, pairs, groups, links: mechanism.links.len(), scale, formula })
+}
+
+/// Points and slides of each link, in the order of the scene.
+struct Incidence {
+    points: Vec<Vec<PointId>>,
+    slides: Vec<Vec<SlideId>>,
+}
+
+impl Incidence {
+    fn of(mechanism: &Mechanism) -> Self {
+        let none = vec![Vec::new(); mechanism.links.len()];
+        let (mut points, mut slides) = (none.clone(), none);
+        for (id, point) in mechanism.points.iter().enumerate() {
+            point.places.iter().for_each(|place| points[place.link].push(id));
+        }
+        for (id, slide) in mechanism.slides.iter().enumerate() {
+            slides[slide.link].push(id);
+            slides[slide.on].push(id);
+        }
+        Self { points, slides }
+    }
+}
+
+/// What some links have together, once each and in the order of the scene.
+fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
+    let mut all: Vec<usize> = links.iter().flat_map(|&link| of[link].iter().copied()).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 /// Chebyshev's formula.
@@ -47,7 +78,13 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
         (1..mechanism.links.len()).filter(|&link| !known(link)).map(Node::Link).collect();
     let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
     nodes.extend(pins.map(|(id, _)| Node::Pin(id)));
-    let index = |wanted: Node| nodes.iter().position(|node| *node == wanted);
+    let (mut links, mut points) = (vec![None; mechanism.links.len()], vec![None; mechanism.points.len()]);
+    for (index, node) in nodes.iter().enumerate() {
+        match *node {
+            Node::Link(link) => links[link] = Some(index),
+            Node::Pin(point) => points[point] = Some(index),
+        }
+    }
     let mut blocks = Vec::new();
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         for place in &point.places {
@@ -55,7 +92,7 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
             if place.link == mechanism.input.link && mechanism.input.pair == InputPair::Pin(id) {
                 continue;
             }
-            let ends = [index(Node::Pin(id)), index(Node::Link(place.link))];
+            let ends = [points[id], links[place.link]];
             blocks.push(Block { nodes: ends.into_iter().flatten().collect(), source: PairId::Pin(id) });
         }
     }
@@ -63,7 +100,7 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
         if mechanism.input.pair == InputPair::Slide(id) {
             continue;
         }
-        let ends = [index(Node::Link(slide.link)), index(Node::Link(slide.on))];
+        let ends = [links[slide.link], links[slide.on]];
         blocks.push(Block { nodes: ends.into_iter().flatten().collect(), source: PairId::Slide(id) });
     }
     Graph::matched(nodes, blocks)
@@ -80,11 +117,7 @@ fn refuse_other_mobility(
         formula: format!("3*{} - 2*{}", mobility.moving_links, mobility.pairs),
     };
     let link_names = |nodes: &[usize]| -> Vec<String> {
-        let links = nodes.iter().filter_map(|&node| match graph.nodes[node] {
-            Node::Link(link) => Some(mechanism.links[link].name.clone()),
-            Node::Pin(_) => None,
-        });
-        links.collect()
+        links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.clone()).collect()
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
         let mut pairs: Vec<String> = Vec::new();
@@ -100,7 +133,6 @@ fn refuse_other_mobility(
     match (surplus, loose.is_empty()) {
         (None, true) => Ok(()),
         (Some((pairs, mut links)), true) => {
-            links.sort_by_key(|name| mechanism.link(name));
             if links.is_empty() {
                 // Both ends of the surplus pair are known: ground and input link.
                 links.push(mechanism.links[mechanism.input.link].name.clone());
@@ -117,11 +149,10 @@ fn refuse_other_mobility(
 }
 
 /// The greatest distance between two points of one link, or of the ground; 1 m where there is none.
-fn typical_length(mechanism: &Mechanism) -> f64 {
+fn typical_length(mechanism: &Mechanism, incidence: &Incidence) -> f64 {
     let mut longest = 0.0_f64;
-    for link in 0..mechanism.links.len() {
-        let places = mechanism.points.iter().enumerate().filter_map(|(id, _)| mechanism.place_in(id, link));
-        let places: Vec<_> = places.collect();
+    for (link, points) in incidence.points.iter().enumerate() {
+        let places: Vec<_> = points.iter().filter_map(|&id| mechanism.place_in(id, link)).collect();
         for (i, a) in places.iter().enumerate() {
             for b in &places[..i] {
                 longest = longest.max((a[0] - b[0]).hypot(a[1] - b[1]));
@@ -155,26 +186,30 @@ fn slide_pair(mechanism: &Mechanism, id: usize, index: usize) -> NamedPair {
     NamedPair { pair, source: PairId::Slide(id) }
 }
 
-/// Links and pairs of one part; a part of a pin alone gives no links.
+/// The links of one part in the order of the scene; a part of a pin alone has none.
+fn links_of(graph: &Graph, part: &[usize]) -> Vec<LinkId> {
+    let links = part.iter().filter_map(|&node| match graph.nodes[node] {
+        Node::Link(link) => Some(link),
+        Node::Pin(_) => None,
+    });
+    let mut links: Vec<LinkId> = links.collect();
+    links.sort_unstable();
+    links
+}
+
+/// The pairs of these links with each other and with what is solved; they are appended to `pairs`.
 fn frame_of(
     mechanism: &Mechanism,
-    graph: &Graph,
-    part: &[usize],
+    incidence: &Incidence,
+    links: Vec<LinkId>,
     rank: &[usize],
     scale: f64,
     pairs: &mut Vec<NamedPair>,
 ) -> GroupFrame {
-    let mut links: Vec<LinkId> = part
-        .iter()
-        .filter_map(|&node| match graph.nodes[node] {
-            Node::Link(link) => Some(link),
-            Node::Pin(_) => None,
-        })
-        .collect();
-    links.sort_unstable();
     let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), scale };
-    let mut found = pins_of(mechanism, &frame.links, rank, pairs.len());
-    for id in 0..mechanism.slides.len() {
+    let mut found =
+        pins_of(mechanism, &common(&incidence.points, &frame.links), &frame.links, rank, pairs.len());
+    for id in common(&incidence.slides, &frame.links) {
         let slide = &mechanism.slides[id];
         let within = |link: LinkId| frame.links.contains(&link);
         let solved = |link: LinkId| rank[link] != usize::MAX;
@@ -193,9 +228,16 @@ fn frame_of(
 }
 
 /// Pairs that the pins make between links of a group, and of the group with what is solved.
-fn pins_of(mechanism: &Mechanism, links: &[LinkId], rank: &[usize], first: usize) -> Vec<NamedPair> {
+fn pins_of(
+    mechanism: &Mechanism,
+    points: &[PointId],
+    links: &[LinkId],
+    rank: &[usize],
+    first: usize,
+) -> Vec<NamedPair> {
     let mut found = Vec::new();
-    for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
+    let points = points.iter().map(|&id| (id, &mechanism.points[id]));
+    for (id, point) in points.filter(|(_, point)| point.is_pin()) {
         let members: Vec<_> = point.places.iter().filter(|place| links.contains(&place.link)).collect();
         let solved = point.places.iter().filter(|place| rank[place.link] != usize::MAX);
         // All hang on one body: on the first that is solved, or else on the first link of the group.

@@ -1,5 +1,8 @@
 //! The counted system: which equation determines which unknown.
 
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, VecDeque};
+
 /// Unknowns: moving links with 3 freedoms, pins with 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Node {
@@ -23,7 +26,7 @@ impl Node {
 pub(crate) struct Block {
     /// Indices of the nodes that it binds; never more than two.
     pub(crate) nodes: Vec<usize>,
-    /// Index of the pin's point or of the slide, for messages.
+    /// The pin or slide, for messages.
     pub(crate) source: assur_mechanism::PairId,
 }
 
@@ -34,81 +37,112 @@ pub(crate) struct Graph {
     pub(crate) blocks: Vec<Block>,
     /// For each scalar equation (two a block) the node that it determines.
     matched: Vec<Option<usize>>,
+    /// For each node the equations that determine it, at most as many as it has freedoms.
+    held: Vec<Vec<usize>>,
+}
+
+/// Marks of the search for an augmenting path: of each node the last search that met it, and from which equation.
+struct Search {
+    met: Vec<usize>,
+    from: Vec<usize>,
+    queue: VecDeque<usize>,
 }
 
 impl Graph {
-    /// Matches as many equations as possible to unknowns (augmenting paths).
+    /// Matches as many equations as possible to unknowns, each equation by the shortest augmenting path.
+    ///
+    /// An equation that is left over stays so: the earlier equations are preferred. The paths are short, because most
+    /// equations find an unknown of their own that is free; so the time is near-linear for a scene in any order.
     pub(crate) fn matched(nodes: Vec<Node>, blocks: Vec<Block>) -> Self {
-        let equations = 2 * blocks.len();
-        let mut graph = Self { nodes, blocks, matched: vec![None; equations] };
+        let (equations, count) = (2 * blocks.len(), nodes.len());
+        let held = vec![Vec::with_capacity(3); count];
+        let mut graph = Self { nodes, blocks, matched: vec![None; equations], held };
+        let mut search = Search { met: vec![0; count], from: vec![0; count], queue: VecDeque::new() };
         for equation in 0..equations {
-            let mut visited = vec![false; graph.nodes.len()];
-            graph.augment(equation, &mut visited);
+            graph.augment(equation, &mut search);
         }
         graph
     }
 
-    fn load(&self, node: usize) -> usize {
-        self.matched.iter().filter(|&&found| found == Some(node)).count()
+    fn is_free(&self, node: usize) -> bool {
+        self.held[node].len() < self.nodes[node].freedoms()
     }
 
-    fn augment(&mut self, equation: usize, visited: &mut [bool]) -> bool {
-        let candidates = self.blocks[equation / 2].nodes.clone();
-        for node in candidates {
-            if visited[node] {
-                continue;
-            }
-            visited[node] = true;
-            if self.load(node) < self.nodes[node].freedoms() {
-                self.matched[equation] = Some(node);
-                return true;
-            }
-            let holders: Vec<_> =
-                (0..self.matched.len()).filter(|&e| self.matched[e] == Some(node)).collect();
-            for holder in holders {
-                if self.augment(holder, visited) {
-                    self.matched[equation] = Some(node);
-                    return true;
+    /// Breadth-first search from an unmatched equation to a free node; shifts the matches along the path.
+    fn augment(&mut self, equation: usize, search: &mut Search) {
+        let stamp = equation + 1;
+        search.queue.clear();
+        search.queue.push_back(equation);
+        while let Some(next) = search.queue.pop_front() {
+            for k in 0..self.blocks[next / 2].nodes.len() {
+                let node = self.blocks[next / 2].nodes[k];
+                if search.met[node] == stamp {
+                    continue;
                 }
+                (search.met[node], search.from[node]) = (stamp, next);
+                if self.is_free(node) {
+                    self.shift(node, &search.from);
+                    return;
+                }
+                search.queue.extend(&self.held[node]);
             }
         }
-        false
+    }
+
+    /// Gives a free node to the equation it was reached from, that equation's former node to the one before, and so on.
+    fn shift(&mut self, free: usize, from: &[usize]) {
+        let mut node = free;
+        loop {
+            let equation = from[node];
+            self.held[node].push(equation);
+            let Some(former) = self.matched[equation].replace(node) else { return };
+            self.held[former].retain(|&other| other != equation);
+            node = former;
+        }
     }
 
     /// Blocks and nodes of the first over-determined part, if there is one: an unmatched equation and all that it
     /// could displace.
     pub(crate) fn surplus(&self) -> Option<(Vec<usize>, Vec<usize>)> {
-        let first = self.matched.iter().position(Option::is_none)?;
-        let (mut blocks, mut nodes) = (vec![first / 2], Vec::new());
+        let first = self.matched.iter().position(Option::is_none)? / 2;
+        let (mut blocks, mut nodes) = (vec![first], Vec::new());
+        let mut has_block = vec![false; self.blocks.len()];
+        let mut has_node = vec![false; self.nodes.len()];
+        has_block[first] = true;
         let mut next = 0;
         while next < blocks.len() {
             for &node in &self.blocks[blocks[next]].nodes {
-                if nodes.contains(&node) {
+                if std::mem::replace(&mut has_node[node], true) {
                     continue;
                 }
                 nodes.push(node);
-                for (equation, &found) in self.matched.iter().enumerate() {
-                    if found == Some(node) && !blocks.contains(&(equation / 2)) {
-                        blocks.push(equation / 2);
+                for block in self.held[node].iter().map(|equation| equation / 2) {
+                    if !std::mem::replace(&mut has_block[block], true) {
+                        blocks.push(block);
                     }
                 }
             }
             next += 1;
         }
+        blocks.sort_unstable();
         Some((blocks, nodes))
     }
 
     /// Nodes that the equations leave undetermined.
     pub(crate) fn loose(&self) -> Vec<usize> {
-        let mut found: Vec<usize> =
-            (0..self.nodes.len()).filter(|&node| self.load(node) < self.nodes[node].freedoms()).collect();
+        let mut dependents = vec![Vec::new(); self.nodes.len()];
+        for (node, needs) in self.needs().into_iter().enumerate() {
+            for other in needs {
+                dependents[other].push(node);
+            }
+        }
+        let mut found: Vec<usize> = (0..self.nodes.len()).filter(|&node| self.is_free(node)).collect();
+        let mut seen: Vec<bool> = (0..self.nodes.len()).map(|node| self.is_free(node)).collect();
         let mut next = 0;
         while next < found.len() {
             // A node bound to a loose one through an equation that determines this node floats with it.
-            for (equation, &matched) in self.matched.iter().enumerate() {
-                let Some(node) = matched else { continue };
-                let binds = self.blocks[equation / 2].nodes.contains(&found[next]);
-                if binds && !found.contains(&node) {
+            for &node in &dependents[found[next]] {
+                if !std::mem::replace(&mut seen[node], true) {
                     found.push(node);
                 }
             }
@@ -120,46 +154,55 @@ impl Graph {
 
     /// Nodes that each node needs: the other ends of the equations that determine it.
     fn needs(&self) -> Vec<Vec<usize>> {
-        let mut needs = vec![Vec::new(); self.nodes.len()];
-        for (equation, &matched) in self.matched.iter().enumerate() {
-            let Some(node) = matched else { continue };
-            for &other in &self.blocks[equation / 2].nodes {
-                if other != node && !needs[node].contains(&other) {
-                    needs[node].push(other);
-                }
-            }
-        }
-        needs
+        let others = |node: usize| {
+            let ends = self.held[node].iter().flat_map(|equation| &self.blocks[equation / 2].nodes);
+            let mut others: Vec<usize> = ends.copied().filter(|&other| other != node).collect();
+            others.sort_unstable();
+            others.dedup();
+            others
+        };
+        (0..self.nodes.len()).map(others).collect()
     }
 
     /// The strongly connected parts of a perfectly matched system in solving order; of several that could be next, the
     /// one with the first link.
     pub(crate) fn parts(&self) -> Vec<Vec<usize>> {
         let needs = self.needs();
-        let mut waiting = strongly_connected(&needs);
-        let rank = |part: &Vec<usize>| {
-            let first = part.iter().filter_map(|&node| match self.nodes[node] {
+        let mut parts = strongly_connected(&needs);
+        let mut part_of = vec![0; self.nodes.len()];
+        for (i, part) in parts.iter().enumerate() {
+            part.iter().for_each(|&node| part_of[node] = i);
+        }
+        // Edges from each part to those that wait for it, and how many edges each part still waits for.
+        let (mut waiting_for, mut open) = (vec![Vec::new(); parts.len()], vec![0_usize; parts.len()]);
+        for (node, list) in needs.iter().enumerate() {
+            for &other in list.iter().filter(|&&other| part_of[other] != part_of[node]) {
+                waiting_for[part_of[other]].push(part_of[node]);
+                open[part_of[node]] += 1;
+            }
+        }
+        let rank = |part: &[usize]| {
+            let links = part.iter().filter_map(|&node| match self.nodes[node] {
                 Node::Link(link) => Some(link),
                 Node::Pin(_) => None,
             });
             // Pins alone are free: they come as soon as they can.
-            first.min().unwrap_or(0)
+            links.min().unwrap_or(0)
         };
-        let mut solved = vec![false; self.nodes.len()];
-        let mut ordered = Vec::new();
-        while !waiting.is_empty() {
-            let ready = |part: &Vec<usize>| {
-                part.iter().all(|&node| needs[node].iter().all(|n| solved[*n] || part.contains(n)))
-            };
-            let next = (0..waiting.len()).filter(|&i| ready(&waiting[i])).min_by_key(|&i| rank(&waiting[i]));
-            // There always is one: the condensation of a graph has no cycle.
-            let part = waiting.swap_remove(next.unwrap_or(0));
-            for &node in &part {
-                solved[node] = true;
+        let entry = |i: usize, parts: &[Vec<usize>]| Reverse((rank(&parts[i]), i));
+        let mut ready: BinaryHeap<_> =
+            (0..parts.len()).filter(|&i| open[i] == 0).map(|i| entry(i, &parts)).collect();
+        let mut order = Vec::with_capacity(parts.len());
+        while let Some(Reverse((_, i))) = ready.pop() {
+            order.push(i);
+            for &next in &waiting_for[i] {
+                open[next] -= 1;
+                if open[next] == 0 {
+                    ready.push(entry(next, &parts));
+                }
             }
-            ordered.push(part);
         }
-        ordered
+        order.into_iter().map(|i| std::mem::take(&mut parts[i])).collect()
     }
 }
 
@@ -167,22 +210,19 @@ impl Graph {
 fn strongly_connected(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut reverse = vec![Vec::new(); needs.len()];
     for (node, list) in needs.iter().enumerate() {
-        for &other in list {
-            reverse[other].push(node);
-        }
+        list.iter().for_each(|&other| reverse[other].push(node));
     }
     let mut finished = Vec::new();
     let mut seen = vec![false; needs.len()];
     for start in 0..needs.len() {
         visit(start, needs, &mut seen, &mut finished);
     }
-    let mut seen = vec![false; needs.len()];
+    seen.fill(false);
     let mut parts = Vec::new();
     for &start in finished.iter().rev() {
         let mut part = Vec::new();
         visit(start, &reverse, &mut seen, &mut part);
         if !part.is_empty() {
-            part.sort_unstable();
             parts.push(part);
         }
     }

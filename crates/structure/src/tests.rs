@@ -6,10 +6,6 @@ fn structure(text: &str) -> Result<Structure, StructureError> {
     Structure::of(&assur_scene::read("test", text).unwrap())
 }
 
-fn fixture(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
-}
-
 const FOUR_BAR: &str = "[ground]\npoints = { O = [0, 0], C = [0.5, 0] }\n\
     [link.crank]\npoints = { O = 0, A = 0.1 }\n[link.coupler]\npoints = { A = 0, B = 0.4, E = [0.2, 0.1] }\n\
     [link.rocker]\npoints = { C = 0, B = 0.3 }\n[input]\nlink = \"crank\"\n";
@@ -26,7 +22,7 @@ fn formulas_of_known_mechanisms() {
         ("brake", "I(ground,disc)", 1, 1),
     ];
     for (scene, formula, moving, pairs) in known {
-        let found = structure(&fixture(scene)).unwrap();
+        let found = structure(assur_fixtures::scene(scene)).unwrap();
         assert_eq!(found.formula, formula, "{scene}");
         assert_eq!(
             (found.mobility.moving_links, found.mobility.pairs, found.mobility.value),
@@ -39,7 +35,7 @@ fn formulas_of_known_mechanisms() {
 
 #[test]
 fn a_multiple_joint_does_not_tie_groups_together() {
-    let found = structure(&fixture("n-four-bar-40")).unwrap();
+    let found = structure(assur_fixtures::scene("n-four-bar-40")).unwrap();
     assert_eq!(found.groups.len(), 40);
     assert!(found.groups.iter().all(|group| group.plugin.kind == "RRR"));
 }
@@ -47,7 +43,7 @@ fn a_multiple_joint_does_not_tie_groups_together() {
 #[test]
 fn another_input_gives_other_groups() {
     // The shaper driven from its rocker, then from its ram: the same mechanism, taken apart from other ends.
-    let text = fixture("shaper");
+    let text = assur_fixtures::scene("shaper");
     let from_rocker =
         structure(&text.replace("link = \"crank\"\npositions", "link = \"rocker\"\npositions")).unwrap();
     assert_eq!(from_rocker.formula, "I(ground,rocker) -> II2(crank,stone2) -> II5(stone4,ram)");
@@ -109,4 +105,42 @@ fn loose_here_and_surplus_there_is_said_at_once() {
     );
     let shown = structure(&text).unwrap_err().to_string();
     assert!(shown.contains("`flap`") && shown.contains("one constraint too many"), "{shown}");
+}
+
+/// A crank, and dyads RRR that each join the rocker of the one before to the ground; links and points are named in an
+/// order that skips `stride` places (a number without a common factor with `count` takes each once).
+fn ladder(count: usize, stride: usize) -> String {
+    let mut ground = "O = [0, 0]".to_owned();
+    let mut links = vec![String::new(); count];
+    for k in 0..count {
+        let (x, from) = (k as f64 + 1.0, if k == 0 { "A".to_owned() } else { format!("B{}", k - 1) });
+        ground += &format!(", C{k} = [{x}, 0]");
+        links[k] = format!(
+            "[link.rocker{k}]\npoints = {{ C{k} = 0, B{k} = 0.6 }}\n[link.rod{k}]\npoints = {{ {from} = 0, B{k} = 1 }}\n"
+        );
+    }
+    let links: String = (0..count).map(|k| links[k * stride % count].as_str()).collect();
+    format!(
+        "[ground]\npoints = {{ {ground} }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n{links}[input]\nlink = \"crank\"\n"
+    )
+}
+
+#[test]
+fn a_long_ladder_is_taken_apart_in_any_order_of_the_scene() {
+    const COUNT: usize = 2000;
+    for stride in [1, COUNT - 1, 1207] {
+        let mechanism = assur_scene::read("ladder", &ladder(COUNT, stride)).unwrap();
+        let found = Structure::of(&mechanism).unwrap();
+        assert_eq!(found.groups.len(), COUNT);
+        assert!(found.groups.iter().all(|group| group.plugin.name == "rrr" && group.order == 2));
+        // Each group is solved after the ones that its outer pairs lead to.
+        let mut solved = vec![false; mechanism.links.len()];
+        (solved[0], solved[mechanism.input.link]) = (true, true);
+        for group in &found.groups {
+            let outside =
+                |pair: &assur_group::Pair| if group.frame.links.contains(&pair.a) { pair.b } else { pair.a };
+            assert!(group.frame.outer.iter().all(|pair| solved[outside(pair)]));
+            group.frame.links.iter().for_each(|&link| solved[link] = true);
+        }
+    }
 }
