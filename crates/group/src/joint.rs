@@ -128,9 +128,16 @@ impl<T: Real> SlideJoint<T> {
         })
     }
 
+    /// A point of the link, given in its frame, as seen from `own`: along the line and to the left of it, m.
+    ///
+    /// These lengths never change: the moment of a large force about `own` keeps its digits by them.
+    pub fn lever(&self, point: [T; 2]) -> [T; 2] {
+        times(self.tilt, minus(point, self.own))
+    }
+
     /// Distance to the left of the line at which a point of the link moves, m; the point in the frame of the link.
     pub fn offset(&self, point: [T; 2]) -> T {
-        times(self.tilt, minus(point, self.own))[1]
+        self.lever(point)[1]
     }
 
     /// Distance of the line to the left of the origin of the other body, m.

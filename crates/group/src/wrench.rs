@@ -14,6 +14,13 @@ pub struct Wrench<T> {
     pub m: T,
 }
 
+impl<T: Copy> Wrench<T> {
+    /// The same in another kind of number.
+    pub fn map<U>(&self, number: impl Fn(T) -> U) -> Wrench<U> {
+        Wrench { fx: number(self.fx), fy: number(self.fy), m: number(self.m) }
+    }
+}
+
 impl<T: Real> Wrench<T> {
     /// Nothing.
     pub const ZERO: Self = Self { fx: T::ZERO, fy: T::ZERO, m: T::ZERO };

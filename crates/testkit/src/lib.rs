@@ -15,7 +15,8 @@ pub mod specimen;
 pub use case::Fault;
 pub use rng::Rng;
 
-use assur_group::groups;
+use assur_group::{Body, GroupFrame, Number, Wrench, groups, kernel_of};
+use assur_number::Dd;
 
 use case::Case;
 use sample::Sample;
@@ -57,4 +58,39 @@ pub fn judge(name: &str) -> Result<(), Fault> {
         }
     }
     tried.enough()
+}
+
+/// Reactions of a group of a registered kind under these loads, by the kernel in f64 and in 32 digits (rounded), from
+/// the same poses of the outer bodies; first way of assembly.
+///
+/// # Panics
+///
+/// Where the kind is not registered or refuses the group; the function is for tests.
+pub fn reactions(
+    name: &str,
+    frame: &GroupFrame,
+    bodies: &[Body<f64>],
+    loads: &[Wrench<f64>],
+) -> [Vec<Wrench<f64>>; 2] {
+    [reactions_in::<f64>(name, frame, bodies, loads), reactions_in::<Dd>(name, frame, bodies, loads)]
+}
+
+fn reactions_in<T: Number>(
+    name: &str,
+    frame: &GroupFrame,
+    bodies: &[Body<f64>],
+    loads: &[Wrench<f64>],
+) -> Vec<Wrench<f64>> {
+    let solve = || -> Result<Vec<Wrench<T>>, Box<dyn std::error::Error>> {
+        let plugin = groups()?.into_iter().find(|plugin| plugin.name == name).ok_or("not registered")?;
+        let kernel = kernel_of::<T>(plugin, frame)?;
+        let mut bodies: Vec<Body<T>> = bodies.iter().map(|body| body.map(T::from_f64)).collect();
+        kernel.place(&mut bodies, 0)?;
+        let mut loads: Vec<Wrench<T>> = loads.iter().map(|load| load.map(T::from_f64)).collect();
+        let mut found = vec![Wrench::ZERO; frame.pairs().count()];
+        kernel.reactions(&bodies, &mut loads, &mut found)?;
+        Ok(found)
+    };
+    let found = solve().unwrap_or_else(|error| panic!("group `{name}`: {error}"));
+    found.iter().map(|wrench| wrench.map(T::to_f64)).collect()
 }

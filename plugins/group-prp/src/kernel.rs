@@ -17,6 +17,8 @@ pub struct Prp<T> {
     pub(crate) inner: PinJoint<T>,
     /// The inner pin in the frame of each link, m.
     pub(crate) pin: [[T; 2]; 2],
+    /// From the point of each slide to the inner pin, along and across its guide, m.
+    levers: [[T; 2]; 2],
     /// Height of the inner pin's lines over the origins of the bodies with the guides, m.
     heights: [T; 2],
 }
@@ -55,6 +57,7 @@ impl<T: Real> Prp<T> {
             links: [group.links[0], group.links[1]],
             slides,
             inner,
+            levers: [0, 1].map(|i| slides[i].lever(pin[i])),
             pin,
             heights,
         })
@@ -146,7 +149,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let &Crossing { arms, t, d, .. } = position;
+        let &Crossing { t, d, .. } = position;
         GroupError::if_singular(d.abs())?;
         let n = t.map(perp);
         let given = self.links.map(|i| loads[i]);
@@ -155,11 +158,13 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         let force = scaled(T::ONE / d, plus(scaled(two, n[0]), scaled(one, n[1])));
         self.inner.store(force, reactions);
         for (i, at_pin) in [(0, force), (1, opposite(force))] {
-            let mut rest = given[i];
-            rest.add_at(arms[i], at_pin, T::ZERO);
-            let normal = -dot(n[i], rest.force());
+            let (load, [ahead, left]) = (given[i], self.levers[i]);
+            // Along the guide the pin holds the load of the link, however large its reaction is.
+            let (along, across) = (-dot(t[i], load.force()), dot(n[i], at_pin));
+            let normal = -(dot(n[i], load.force()) + across);
             let on_line = bodies[self.links[i]].arm(self.slides[i].own);
-            self.slides[i].hand_on(bodies, scaled(normal, n[i]), -rest.about(on_line), loads, reactions);
+            let moment = left * along - ahead * across - load.about(on_line);
+            self.slides[i].hand_on(bodies, scaled(normal, n[i]), moment, loads, reactions);
         }
         GroupError::if_nan(force[0] + force[1])
     }

@@ -83,3 +83,30 @@ fn is_found_in_the_registry() {
     let plugin = plugin_for(&frame(0.0)).unwrap().unwrap();
     assert_eq!((plugin.name, plugin.number), ("prp", 4));
 }
+
+#[test]
+fn the_moments_of_the_slides_keep_their_digits_near_parallel_guides() {
+    // Both slides have their points in the inner pin, away from the origins of the links: the large normal forces have no
+    // lever, and the moments are those of the loads alone.
+    for power in 1..=13 {
+        let mut frame = frame(0.1_f64.powi(power));
+        let places = [[0.31, -0.17], [-0.23, 0.11]];
+        frame.inner[0].geometry = PairGeometry::Pin { at_a: places[0], at_b: places[1] };
+        for (pair, place) in frame.outer.iter_mut().zip(places) {
+            if let PairGeometry::Slide { point, .. } = &mut pair.geometry {
+                *point = place;
+            }
+        }
+        let mut loads = [Wrench::ZERO; 4];
+        loads[2] = Wrench { fx: 0.7, fy: -1.1, m: 3.79 };
+        loads[3] = Wrench { fx: -0.3, fy: 0.9, m: 0.4 };
+        let [found, exact] = assur_testkit::reactions("prp", &frame, &bodies(), &loads);
+        for pair in [0, 2] {
+            let (found, exact) = (found[pair].m, exact[pair].m);
+            assert!(
+                (found - exact).abs() <= 16.0 * f64::EPSILON * exact.abs(),
+                "1e-{power}: {found} of {exact}"
+            );
+        }
+    }
+}

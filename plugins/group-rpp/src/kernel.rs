@@ -23,6 +23,8 @@ pub struct Rpp<T> {
     turn: [T; 2],
     /// Distance of the point of link 2 from the outer pin across the inner guide, m.
     pub(crate) across: T,
+    /// Distance of the point of the inner slide from the outer pin along the inner guide, m.
+    reach: T,
     /// Height of the outer guide over the origin of its carrier, m.
     height: T,
     /// Sine of the angle between the guides, from the inner to the outer: it never changes.
@@ -69,6 +71,7 @@ impl<T: Real> Rpp<T> {
             inner_along,
             turn: times(outer.turn, inner.turn),
             across: -(cross(inner.along, minus(inner.through, outer.own)) + inner.offset(end.own)),
+            reach: -inner.lever(end.own)[0],
             height: outer.height(),
             d,
             inverse: T::ONE / d,
@@ -166,21 +169,22 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         GroupError::if_singular(self.d.abs())?;
-        let &Lines { arms, t, .. } = position;
-        let [one, two] = self.links.map(|i| &bodies[i]);
-        let (mut first, mut second) = (loads[self.links[0]], loads[self.links[1]]);
+        let &Lines { points, arms, t } = position;
+        let [first, second] = self.links.map(|i| loads[i]);
         // Along the outer guide link 2 leaves its load to the inner one.
-        let inner = scaled(dot(t[1], second.force()) * self.inverse, perp(t[0]));
-        let at_point = one.arm(self.inner.own);
-        first.add_at(at_point, inner, T::ZERO);
-        let moment = -first.about(arms[0]);
+        let normal = dot(t[1], second.force()) * self.inverse;
+        let inner = scaled(normal, perp(t[0]));
+        // The lever of the normal force about the pin is one of the lengths: a large force leaves no rounding where it has
+        // no lever.
+        let moment = -(first.about(arms[0]) + normal * self.reach);
         self.inner.store(bodies, inner, moment, reactions);
-        self.end.hand_on(bodies, opposite(first.force()), loads, reactions);
+        self.end.hand_on(bodies, opposite(plus(first.force(), inner)), loads, reactions);
         // The same force and moment, turned round, act on link 2 at the point of link 1.
-        second.add_at(minus(one.point(self.inner.own), [two.x, two.y]), opposite(inner), -moment);
+        let way = dot(t[0], minus(bodies[self.links[0]].point(self.inner.own), points[1]));
+        let held = normal * way + moment - second.about(arms[1]);
         let n = perp(t[1]);
-        let normal = -dot(n, second.force());
-        self.outer.hand_on(bodies, scaled(normal, n), -second.about(arms[1]), loads, reactions);
+        let outer = dot(n, minus(inner, second.force()));
+        self.outer.hand_on(bodies, scaled(outer, n), held, loads, reactions);
         GroupError::if_nan(normal + moment)
     }
 }

@@ -103,3 +103,27 @@ fn is_found_in_the_registry() {
     let plugin = plugin_for(&frame(0.0)).unwrap().unwrap();
     assert_eq!((plugin.name, plugin.number), ("rpp", 5));
 }
+
+#[test]
+fn the_moment_of_the_inner_slide_keeps_its_digits_near_parallel_guides() {
+    // The stone is pinned where its slide has its point, away from its origin: the normal force has no lever, and the
+    // moment is that of the load alone, however large the force.
+    for power in 1..=13 {
+        let mut frame = frame(0.1_f64.powi(power));
+        let PairGeometry::Pin { at_b, .. } = &mut frame.outer[1].geometry else { panic!() };
+        *at_b = [0.31, -0.17];
+        let PairGeometry::Slide { point, .. } = &mut frame.inner[0].geometry else { panic!() };
+        *point = [0.31, -0.17];
+        let mut loads = [Wrench::ZERO; 4];
+        loads[2] = Wrench { fx: 0.7 * 10.0_f64.powi(power), fy: -1.1, m: 0.4 };
+        loads[3] = Wrench { fx: -0.3, fy: 0.9, m: 3.79 };
+        let [found, exact] = assur_testkit::reactions("rpp", &frame, &bodies(0.7), &loads);
+        for (found, exact) in found.iter().zip(&exact) {
+            for (found, exact) in [(found.fx, exact.fx), (found.fy, exact.fy), (found.m, exact.m)] {
+                let off = (found - exact).abs();
+                assert!(off <= 16.0 * f64::EPSILON * exact.abs().max(1.0), "1e-{power}: {found} of {exact}");
+            }
+        }
+        assert!((found[1].m.abs() - 3.79).abs() < 2.0, "1e-{power}: {}", found[1].m);
+    }
+}

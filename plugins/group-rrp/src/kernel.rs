@@ -20,6 +20,8 @@ pub struct Rrp<T> {
     pub(crate) end: PinJoint<T>,
     pub(crate) inner: PinJoint<T>,
     pub(crate) slide: SlideJoint<T>,
+    /// From the point of the slide to the inner pin, along and across the guide, m.
+    lever: [T; 2],
     /// From the outer to the inner pin, in the frame of the rod, m.
     rod: [T; 2],
     /// What turns such a vector, placed, into the direction of the rod: mirrored rod / length².
@@ -76,6 +78,7 @@ impl<T: Real> Rrp<T> {
             links: [group.links[0], group.links[1]],
             end,
             inner,
+            lever: slide.lever(inner.at),
             slide,
             rod,
             unrod: scaled(T::ONE / square, mirrored(rod)),
@@ -201,6 +204,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         let &Triangle { arms, t, n, delta, sigma, .. } = position;
+        let [ahead, left] = self.lever;
         self.determined(sigma, delta)?;
         let [one, two] = self.links.map(|i| loads[i]);
         // Along the guide link 2 gives the inner reaction; the moment about A then gives its part across.
@@ -209,12 +213,12 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let force = plus(scaled(along, t), scaled(across, n));
         self.inner.store(force, reactions);
         self.end.hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
-        // What is left on link 2: the guide carries it.
+        // What is left on link 2: the guide carries it. The lever of the inner pin is one of the lengths, so that a large
+        // part across the guide leaves no rounding where it has no lever.
         let normal = across - dot(n, two.force());
         let on_line = bodies[self.links[1]].arm(self.slide.own);
-        let mut rest = two;
-        rest.add_at(arms[1], opposite(force), T::ZERO);
-        self.slide.hand_on(bodies, scaled(normal, n), -rest.about(on_line), loads, reactions);
+        let moment = ahead * across - left * along - two.about(on_line);
+        self.slide.hand_on(bodies, scaled(normal, n), moment, loads, reactions);
         GroupError::if_nan(across + normal)
     }
 }

@@ -106,3 +106,35 @@ fn is_found_in_the_registry() {
     let plugin = plugin_for(&frame(5.0)).unwrap().unwrap();
     assert_eq!((plugin.name, plugin.number), ("rrp", 2));
 }
+
+#[test]
+fn the_moment_of_the_slide_keeps_its_digits_near_the_upright_rod() {
+    // The slide has its point in the inner pin, away from the origin of the slider: the force across the guide, which
+    // grows without bound, has no lever.
+    for power in 2..=12 {
+        let mut frame = frame(5.0);
+        for at in [[0.31, -0.17], [0.0, 0.0]] {
+            let (PairGeometry::Pin { at_a, .. }, PairGeometry::Slide { point, .. }) =
+                (&mut frame.inner[0].geometry, &mut frame.outer[0].geometry)
+            else {
+                panic!("the frame has other pairs");
+            };
+            (*at_a, *point) = (at, [0.31, -0.17]);
+            let mut loads = [Wrench::ZERO; 4];
+            loads[2] = Wrench { fx: 0.7, fy: -1.1, m: 3.79 };
+            loads[3] = Wrench { fx: -0.3, fy: 0.9, m: 0.4 };
+            // With the pin in the origin it runs 0.17 m over the guide.
+            let height = 5.0 * (1.0 - 0.1_f64.powi(power)) + (at[1] + 0.17);
+            let [found, exact] = assur_testkit::reactions("rrp", &frame, &bodies(height), &loads);
+            let (found, exact) = (found[2], exact[2]);
+            // What the lever of the pin makes of the force is as sure as the force; without a lever all digits are.
+            let lever = (at[0] - 0.31).abs();
+            let unsure = 64.0 * f64::EPSILON * 10.0_f64.powi(power) * lever * exact.fy.abs();
+            let off = (found.m - exact.m).abs();
+            assert!(
+                off <= 16.0 * f64::EPSILON * exact.m.abs().max(1.0) + unsure,
+                "1e-{power}: {found:?} of {exact:?}"
+            );
+        }
+    }
+}
