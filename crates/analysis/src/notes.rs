@@ -6,7 +6,7 @@ use assur_group::{GroupError, Order};
 use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 
 use crate::trajectory::WithoutForces;
-use crate::{Calculation, Options};
+use crate::{Calculation, InputMotion, Options};
 
 /// Change points of several groups nearer than this are one, rad or m.
 const SAME: f64 = 1e-6;
@@ -22,6 +22,7 @@ impl Calculation {
         notes.extend(self.change_points());
         notes.extend(self.poles());
         notes.extend(self.barriers());
+        notes.extend(self.regime_notes());
         if !positions.is_empty() {
             notes.push(format!("No reactions in {}: {LOST}.", listed("position", positions)));
         }
@@ -40,6 +41,32 @@ impl Calculation {
 }
 
 impl Calculation {
+    /// What of the wishes for a regime is not met, and whether its loads drive.
+    fn regime_notes(&self) -> Vec<String> {
+        /// Mean speeds are found to 1e-10.
+        const MET: f64 = 1e-9;
+        let InputMotion::Steady(found) = &self.motion else { return Vec::new() };
+        let (mechanism, regime) = (&self.linkage.mechanism, &found.regime);
+        let Some(Motion::Steady { mean_speed: wanted, .. }) = mechanism.motion else { return Vec::new() };
+        let mut notes = Vec::new();
+        let unit = if self.linkage.angular() { "rad/s" } else { "m/s" };
+        if ((regime.mean_speed - wanted) / wanted).abs() > MET {
+            let given = if regime.ratio.is_some() { "ratio" } else { "moment" };
+            notes.push(format!(
+                "The wanted mean speed of {wanted:.6} {unit} is not met: with the given {given} it is {:.6} {unit}. Power, \
+                 flywheel and the course are those of the regime found.",
+                regime.mean_speed
+            ));
+        }
+        if regime.required_power < 0.0 {
+            notes.push(format!(
+                "The loads drive: over a cycle they do {:.6} J of work, and the motor has to brake with {:.6} W.",
+                -found.resistance_work, -regime.required_power
+            ));
+        }
+        notes
+    }
+
     /// Where ways of assembly meet, which the motion goes through without a sign in the numbers but a great condition.
     fn change_points(&self) -> Option<String> {
         let linkage = &self.linkage;

@@ -89,6 +89,17 @@ pub enum DynamicsError {
         /// Kinetic energy at the start, J.
         energy: f64,
     },
+    /// The loads alone fix another mean speed than the wanted one.
+    #[error(
+        "the wanted mean speed of {wanted:.6} can't be met: without a drive the loads alone fix it, at {found:.6}; give a drive \
+         (`torque = \"balance\"` or a motor), or that speed"
+    )]
+    OtherSpeed {
+        /// Wanted mean speed, rad/s or m/s.
+        wanted: f64,
+        /// Mean speed of the regime, rad/s or m/s.
+        found: f64,
+    },
     /// The iteration does not close the cycle.
     #[error(
         "no steady regime after {cycles} cycles: the relative change over a cycle still is {residual:.3e}"

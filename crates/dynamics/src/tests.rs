@@ -10,6 +10,7 @@ mod loads;
 mod settled;
 mod steady;
 mod transient;
+mod unmet;
 mod wishes;
 
 pub(crate) fn read(text: &str) -> Mechanism {

@@ -16,14 +16,13 @@ use super::collocation::{RULE, S, Values};
 use super::extremes::{Piece, extremes};
 use super::path::{Coefficients, Panel};
 use super::report::FlywheelByMethod;
-use super::request::CycleRequest;
 
 /// What the methods need of a cycle: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]
 pub(crate) struct WorkDiagram {
     panels: Vec<Panel>,
     /// Mean speed, at which moments over speed are taken, rad/s.
-    speed: f64,
+    pub(crate) speed: f64,
     /// Moment of the drive that makes the work of a cycle zero, N m.
     pub(crate) mean_moment: f64,
     /// Mean of J over the cycle, kg m².
@@ -51,8 +50,8 @@ pub(crate) struct FlywheelTask {
 }
 
 impl WorkDiagram {
-    pub(crate) fn new(panels: &[Panel], request: &CycleRequest) -> Self {
-        let (length, speed) = (request.length, request.mean_speed.abs());
+    /// Over the panels of a cycle of this length, at a mean speed.
+    pub(crate) fn new(panels: &[Panel], length: f64, speed: f64) -> Self {
         let over = |panel: &Panel, field: &dyn Fn(&Coefficients) -> f64| {
             panel.h * RULE.integral(&panel.coefficients.values(field))
         };

@@ -1,5 +1,6 @@
 //! The periodic regime: a cycle that ends with the speed with which it began.
 
+use super::extremes::{Piece, extremes};
 use super::path::{Panel, Path};
 use super::report::Iteration;
 use super::run::run_cycle;
@@ -39,19 +40,24 @@ fn restoring_step(found: &CycleSolution, number: usize) -> Result<f64, DynamicsE
 }
 
 impl Shooting<'_> {
-    /// Refuses a machine without inertia somewhere.
+    /// Refuses a machine without inertia somewhere, between the nodes too.
     pub(crate) fn check_inertia(&self, setup: &Setup) -> Result<(), DynamicsError> {
-        for panel in &self.panels {
-            let nodes = panel.coefficients.values(|node| node.inertia);
-            let inertia = nodes.into_iter().fold(f64::INFINITY, f64::min) + setup.drive.inertia;
-            if inertia.is_nan() || inertia <= 0.0 {
-                return Err(DynamicsError::NoInertia {
-                    coordinate: self.path.cycle.coordinate(panel.x),
-                    inertia,
-                });
-            }
+        /// Less than this part of the greatest inertia is none: polynomials resolve it to 1e-9.
+        const NOTHING: f64 = 1e-8;
+        let piece = |panel: &Panel| Piece {
+            x: panel.x,
+            h: panel.h,
+            values: panel.coefficients.values(|node| node.inertia + setup.drive.inertia),
+            slopes: panel.coefficients.values(|node| node.slope),
+        };
+        let pieces: Vec<Piece> = self.panels.iter().map(piece).collect();
+        let Some([least, greatest]) = extremes(&pieces) else { return Ok(()) };
+        if least.value > NOTHING * greatest.value {
+            return Ok(());
         }
-        Ok(())
+        let coordinate = self.path.cycle.coordinate(least.x);
+        let inertia = if least.value < -NOTHING * greatest.value { least.value } else { 0.0 };
+        Err(DynamicsError::NoInertia { coordinate, inertia })
     }
 
     /// One cycle from the given initial energy.

@@ -50,11 +50,12 @@ impl<'a> RegimeSolver<'a> {
         let CycleRequest { start, length, mean_speed, .. } = request;
         let mut path = Path::new(motion, Cycle { start, sense: mean_speed.signum(), length });
         let panels = path.panels(mean_speed.abs(), RESOLVE)?;
-        let diagram = WorkDiagram::new(&panels, &request);
+        let diagram = WorkDiagram::new(&panels, length, mean_speed.abs());
         Ok(Self { shooting: Shooting { path, panels, cycles: 0 }, diagram, request })
     }
 
-    /// Mean of the reduced resisting moment over the cycle, N m, against the motion.
+    /// Mean of the reduced resisting moment over the cycle, N m, against the motion. Moments over the speed are taken at the
+    /// wanted mean speed, after [`solve`](Self::solve) at that of the regime; so are the work and the power.
     pub fn mean_resistance(&self) -> f64 {
         self.diagram.mean_moment
     }
@@ -69,17 +70,17 @@ impl<'a> RegimeSolver<'a> {
         self.diagram.resistance
     }
 
-    /// Power that the motor must have (S stage 5), W: mean resistance work / (time of a cycle * efficiency), at the
-    /// wanted mean speed. Negative where the loads drive; then nothing is divided by the efficiency.
+    /// Power that the motor must have (S stage 5), W: mean resistance work / (time of a cycle * efficiency). Negative where the
+    /// loads drive: the motor brakes, and the losses of the reducer help it (times the efficiency).
     pub fn required_power(&self, efficiency: f64) -> f64 {
-        let power = self.diagram.resistance * self.request.mean_speed.abs() / self.request.length;
-        if power > 0.0 { power / efficiency } else { power }
+        let power = self.diagram.resistance * self.diagram.speed / self.request.length;
+        if power > 0.0 { power / efficiency } else { power * efficiency }
     }
 
     /// Greatest resisting moment over the cycle, N m, against the motion.
     pub fn greatest_resistance(&self) -> f64 {
         let nodes = self.shooting.panels.iter().flat_map(|panel| &panel.coefficients.nodes);
-        nodes.map(|node| -node.moment_at(self.wanted_speed())).fold(f64::NEG_INFINITY, f64::max)
+        nodes.map(|node| -node.moment_at(self.diagram.speed)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Finds the periodic regime, with ratio and flywheel where they are wanted.
@@ -101,7 +102,8 @@ impl<'a> RegimeSolver<'a> {
             }
             (unknowns, trials) = (found.unknowns, found.trials);
         };
-        self.diagram = WorkDiagram::new(&self.shooting.panels, &self.request);
+        self.check_speed(drive, &tuned)?;
+        self.diagram = WorkDiagram::new(&self.shooting.panels, self.request.length, tuned.range.mean());
         let (first, iterations) = self.iterate_from_mean_speed(&tuned, &target)?;
         let efficiency = match drive.torque {
             TorqueRequest::Motor { efficiency, .. } => efficiency,
@@ -121,6 +123,18 @@ impl<'a> RegimeSolver<'a> {
             },
         };
         Ok(Regime::new(tuned, context))
+    }
+
+    /// Without a drive the loads alone fix the mean speed, and nothing can be adapted to the wish.
+    fn check_speed(&self, drive: &DriveRequest, tuned: &Tuned) -> Result<(), DynamicsError> {
+        /// Mean speeds are given to two or three digits.
+        const NEAR: f64 = 0.01;
+        let sense = self.shooting.path.cycle.sense;
+        let (wanted, found) = (self.request.mean_speed, sense * tuned.range.mean());
+        if drive.torque == TorqueRequest::None && ((found - wanted) / wanted).abs() > NEAR {
+            return Err(DynamicsError::OtherSpeed { wanted, found });
+        }
+        Ok(())
     }
 
     fn flywheel_task(&self, tuned: &Tuned, target: &Target) -> FlywheelTask {

@@ -1,0 +1,96 @@
+//! Wishes that a regime can't meet: they are told or refused, and everything follows from the regime that was found.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+
+use super::compiled;
+use crate::{DynamicsError, Steady, steady};
+
+/// A slider-crank that is pressed over half of the cycle.
+fn press(force: f64, drive: &str) -> Result<Steady, DynamicsError> {
+    let text = format!(
+        "gravity = [0.7, -9.6]\n[ground]\npoints = {{ O = [0, 0] }}\n\
+         [link.crank]\npoints = {{ O = 0, A = 0.1 }}\nmass = 2\ncenter = [0.04, 0.01]\ninertia = 0.01\n\
+         [link.rod]\npoints = {{ A = 0, B = 0.35 }}\nmass = 1.2\ncenter = [0.12, 0.01]\ninertia = 0.015\n\
+         [link.slider]\npoints = {{ B = 0 }}\nmass = 1.5\n[[slide]]\nlink = \"slider\"\non = \"ground\"\nthrough = [0, 0.02]\n\
+         [assembly]\nB = [0.4, 0.02]\n[[force]]\nlink = \"slider\"\nat = \"B\"\nangle = \"180 deg\"\n\
+         value = {{ over = \"angle\", shape = \"step\", table = [[0, 0], [\"180 deg\", {force}], [\"360 deg\", 0]] }}\n\
+         [input]\nlink = \"crank\"\n[motion]\nkind = \"steady\"\nmean_speed = \"120 rpm\"\nunevenness = 0.02\n\
+         [drive]\nmotor = {{ power = \"1.1 kW\", synchronous_speed = \"1500 rpm\", rated_speed = \"1410 rpm\", \
+         max_torque_ratio = 2.2, inertia = \"0.0045 kg*m^2\" }}\nefficiency = 0.8\nflywheel = \"solve\"\n{drive}"
+    );
+    let (linkage, loads) = compiled(&text);
+    steady(&linkage, &loads, None)
+}
+
+#[test]
+fn power_is_that_of_the_speed_that_a_given_ratio_gives() {
+    let found = press(900.0, "ratio = 9\n").unwrap();
+    let regime = &found.regime;
+    // By an independent computation; 120 rpm would be 12.57 rad/s and 450 W.
+    assert_relative_eq!(regime.mean_speed, 16.91, max_relative = 2e-4);
+    assert_relative_eq!(regime.required_power, 606.0, max_relative = 2e-3);
+    // The stroke is that of the crank in line with the rod; the guide lies 20 mm beside the pin.
+    let far = |arm: f64| (arm * arm - 0.02_f64 * 0.02).sqrt();
+    let work = 900.0 * (far(0.45) - far(0.25));
+    assert_relative_eq!(found.resistance_work, work, max_relative = 0.02);
+    let power = found.resistance_work * regime.mean_speed / (2.0 * PI * 0.8);
+    assert_relative_eq!(regime.required_power, power, max_relative = 1e-12);
+    assert_relative_eq!(regime.unevenness, 0.02, max_relative = 1e-9);
+}
+
+#[test]
+fn a_motor_brakes_with_less_than_the_loads_drive() {
+    // Pulled over that half of the cycle instead, the machine drives the motor through the reducer.
+    let found = press(-900.0, "ratio = \"solve\"\n").unwrap();
+    let regime = &found.regime;
+    assert!(found.resistance_work < 0.0);
+    let power = found.resistance_work * regime.mean_speed / (2.0 * PI) * 0.8;
+    assert_relative_eq!(regime.required_power, power, max_relative = 1e-9);
+    let motor = found.motor.unwrap();
+    assert!(motor.torque[0] < 0.0 && regime.mean_speed * regime.ratio.unwrap() > 50.0 * PI);
+}
+
+/// A disc with a damper-like moment and a constant one.
+fn disc(mean_speed: f64, drive: &str) -> Result<Steady, DynamicsError> {
+    let text = format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.disc]\npoints = {{ O = 0 }}\nmass = 2\ninertia = 0.5\n\
+         [[moment]]\nlink = \"disc\"\nvalue = {{ over = \"speed\", table = [[0, 6], [24, -6]] }}\n\
+         [input]\nlink = \"disc\"\n[motion]\nkind = \"steady\"\nmean_speed = {mean_speed}\n{drive}"
+    );
+    let (linkage, loads) = compiled(&text);
+    steady(&linkage, &loads, None)
+}
+
+#[test]
+fn without_a_drive_another_speed_than_that_of_the_loads_is_refused() {
+    // 6 - w/2 = 0.
+    assert_relative_eq!(disc(12.0, "").unwrap().regime.mean_speed, 12.0, max_relative = 1e-10);
+    let error = disc(1.0, "").unwrap_err();
+    let DynamicsError::OtherSpeed { wanted, found } = error else { panic!("{error}") };
+    assert_eq!(wanted, 1.0);
+    assert_relative_eq!(found, 12.0, max_relative = 1e-10);
+    // A moment that balances the loads makes any speed the mean one.
+    let balanced = disc(4.0, "[drive]\ntorque = \"balance\"\n").unwrap();
+    assert_relative_eq!(balanced.regime.mean_speed, 4.0, max_relative = 1e-10);
+    assert_relative_eq!(balanced.regime.torque.unwrap(), -4.0, max_relative = 1e-10);
+}
+
+#[test]
+fn an_inertia_that_vanishes_between_the_nodes_is_refused() {
+    for from in ["0", "\"30 deg\"", "1.234"] {
+        let text = format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n\
+             [link.rod]\npoints = {{ A = 0, B = 0.4 }}\n[link.piston]\npoints = {{ B = 0 }}\nmass = 1\n\
+             [[slide]]\nlink = \"piston\"\non = \"ground\"\n[input]\nlink = \"crank\"\nfrom = {from}\n\
+             [motion]\nkind = \"steady\"\nmean_speed = 10\n"
+        );
+        let (linkage, loads) = compiled(&text);
+        let error = steady(&linkage, &loads, None).unwrap_err();
+        let DynamicsError::NoInertia { coordinate, inertia } = error else { panic!("{from}: {error}") };
+        assert_eq!(inertia, 0.0);
+        // The piston stands in both dead points.
+        assert!((coordinate / PI - (coordinate / PI).round()).abs() < 1e-6, "{coordinate}");
+    }
+}
