@@ -1,9 +1,11 @@
 //! The loop around a one-step method: pieces, events, ends, samples and the size of steps, the same for all methods.
 
+use std::marker::PhantomData;
+
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, EventKind, IntegrationError, Motion, MotionError, Node, Pace, Request, Run, Scale, State,
-    Step, Stepper, Trajectory, first_step,
+    Attempt, Dense, EventKind, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
+    Scale, State, Step, Stepper, Trajectory, first_step,
 };
 
 mod events;
@@ -17,19 +19,24 @@ const NEAR_END: f64 = 0.95;
 /// A predicted crossing is aimed this much too far, so that it is met inside the step.
 const OVERSHOOT: f64 = 1.02;
 
-/// Solves the equation by the steps of a method: the `run` of an [`IntegratorPlugin`](crate::IntegratorPlugin).
-///
-/// # Errors
-///
-/// [`IntegrationError`] with the place reached.
-pub fn drive<S: Stepper>(motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-    let mut drive = Drive::<S>::new(motion, request);
-    drive.begin()?;
-    while !drive.run.finished {
-        drive.advance()?;
+/// The integrator that goes by the steps of the method `S`.
+pub struct Steps<S>(PhantomData<fn() -> S>);
+
+impl<S> Steps<S> {
+    /// The integrator; it holds no state.
+    pub const NEW: Self = Self(PhantomData);
+}
+
+impl<S: Stepper> Integrator for Steps<S> {
+    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+        let mut drive = Drive::<S>::new(motion, request);
+        drive.begin()?;
+        while !drive.run.finished {
+            drive.advance()?;
+        }
+        drive.run.statistics.stiffness = drive.reported_stiffness();
+        drive.run.conclude()
     }
-    drive.run.statistics.stiffness = drive.reported_stiffness();
-    drive.run.conclude()
 }
 
 struct Drive<'a, S> {

@@ -4,8 +4,9 @@
 //! The equation is that of a mechanism with one degree of freedom, J(q) w' + J'(q) w²/2 = Q(q, w, t), q' = w (D 3.11).
 //! This crate knows no mechanism, no scene and no concrete method. SI units.
 //!
-//! A method that goes in time steps implements [`Stepper`]: one step, its error and its dense output. [`drive`] does
-//! everything else. A method that goes otherwise, in panels of the coordinate or of the speed, drives a [`Run`] itself.
+//! A method that goes in time steps implements [`Stepper`]: one step, its error and its dense output. [`Steps`] does
+//! everything else. A method that goes otherwise, in panels of the coordinate or of the speed, implements [`Integrator`] and
+//! keeps a [`Run`] itself.
 //!
 //! # Existing crates, weighed before this one was written (2026-11)
 //!
@@ -44,13 +45,13 @@ pub use assur_plugin::RegistryError;
 pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
 pub use control::{Control, Scale};
 pub use dense::{COEFFICIENTS, Dense};
-pub use driver::drive;
+pub use driver::Steps;
 pub use equation::Equation;
 pub use error::IntegrationError;
 pub use inventory;
 pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 pub use piece_ahead::enter;
-pub use plugin::{Cost, IntegratorPlugin, Knob, Suitability, find, integrators};
+pub use plugin::{Cost, Integrator, IntegratorPlugin, Knob, Suitability, find, integrators};
 pub use request::{Event, EventKind, Request, Sample, Statistics, Trajectory, Until};
 pub use run::Run;
 pub use segment::Curve;

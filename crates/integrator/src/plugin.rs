@@ -4,8 +4,22 @@ use assur_plugin::{Registered, RegistryError};
 
 use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 
-/// A method for the equation of motion, registered by `inventory::submit! { IntegratorPlugin { ... } }`.
-#[derive(Debug, Clone, Copy)]
+/// A method for the equation of motion.
+///
+/// A method that goes in steps of time implements [`Stepper`](crate::Stepper) instead, and [`Steps`](crate::Steps) makes an
+/// integrator of it.
+pub trait Integrator: Sync {
+    /// Solves the equation from the initial state to the end. Called through [`IntegratorPlugin::solve`], which makes sure
+    /// that the method suits the equation.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError`] with the place that was reached.
+    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError>;
+}
+
+/// Entry of a method in the registry: `inventory::submit! { IntegratorPlugin { ... } }`.
+#[derive(Clone, Copy)]
 pub struct IntegratorPlugin {
     /// Stable name, as users write it.
     pub name: &'static str,
@@ -23,8 +37,14 @@ pub struct IntegratorPlugin {
     pub stiff: bool,
     /// How well the method suits such an equation at a tolerance; the error is why it can't treat it, as a sentence.
     pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, String>,
-    /// The method itself. Called through [`IntegratorPlugin::solve`], which makes sure that it suits.
-    pub run: fn(&mut dyn Motion, &Request) -> Result<Trajectory, IntegrationError>,
+    /// The method itself.
+    pub method: &'static dyn Integrator,
+}
+
+impl std::fmt::Debug for IntegratorPlugin {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "IntegratorPlugin({})", self.name)
+    }
 }
 
 /// What of a request sets the accuracy of a method.
@@ -98,7 +118,7 @@ impl IntegratorPlugin {
     pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
         self.supports(&motion.dependence())?;
         request.check()?;
-        (self.run)(motion, request)
+        self.method.solve(motion, request)
     }
 }
 

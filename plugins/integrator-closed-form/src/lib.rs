@@ -3,7 +3,7 @@
 
 use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
-    Suitability, drive, inventory,
+    Steps, Suitability, inventory,
 };
 
 mod impulse;
@@ -31,7 +31,7 @@ pub const CLOSED_FORM: IntegratorPlugin = IntegratorPlugin {
             dependence.words()
         )),
     },
-    run: drive::<Parabola>,
+    method: &Steps::<Parabola>::NEW,
 };
 
 inventory::submit! { CLOSED_FORM }

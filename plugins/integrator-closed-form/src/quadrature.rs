@@ -1,8 +1,8 @@
 //! `quadrature`: J constant and M of time or of speed (D's case 2): one integral gives the motion.
 
 use assur_integrator::{
-    Cost, Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Suitability, Trajectory,
-    drive, inventory,
+    Cost, Dependence, IntegrationError, Integrator, IntegratorPlugin, Knob, Motion, Request, Steps,
+    Suitability, Trajectory, inventory,
 };
 
 use crate::impulse::Impulse;
@@ -18,7 +18,7 @@ pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
     knob: Knob::Tolerance,
     stiff: false,
     suitability,
-    run,
+    method: &Quadrature,
 };
 
 inventory::submit! { QUADRATURE }
@@ -40,10 +40,14 @@ fn suitability(dependence: &Dependence, _: f64) -> Result<Suitability, String> {
     Ok(Suitability { cost: Cost::Quadrature, reason })
 }
 
-fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-    if motion.dependence().moment_on_speed {
-        speed::run(motion, request)
-    } else {
-        drive::<Impulse>(motion, request)
+struct Quadrature;
+
+impl Integrator for Quadrature {
+    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+        if motion.dependence().moment_on_speed {
+            speed::run(motion, request)
+        } else {
+            Steps::<Impulse>::NEW.solve(motion, request)
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! first equation is q' = w, the slopes of the coordinate are the speeds of the stages, so that a stage holds two numbers, its
 //! speed and its acceleration.
 
-use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, drive, inventory};
+use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
 
 mod dop853;
 mod dop853_table;
@@ -34,7 +34,7 @@ pub const DOPRI5: IntegratorPlugin = IntegratorPlugin {
     suitability: |_, tolerance| {
         Ok(steps(tolerance > LOOSE, "a loose tolerance: cheap explicit steps of order 5 meet it"))
     },
-    run: drive::<dopri5::Dopri5>,
+    method: &Steps::<dopri5::Dopri5>::NEW,
 };
 
 /// The method of order 8(5,3).
@@ -50,7 +50,7 @@ pub const DOP853: IntegratorPlugin = IntegratorPlugin {
         let reason = "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations";
         Ok(steps(tolerance <= LOOSE, reason))
     },
-    run: drive::<dop853::Dop853>,
+    method: &Steps::<dop853::Dop853>::NEW,
 };
 
 inventory::submit! { DOPRI5 }

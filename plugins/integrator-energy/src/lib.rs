@@ -32,7 +32,7 @@ pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
             dependence.words()
         ))
     },
-    run: march::run,
+    method: &march::Energy,
 };
 
 inventory::submit! { ENERGY }

@@ -1,7 +1,8 @@
 //! Panel after panel along the coordinate, through pieces and turning points, to the end.
 
 use assur_integrator::{
-    Curve, EventKind, IntegrationError, Motion, MotionError, Request, Run, State, Trajectory, Until,
+    Curve, EventKind, IntegrationError, Integrator, Motion, MotionError, Request, Run, State, Trajectory,
+    Until,
 };
 
 use crate::clock::{Clock, Rests};
@@ -57,18 +58,22 @@ pub(crate) struct March<'a> {
     known: Option<Values>,
 }
 
-/// Solves the equation in panels of the coordinate.
-pub(crate) fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
-    let run = Run::new(motion, request);
-    let mut march = March { run, energy: 0.0, largest: 0.0, length: FIRST_PANEL, known: None };
-    march.begin()?;
-    while !march.run.finished {
-        if march.run.is_exhausted() {
-            return Err(march.run.too_many_steps(march.step(), None));
+/// Goes in panels of the coordinate.
+pub(crate) struct Energy;
+
+impl Integrator for Energy {
+    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+        let run = Run::new(motion, request);
+        let mut march = March { run, energy: 0.0, largest: 0.0, length: FIRST_PANEL, known: None };
+        march.begin()?;
+        while !march.run.finished {
+            if march.run.is_exhausted() {
+                return Err(march.run.too_many_steps(march.step(), None));
+            }
+            march.advance()?;
         }
-        march.advance()?;
+        march.run.conclude()
     }
-    march.run.conclude()
 }
 
 impl March<'_> {

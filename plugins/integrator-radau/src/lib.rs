@@ -8,7 +8,7 @@
 //! less exact than the end (on a pendulum at 1e-9, 7e-8 of the energy against 5e-10 of the coordinate). Where the
 //! equation is not stiff, the explicit methods are better and cheaper.
 
-use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, drive, inventory};
+use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
 
 mod collocation;
 mod table;
@@ -28,7 +28,7 @@ pub const RADAU5: IntegratorPlugin = IntegratorPlugin {
             reason: "implicit steps of order 5, which stiffness does not shorten",
         })
     },
-    run: drive::<collocation::Collocation>,
+    method: &Steps::<collocation::Collocation>::NEW,
 };
 
 inventory::submit! { RADAU5 }

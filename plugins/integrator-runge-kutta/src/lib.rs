@@ -2,7 +2,7 @@
 
 use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
-    Suitability, drive, inventory,
+    Steps, Suitability, inventory,
 };
 
 /// The method.
@@ -17,7 +17,7 @@ pub const RK4: IntegratorPlugin = IntegratorPlugin {
     suitability: |_, _| {
         Ok(Suitability { cost: Cost::LastResort, reason: "steps of order 4 at a fixed length" })
     },
-    run: drive::<Classical>,
+    method: &Steps::<Classical>::NEW,
 };
 
 inventory::submit! { RK4 }

@@ -2,8 +2,8 @@
 //! with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper,
-    Suitability, drive, inventory,
+    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper, Steps,
+    Suitability, inventory,
 };
 
 /// The method.
@@ -21,7 +21,7 @@ pub const UNIFORM: IntegratorPlugin = IntegratorPlugin {
             reason: "uniformly accelerated intervals of a fixed length",
         })
     },
-    run: drive::<Interval>,
+    method: &Steps::<Interval>::NEW,
 };
 
 inventory::submit! { UNIFORM }

@@ -1,5 +1,13 @@
 use super::*;
-use crate::{Cost, Knob, Suitability};
+use crate::{Cost, Integrator, Knob, Suitability};
+
+struct Nothing;
+
+impl Integrator for Nothing {
+    fn solve(&self, _: &mut dyn Motion, _: &Request) -> Result<Trajectory, IntegrationError> {
+        Ok(Trajectory::default())
+    }
+}
 
 const ANY: IntegratorPlugin = IntegratorPlugin {
     name: "any",
@@ -10,7 +18,7 @@ const ANY: IntegratorPlugin = IntegratorPlugin {
     knob: Knob::Tolerance,
     stiff: false,
     suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: "it can" }),
-    run: |_, _| Ok(Trajectory::default()),
+    method: &Nothing,
 };
 static CLOSED: IntegratorPlugin = IntegratorPlugin {
     name: "closed",
