@@ -2,7 +2,7 @@
 
 use crate::results::{GroupReport, StructureReport};
 use assur_group::{Order, Pair};
-use assur_kinematics::{Linkage, rank_of};
+use assur_kinematics::{Linkage, mobility_in};
 
 pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
     let structure = &linkage.structure;
@@ -22,7 +22,7 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
 fn rank(linkage: &Linkage) -> Option<usize> {
     let mut position = linkage.position();
     linkage.solve_index(0, Order::Place, &mut position).ok()?;
-    Some(rank_of(linkage, &position).mobility)
+    Some(mobility_in(linkage, &position))
 }
 
 fn note(counted: i64, found: usize) -> Option<String> {

@@ -33,7 +33,7 @@ pub use guesses::iterated;
 pub use interpolant::Interpolation;
 pub use linkage::{Linkage, Position};
 pub use motion::{PointMotion, ScalarMotion, continuous_angle};
-pub use rank::{Rank, rank_of};
+pub use rank::mobility_in;
 pub use ways::{Range, Transition, Ways};
 
 #[cfg(test)]

@@ -1,70 +1,140 @@
-//! Mobility by the rank actually found in one position.
+//! Mobility by the rank of the constraints in one position.
 
-use assur_group::PairGeometry;
+use assur_group::{Pair, PairGeometry};
+use assur_mechanism::GROUND;
 use nalgebra::DMatrix;
 
 use crate::{Linkage, Position};
 
-/// Rank of the constraints of all pairs in one position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rank {
-    /// Number of independent constraints.
-    pub rank: usize,
-    /// Freedoms that are left: 3 n - rank.
-    pub mobility: usize,
-    /// Smallest singular value that counts as one, over the greatest.
-    pub least: f64,
-}
-
 /// Below this ratio to the greatest, a singular value is rounding.
 const RANK_LIMIT: f64 = 1e-9;
 
-/// Rank of the constraints of all pairs of a linkage in a solved position.
-pub fn rank_of(linkage: &Linkage, position: &Position) -> Rank {
-    let matrix = constraints(linkage, position);
-    let freedoms = matrix.ncols();
-    let values = matrix.singular_values();
-    let greatest = values.iter().copied().fold(0.0, f64::max);
-    let counted = values.iter().copied().filter(|value| *value > RANK_LIMIT * greatest);
-    let (rank, least) = counted.fold((0, f64::INFINITY), |(n, least), value| (n + 1, least.min(value)));
-    Rank { rank, mobility: freedoms - rank, least: least / greatest }
+/// Velocities of a body, one for each independent motion of the mechanism so far: of its origin, in units of the scale, and
+/// its rotation.
+type Velocities = Vec<[f64; 3]>;
+
+/// Number of independent motions that the constraints of all pairs leave in a solved position.
+///
+/// The motions are found group after group, each as the null space of the constraints of its pairs, so that the work grows
+/// with the number of groups. A group whose own constraints coincide (a change point) adds motions; one that is locked takes
+/// them away.
+pub fn mobility_in(linkage: &Linkage, position: &Position) -> usize {
+    let structure = &linkage.structure;
+    let mut bodies: Vec<Velocities> = vec![Vec::new(); structure.links];
+    let mut motions = Motions { linkage, position, bodies: &mut bodies, count: 0 };
+    let input = linkage.mechanism.input.link;
+    motions.extend(&[input], &[structure.pairs[0].pair]);
+    for group in &structure.groups {
+        let pairs: Vec<_> = group.frame.pairs().copied().collect();
+        motions.extend(&group.frame.links, &pairs);
+    }
+    motions.count
 }
 
-/// Two rows a pair, three columns a moving link; lengths in units of the scale.
-fn constraints(linkage: &Linkage, position: &Position) -> DMatrix<f64> {
-    let structure = &linkage.structure;
-    let mut matrix = DMatrix::zeros(2 * structure.pairs.len(), 3 * (structure.links - 1));
-    for (k, named) in structure.pairs.iter().enumerate() {
-        let pair = &named.pair;
-        let bodies = &position.bodies;
-        let (place, rows) = match pair.geometry {
+/// The independent motions of the links that were added.
+struct Motions<'a> {
+    linkage: &'a Linkage,
+    position: &'a Position,
+    bodies: &'a mut [Velocities],
+    count: usize,
+}
+
+impl Motions<'_> {
+    /// Adds links with the pairs that join them to each other and to links before.
+    fn extend(&mut self, links: &[usize], pairs: &[Pair]) {
+        let columns = self.count + 3 * links.len();
+        // Rows of zeros make it square, so that the decomposition gives all of the null space.
+        let mut matrix = DMatrix::zeros(columns.max(2 * pairs.len()), columns);
+        for (k, pair) in pairs.iter().enumerate() {
+            for (i, [a, b]) in self.rows(pair).into_iter().flatten().enumerate() {
+                self.add(&mut matrix, 2 * k + i, (pair.a, a, 1.0), links);
+                self.add(&mut matrix, 2 * k + i, (pair.b, b, -1.0), links);
+            }
+        }
+        // A motion that is great in these links counts no more than they do.
+        let scales: Vec<_> = (0..self.count).map(|k| 1.0 / matrix.column(k).norm().max(1.0)).collect();
+        for (k, scale) in scales.iter().enumerate() {
+            matrix.column_mut(k).scale_mut(*scale);
+        }
+        let decomposed = matrix.svd(false, true);
+        let limit = RANK_LIMIT * decomposed.singular_values.max();
+        let Some(vectors) = decomposed.v_t else { return };
+        let null = decomposed.singular_values.iter().enumerate().filter(|(_, value)| **value <= limit);
+        let null: Vec<Vec<f64>> = null.map(|(i, _)| vectors.row(i).iter().copied().collect()).collect();
+        self.replace(links, &scales, null);
+    }
+
+    /// The motions are now those combinations of the former ones, and of the new links' own velocities, that the pairs allow.
+    fn replace(&mut self, links: &[usize], scales: &[f64], mut null: Vec<Vec<f64>>) {
+        for vector in &mut null {
+            vector.iter_mut().zip(scales).for_each(|(part, scale)| *part *= scale);
+        }
+        // The usual case: one motion goes on as it is, and links before need not be touched.
+        if let ([vector], 1) = (&mut null[..], self.count) {
+            let part = vector[0];
+            if part.abs() > RANK_LIMIT {
+                vector.iter_mut().for_each(|number| *number /= part);
+            }
+        }
+        let goes_on = null.len() == 1 && self.count == 1 && (null[0][0] - 1.0).abs() <= f64::EPSILON;
+        if !goes_on {
+            for velocities in self.bodies.iter_mut().filter(|velocities| !velocities.is_empty()) {
+                let combined = |vector: &Vec<f64>| {
+                    let sum = |i: usize| velocities.iter().zip(vector).map(|(one, part)| one[i] * part).sum();
+                    [sum(0), sum(1), sum(2)]
+                };
+                *velocities = null.iter().map(combined).collect();
+            }
+        }
+        for (k, &link) in links.iter().enumerate() {
+            let own = |vector: &Vec<f64>| [0, 1, 2].map(|i| vector[self.count + 3 * k + i]);
+            self.bodies[link] = null.iter().map(own).collect();
+        }
+        self.count = null.len();
+    }
+
+    /// The constraints of a pair: for each what multiplies the velocities of its two bodies.
+    fn rows(&self, pair: &Pair) -> [Option<[[f64; 3]; 2]>; 2] {
+        let bodies = &self.position.bodies;
+        let arm = |body: usize, at: [f64; 2]| {
+            [at[0] - bodies[body].x, at[1] - bodies[body].y].map(|x| x / self.linkage.structure.scale)
+        };
+        let along = |[nx, ny]: [f64; 2], at: [f64; 2]| {
+            [pair.a, pair.b].map(|body| {
+                let arm = arm(body, at);
+                [nx, ny, ny * arm[0] - nx * arm[1]]
+            })
+        };
+        match pair.geometry {
             PairGeometry::Pin { at_a, .. } => {
-                (bodies[pair.a].point(at_a), [Some([1.0, 0.0]), Some([0.0, 1.0])])
+                let at = bodies[pair.a].point(at_a);
+                [Some(along([1.0, 0.0], at)), Some(along([0.0, 1.0], at))]
             }
             PairGeometry::Slide { point, angle, .. } => {
                 let (s, c) = angle.sin_cos();
                 let [c, s] = bodies[pair.b].turned([c, s]);
-                (bodies[pair.a].point(point), [Some([-s, c]), None])
-            }
-        };
-        for (i, row) in rows.into_iter().enumerate() {
-            for (body, sign) in [(pair.a, 1.0), (pair.b, -1.0)] {
-                if body == 0 {
-                    continue;
-                }
-                let column = 3 * (body - 1);
-                let arm = [place[0] - bodies[body].x, place[1] - bodies[body].y];
-                match row {
-                    Some([nx, ny]) => {
-                        matrix[(2 * k + i, column)] = sign * nx;
-                        matrix[(2 * k + i, column + 1)] = sign * ny;
-                        matrix[(2 * k + i, column + 2)] =
-                            sign * (ny * arm[0] - nx * arm[1]) / structure.scale;
-                    }
-                    None => matrix[(2 * k + i, column + 2)] = sign,
-                }
+                [Some(along([-s, c], bodies[pair.a].point(point))), Some([[0.0, 0.0, 1.0]; 2])]
             }
         }
     }
-    matrix
+
+    /// Adds what a body contributes to a constraint: in its own columns if it is new, else in those of the motions.
+    fn add(
+        &self,
+        matrix: &mut DMatrix<f64>,
+        row: usize,
+        (body, factors, sign): (usize, [f64; 3], f64),
+        links: &[usize],
+    ) {
+        if let Some(k) = links.iter().position(|link| *link == body) {
+            for (i, factor) in factors.into_iter().enumerate() {
+                matrix[(row, self.count + 3 * k + i)] += sign * factor;
+            }
+        } else if body != GROUND {
+            for (k, velocity) in self.bodies[body].iter().enumerate() {
+                let rate: f64 = factors.iter().zip(velocity).map(|(factor, part)| factor * part).sum();
+                matrix[(row, k)] += sign * rate;
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@ use assur_all as _;
 use assur_group::Order;
 use serde_json::Value;
 
-use crate::{Linkage, continuous_angle, rank_of};
+use crate::{Linkage, continuous_angle, mobility_in};
 
 /// A scene of the fixtures, compiled.
 fn linkage(name: &str) -> Linkage {
@@ -132,9 +132,57 @@ fn rank_agrees_with_chebyshev_on_ordinary_mechanisms() {
         let linkage = linkage(scene);
         let mut position = linkage.position();
         linkage.solve_index(0, Order::Place, &mut position).unwrap();
-        assert_eq!(rank_of(&linkage, &position).mobility, 1, "{scene}");
+        assert_eq!(mobility_in(&linkage, &position), 1, "{scene}");
         assert_eq!(linkage.structure.mobility.value, 1, "{scene}");
     }
+}
+
+/// Parallelograms one after the other, each joined to the rocker before.
+fn ladder(groups: usize) -> String {
+    let mut text = String::from("[ground]\npoints = { ");
+    (0..=groups).for_each(|i| text += &format!("A{i} = {i}.0, "));
+    text += "}\n";
+    (0..=groups).for_each(|i| text += &format!("[link.rocker{i}]\npoints = {{ A{i} = 0, B{i} = 1 }}\n"));
+    (0..groups)
+        .for_each(|i| text += &format!("[link.coupler{i}]\npoints = {{ B{i} = 0, B{} = 1 }}\n", i + 1));
+    text += "[input]\nlink = \"rocker0\"\nfrom = \"90 deg\"\n[assembly]\n";
+    (1..=groups).for_each(|i| text += &format!("B{i} = [{i}.0, 1]\n"));
+    text
+}
+
+#[test]
+fn mobility_in_a_flat_row_of_parallelograms_is_one_more_for_each() {
+    // Flat, every parallelogram may go on in either way: its own constraints coincide.
+    let linkage = Linkage::compile(assur_scene::read("ladder", &ladder(5)).unwrap()).unwrap();
+    let mut position = linkage.position();
+    linkage.solve(1.0, Order::Place, &mut position).unwrap();
+    assert_eq!(mobility_in(&linkage, &position), 1);
+    for body in &mut position.bodies[1..] {
+        (body.c, body.s) = (1.0, 0.0);
+    }
+    for i in 0..=5 {
+        // The rocker and the coupler behind it, both along the ground.
+        (position.bodies[1 + i].x, position.bodies[1 + i].y) = (i as f64, 0.0);
+        if i < 5 {
+            (position.bodies[7 + i].x, position.bodies[7 + i].y) = (i as f64 + 1.0, 0.0);
+        }
+    }
+    assert_eq!(mobility_in(&linkage, &position), 6);
+}
+
+#[test]
+fn a_long_ladder_is_followed_through_all_its_change_points() {
+    let linkage = Linkage::compile(assur_scene::read("ladder", &ladder(150)).unwrap()).unwrap();
+    assert_eq!(linkage.change_points().count(), 300);
+    let mut position = linkage.position();
+    for q in [0.0, 0.3, 3.0, 3.141, 6.2] {
+        linkage.solve(q, Order::First, &mut position).unwrap();
+        for rocker in 1..=151 {
+            let found = linkage.link_motion(rocker, &position);
+            assert!((continuous_angle(found.pf0, q) - q).abs() < 1e-9 && (found.pf1 - 1.0).abs() < 1e-6);
+        }
+    }
+    assert_eq!(mobility_in(&linkage, &position), 1);
 }
 
 #[test]

@@ -41,27 +41,26 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     (linkage, firsts)
 }
 
-/// A link whose pins all lie at one place turns freely about it: nothing determines its angle.
+/// Pins nearer than this, in parts of the greatest coordinate of the scene, are at one place.
+const SAME_PLACE: f64 = 1e-12;
+
+/// Refuses links whose pins all lie at one place: they turn freely about it, nothing determines their angle.
 fn refuse_points(linkage: &Linkage, links: &[Entry<'_>]) {
-    for (index, entry) in links.iter().enumerate() {
-        let place =
-            |point: &&Point| point.places.iter().find(|place| place.link == index + 1).map(|place| place.at);
-        let pins: Vec<_> =
-            linkage.points.iter().filter(|point| point.is_pin() && place(point).is_some()).collect();
-        let [first, others @ ..] = &pins[..] else { continue };
-        let is_same = |pin: &&Point| {
-            place(pin).map(|at| at.map(|x| x + 0.0)) == place(first).map(|at| at.map(|x| x + 0.0))
-        };
+    let places = || linkage.points.iter().flat_map(|point| &point.places);
+    let greatest = places().flat_map(|place| place.at).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let mut pins = vec![Vec::new(); linkage.links.len()];
+    for pin in linkage.points.iter().filter(|point| point.is_pin()) {
+        pin.places.iter().for_each(|place| pins[place.link].push((pin.name.as_str(), place.at)));
+    }
+    for (entry, pins) in links.iter().zip(&pins[1..]) {
+        let [(_, first), others @ ..] = &pins[..] else { continue };
+        let is_same =
+            |(_, at): &(&str, [f64; 2])| (at[0] - first[0]).hypot(at[1] - first[1]) <= SAME_PLACE * greatest;
         if !others.is_empty() && others.iter().all(is_same) {
-            let names = row(pins.iter().map(|pin| pin.name.as_str()));
-            let message = format!(
-                "link `{}` has its pins {names} at one place: its length is zero",
-                shown(&entry.name)
-            );
-            let fault = Fault::new(entry.key.clone(), message);
-            entry
-                .faults
-                .push(fault.label("give them different coordinates, or join the neighbors in one pin"));
+            let (link, names) = (shown(&entry.name), row(pins.iter().map(|pin| pin.0)));
+            let message = format!("link `{link}` has its pins {names} at one place: its length is zero");
+            let label = "give them different coordinates, or join the neighbors in one pin";
+            entry.faults.push(Fault::new(entry.key.clone(), message).label(label));
         }
     }
 }
