@@ -97,7 +97,7 @@ fn regime_point(regime: &Regime, coordinate: f64) -> RegimePoint {
     RegimePoint {
         coordinate,
         speed: at.speed,
-        first_turn: regime.first_cycle_speed(coordinate),
+        first_turn: regime.first_cycle_speed(coordinate).filter(|speed| speed.is_finite()),
         drive: at.drive,
         load: at.load,
         inertia: at.inertia,

@@ -46,6 +46,15 @@ impl From<assur_dynamics::DynamicsError> for AnalysisError {
 }
 
 impl AnalysisError {
+    /// There is no speed or acceleration at a coordinate, rad or m.
+    pub(crate) fn infinite(coordinate: f64) -> Self {
+        let message = format!(
+            "the steady regime has no finite speed and acceleration at the coordinate {coordinate:.6}: the machine has no \
+             inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`"
+        );
+        Self::Motion { message, usage: false }
+    }
+
     /// Whether the machine has no solution, though the scene is sound.
     pub fn is_no_solution(&self) -> bool {
         matches!(self, Self::Motion { usage: false, .. })

@@ -14,6 +14,9 @@ use assur_structure::Structure;
 use crate::progress::{Stopped, Watch};
 use crate::{AnalysisError, Options, Progress};
 
+/// Intervals over one cycle of a steady regime at which its states are looked at.
+pub(crate) const CYCLE_INTERVALS: u32 = 360;
+
 /// How the input moves.
 #[derive(Debug)]
 pub enum InputMotion {
@@ -43,7 +46,27 @@ impl InputMotion {
         };
         let found = Self::found(linkage, loads, options, Some(&mut watcher));
         // A method that is stopped may say so in other words, or go another way.
-        if stopped { Err(Stopped.into()) } else { Ok(found?) }
+        if stopped {
+            return Err(Stopped.into());
+        }
+        let found = found?;
+        match found.infinite_at(&linkage.mechanism) {
+            Some(coordinate) => Err(AnalysisError::infinite(coordinate)),
+            None => Ok(found),
+        }
+    }
+
+    /// The first coordinate of a cycle at which speed or acceleration of a regime is not finite.
+    fn infinite_at(&self, mechanism: &Mechanism) -> Option<f64> {
+        let Self::Steady(found) = self else { return None };
+        let input = &mechanism.input;
+        let cycle = input.sign() * input.period()?;
+        let mut each =
+            (0..=CYCLE_INTERVALS).map(|i| input.from + cycle * (f64::from(i) / f64::from(CYCLE_INTERVALS)));
+        each.find(|coordinate| {
+            let at = found.regime.state(*coordinate);
+            !(at.speed.is_finite() && at.acceleration.is_finite() && at.time.is_finite())
+        })
     }
 
     fn found(

@@ -227,3 +227,16 @@ fn positions_behind_a_gap_that_none_falls_into_are_told() {
     }
     assert!(analyzed(&scene.replace("0.200000001", "0.199999999")).notes.is_empty());
 }
+
+/// A piston alone has mass, so that the machine has no inertia where it turns back.
+#[test]
+fn a_regime_that_is_not_finite_is_no_motion() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n[link.rod]\npoints = { A = 0, B = 0.4 }\n\
+        [link.piston]\npoints = { B = 0 }\nmass = 1\n[[slide]]\nlink = \"piston\"\non = \"ground\"\n\
+        [input]\nlink = \"crank\"\nfrom = \"START\"\n[motion]\nkind = \"steady\"\nmean_speed = 10\n";
+    for start in ["0 deg", "30 deg", "-77 deg"] {
+        let found = analyzed(&scene.replace("START", start));
+        assert!(found.no_motion.is_some() && found.dynamics.is_none(), "{start}");
+        assert_eq!(found.positions.len(), 12, "{start}: what does not depend on the motion is calculated");
+    }
+}

@@ -3,13 +3,11 @@
 use assur_dynamics::Instant;
 use assur_force::State;
 
+use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
 use crate::reader::Reader;
 use crate::results::{MotionSample, Named, PointPosition};
 use crate::{Calculation, InputMotion, Progress};
-
-/// Intervals over one cycle of a steady regime.
-const INTERVALS: u32 = 360;
 
 /// Samples of a motion that have no forces.
 #[derive(Debug, Default)]
@@ -36,10 +34,10 @@ impl Calculation {
                 let input = &self.linkage.mechanism.input;
                 let cycle = input.sign() * input.period().unwrap_or(0.0);
                 let end = found.regime.cycle_time;
-                let each = (0..=INTERVALS).map(|i| {
-                    let state = self.state(input.from + cycle * (f64::from(i) / f64::from(INTERVALS)));
+                let each = (0..=CYCLE_INTERVALS).map(|i| {
+                    let state = self.state(input.from + cycle * (f64::from(i) / f64::from(CYCLE_INTERVALS)));
                     // The end of the cycle is its start, one cycle later.
-                    let time = if i == INTERVALS { end } else { state.time };
+                    let time = if i == CYCLE_INTERVALS { end } else { state.time };
                     Instant { state: State { time, ..state }, holding: None }
                 });
                 each.collect()

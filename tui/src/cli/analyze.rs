@@ -24,6 +24,10 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     analysis.checks = study.checks(&mut line.watch()).map_err(Fault::other)?;
     drop(line);
     let added = args.plans.add(&study, &args.scene, style, &mut analysis)?;
+    if let Err(problem) = json::finite(&analysis) {
+        style.tell(&format!("error: {problem}"));
+        return Ok(Status::Failed);
+    }
     let target = args.output.as_deref();
     match (args.format, target) {
         (Format::Json, _) => {

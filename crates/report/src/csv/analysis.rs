@@ -3,6 +3,7 @@
 use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, Rates, ScalarMotion};
 
 use super::{Cell, CsvError, write};
+use crate::json::finite;
 
 /// The names of all files that [`to_csv`] may give.
 pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
@@ -22,6 +23,7 @@ pub struct CsvFile {
 ///
 /// [`CsvError`] for a number that is not finite.
 pub fn to_csv(analysis: &Analysis, ascii: bool) -> Result<Vec<CsvFile>, CsvError> {
+    let analysis = finite(analysis)?;
     let mut files = vec![CsvFile { name: FILES[0], text: positions(analysis, ascii)? }];
     if analysis.positions.iter().any(|position| position.balancing.is_some()) {
         files.push(CsvFile { name: FILES[1], text: reactions(analysis, ascii)? });

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use ::csv::Writer;
 
+use crate::json::NotFinite;
 use crate::to_ascii;
 
 pub use analysis::{CsvFile, FILES, to_csv};
@@ -17,7 +18,10 @@ pub enum CsvError {
     /// The writer refuses.
     #[error("the result can't be written as CSV: {0}")]
     Write(#[from] ::csv::Error),
-    /// A number is not finite.
+    /// A number of the results is not finite.
+    #[error(transparent)]
+    Results(#[from] NotFinite),
+    /// A number of a table is not finite.
     #[error("column `{column}`, row {row}: the number found is not finite, and is not written")]
     NotFinite {
         /// The column.
