@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use assur_study::chart::{ChartData, Row, Stage, WIDTH, stage_text, unit_words, units};
+use assur_study::chart::{ChartData, Row, Stage, WIDTH, stage_text, units};
 
 /// Errors for which the fastest method is told.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
@@ -67,7 +67,7 @@ fn sentence(row: &Row, wanted: f64, stage: Stage) -> String {
         units::short(wanted),
         row.method,
         units::time(seconds, false),
-        unit_words(stage),
+        stage.unit_words(),
         units::error(error, row.at_most, false),
     )
 }

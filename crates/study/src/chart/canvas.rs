@@ -124,7 +124,7 @@ impl<'a> Canvas<'a> {
             labels += &label;
         }
         let line: String = line.into_iter().collect();
-        let unit = super::text::unit_words(self.scatter.stage);
+        let unit = self.scatter.stage.unit_words();
         format!("{:MARGIN$} {}{line}\n{labels}\n{:MARGIN$}  time of {unit}\n", "", self.strokes.corner, "")
     }
 }

@@ -62,6 +62,16 @@ impl Stage {
         }
     }
 
+    /// What the times of a stage are for.
+    pub fn unit_words(self) -> &'static str {
+        match self {
+            Self::Kinematics | Self::Forces => "one position",
+            Self::Motion => "one run",
+            Self::Flywheel => "one flywheel",
+            Self::Steady => "one regime",
+        }
+    }
+
     /// What one unit of work is, in JSON: one position of the mechanism, or one whole run.
     pub fn unit(self) -> &'static str {
         match self {

@@ -33,7 +33,7 @@ pub use csv::csv;
 pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
 pub use options::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
-pub use text::{WIDTH, stage_text, text, unit_words};
+pub use text::{WIDTH, stage_text, text};
 
 #[cfg(test)]
 mod tests;

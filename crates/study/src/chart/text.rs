@@ -9,16 +9,6 @@ pub const WIDTH: usize = 92;
 /// Lines of a scatter.
 const HEIGHT: usize = 20;
 
-/// What the times of a stage are for.
-pub fn unit_words(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Kinematics | Stage::Forces => "one position",
-        Stage::Motion => "one run",
-        Stage::Flywheel => "one flywheel",
-        Stage::Steady => "one regime",
-    }
-}
-
 /// All stages for a person, in about `width` columns; only a row of a table may be wider.
 pub fn text(data: &ChartData, ascii: bool, width: usize) -> String {
     let dash = if ascii { "-" } else { "—" };

@@ -55,7 +55,9 @@ pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>
     let most = (MOST_GROUPS / groups.len().max(1)).clamp(2, MOST_PLACES);
     let left_out = targets.len().saturating_sub(most);
     targets.truncate(most);
-    targets.iter_mut().for_each(|target| target.groups.sort_unstable());
+    for target in &mut targets {
+        target.groups.sort_unstable();
+    }
     targets.sort_by_key(|target| target.groups.first().copied());
     targets.extend(ends(linkage));
     (targets, left_out)

@@ -6,6 +6,8 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
 use super::studied;
+use crate::stability::nearest::nearest;
+use crate::stability::target::targets;
 use crate::stability::{DISTANCES, stability};
 
 fn scene(text: &str) -> Mechanism {
@@ -177,4 +179,48 @@ fn json_has_the_keys_of_the_format() {
     for key in ["where", "method", "quantity", "distance", "health", "error", "bound", "ok", "reason"] {
         assert!(row.contains_key(key), "{key}");
     }
+}
+
+/// A crank and `count` dyads, each rocker driving the next one: rockers of different lengths, upright in the first position.
+fn ladder(count: u32) -> String {
+    use std::fmt::Write;
+    let (mut points, mut links, mut places) = ("O0 = [0, 0]".to_owned(), String::new(), String::new());
+    let mut before = 1.0_f64;
+    for k in 1..=count {
+        let rocker = 1.0 + 0.02 * f64::from(k * 7919 % 13);
+        let coupler = (rocker - before).hypot(2.0);
+        let last = k - 1;
+        write!(points, ", O{k} = [{}, 0]", 2 * k).unwrap();
+        write!(
+            links,
+            "[link.c{k}]\npoints = {{ A{last} = 0, A{k} = {coupler:?} }}\n\
+             [link.l{k}]\npoints = {{ O{k} = 0, A{k} = {rocker:?} }}\n"
+        )
+        .unwrap();
+        writeln!(places, "A{k} = [{}, {rocker:?}]", 2 * k).unwrap();
+        before = rocker;
+    }
+    format!(
+        "[ground]\npoints = {{ {points} }}\n[link.l0]\npoints = {{ O0 = 0, A0 = 1 }}\n{links}\
+         [input]\nlink = \"l0\"\nfrom = \"80 deg\"\nto = \"100 deg\"\n[assembly]\n{places}"
+    )
+}
+
+/// Of very many places the worst are walked to, so that the walks cost as much as those of a smaller mechanism.
+#[test]
+fn a_mechanism_of_many_groups_is_walked_to_its_worst_places() {
+    const GROUPS: u32 = 30;
+    let linkage = Linkage::compile(scene(&ladder(GROUPS))).unwrap();
+    let mut groups = nearest(&linkage).unwrap();
+    // As if the least health of each group were somewhere else.
+    for (k, group) in groups.iter_mut().enumerate() {
+        group.coordinate = 1.4 + 0.01 * k as f64;
+    }
+    let (mut found, left_out) = targets(&linkage, &groups);
+    found.retain(|target| target.words == "least health of the cycle");
+    assert_eq!((found.len() + left_out, left_out), (30, 6));
+    let walked: Vec<f64> = found.iter().map(|target| groups[target.groups[0]].health).collect();
+    let worst = walked.iter().copied().fold(0.0, f64::max);
+    let better = groups.iter().filter(|group| group.health > worst).count();
+    assert!(better >= left_out, "{better} of {left_out} are healthier than {worst}");
 }
