@@ -77,7 +77,9 @@ impl Calculation {
             let found = loads.reduced(state, &reader.position.bodies);
             let inertia = found.inertia * state.acceleration;
             let centrifugal = 0.5 * found.inertia_derivative * state.speed * state.speed;
-            let terms = [balancing, found.moment, inertia, centrifugal].map(f64::abs);
+            // Where all of these cancel (a steady turn without loads) their rounding is that of J w².
+            let steady = found.inertia * state.speed * state.speed / self.linkage.coordinate_unit();
+            let terms = [balancing, found.moment, inertia, centrifugal, steady].map(f64::abs);
             largest = terms.into_iter().fold(largest, f64::max);
             let miss = (balancing - given(state)).abs();
             compared = true;

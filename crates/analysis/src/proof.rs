@@ -2,7 +2,7 @@
 
 use assur_check::Check;
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
-use assur_integrator::{AUTO, Motion, Request, Sample, Solution, State, Trajectory, Until, solve};
+use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve};
 
 use crate::Calculation;
 
@@ -54,6 +54,8 @@ struct Balance {
     step: f64,
     kinetic: Vec<f64>,
     power: Vec<f64>,
+    /// Whether a piece of a law begins and ends between an instant and the next one, so that the quadrature does not see it.
+    steps_over: Vec<bool>,
 }
 
 impl Balance {
@@ -61,9 +63,15 @@ impl Balance {
         let samples = &trajectory.samples;
         let step =
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;
-        let mut found = Self { step, kinetic: Vec::new(), power: Vec::new() };
-        for &Sample { time, coordinate, speed, acceleration } in samples {
+        let mut found = Self { step, kinetic: Vec::new(), power: Vec::new(), steps_over: Vec::new() };
+        for (index, &Sample { time, coordinate, speed, acceleration }) in samples.iter().enumerate() {
             let state = State { time, coordinate, speed };
+            let piece = motion.enter(&state).unwrap_or(Piece::UNBOUNDED);
+            let next = samples.get(index + 1).map_or(coordinate, |next| next.coordinate);
+            let width = |[low, high]: [f64; 2]| high - low;
+            found
+                .steps_over
+                .push(width(piece.coordinate) < (next - coordinate).abs() || width(piece.time) < step);
             if speed == 0.0 {
                 found.kinetic.push(0.0);
                 found.power.push(0.0);
@@ -92,6 +100,10 @@ impl Balance {
             work += fine;
             size += fine.abs();
             error += (fine - coarse).abs();
+            if self.steps_over.iter().skip(start).take(4).any(|over| *over) {
+                // What a piece does that is shorter than a step can't be proved by these steps.
+                error += (self.kinetic[start + 4] - self.kinetic[start] - fine).abs();
+            }
             let total = scale.max(size);
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
             let limit = 2.0 * error / total + own + ROUNDING;

@@ -62,3 +62,21 @@ fn the_balancing_moment_at_a_change_point_follows_from_the_powers() {
     }
     assert!(found.notes.iter().any(|note| note.starts_with("No reactions in positions 4, 10: ")));
 }
+
+#[test]
+fn a_spring_whose_ends_meet_is_told() {
+    let scene = "[ground]\npoints = { O = 0, E = [1, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n\
+        [[spring]]\nname = \"buffer\"\nbetween = [\"A\", \"E\"]\nstiffness = 50\nlength = 0.2\n\
+        [input]\nlink = \"crank\"\npositions = 8\n";
+    let of = |scene: &str| {
+        analyzed(scene).notes.into_iter().filter(|note| note.contains("buffer")).collect::<Vec<_>>()
+    };
+    let notes = of(scene);
+    assert_eq!(notes.len(), 1);
+    assert!(
+        notes[0].starts_with("The ends of spring `buffer` meet in position 0: it has no direction"),
+        "{notes:?}"
+    );
+    assert!(of(&scene.replace("length = 0.2", "length = 0")).is_empty());
+    assert!(of(&scene.replace("E = [1, 0]", "E = [1.1, 0]")).is_empty());
+}

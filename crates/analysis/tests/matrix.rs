@@ -1,0 +1,193 @@
+//! Every shipped scene under every kind of motion, with every kind of load, in both directions: the checks hold, and a load of
+//! the wrong sign is caught. Of all combinations a spread runs, so that the test takes seconds.
+
+use assur_all as _;
+use assur_analysis::{Calculation, Options, unwatched};
+use assur_force::Loads;
+use assur_kinematics::Linkage;
+use assur_mechanism::{
+    Direction, Drive, FlywheelPlace, Force, GROUND, Mechanism, Moment, Motion, Over, Place, Sense, Shape,
+    Solve, Spring, Table, Torque, Until, Value,
+};
+
+/// Forty groups say no more than two, and take long.
+const TOO_LARGE: &str = "n-four-bar-40";
+
+/// Every so many combinations one runs; with 8 all hold as well.
+const SPREAD: usize = 24;
+
+const MOTIONS: [&str; 4] = ["none", "prescribed", "transient", "steady"];
+
+const LOADS: [&str; 8] = [
+    "weights",
+    "constant force",
+    "force over the coordinate",
+    "force against the motion",
+    "force over a stroke",
+    "moment over the speed",
+    "moment over time",
+    "spring with a damper",
+];
+
+fn table(rows: &[[f64; 2]]) -> Table {
+    Table { rows: rows.to_vec(), shape: Shape::Linear }
+}
+
+fn over(over: Over, rows: &[[f64; 2]]) -> Value {
+    Value::Table { over, table: table(rows), repeat: over == Over::Coordinate }
+}
+
+/// The mechanism of a scene, with masses, in a few positions, and with nothing that acts.
+fn bare(text: &str) -> Mechanism {
+    let mut mechanism = assur_scene::read("scene.toml", text).unwrap();
+    mechanism.input.positions = 4;
+    for link in mechanism.links.iter_mut().skip(1) {
+        (link.mass, link.inertia) = (1.0 + link.mass, 0.01 + link.inertia);
+    }
+    (mechanism.gravity, mechanism.output, mechanism.drive, mechanism.balance) = (None, None, None, None);
+    mechanism.forces.clear();
+    mechanism.moments.clear();
+    mechanism.springs.clear();
+    mechanism.contacts.clear();
+    mechanism
+}
+
+fn set_motion(mechanism: &mut Mechanism, kind: &str) {
+    let speed = 2.0 * mechanism.input.sign();
+    mechanism.motion = match kind {
+        "prescribed" => Some(Motion::Prescribed { speed, acceleration: 0.5 * speed }),
+        "transient" => {
+            let integrator = "auto".to_owned();
+            Some(Motion::Transient {
+                speed,
+                until: Until::Time(0.1),
+                samples: 12,
+                integrator,
+                tolerance: 1e-9,
+            })
+        }
+        "steady" => {
+            let (ratio, flywheel) = (Solve::Given(1.0), Some(Solve::Given(50.0)));
+            let flywheel_on = FlywheelPlace::Crank;
+            mechanism.drive =
+                Some(Drive { torque: Torque::Balance, ratio, efficiency: 1.0, flywheel, flywheel_on });
+            Some(Motion::Steady { mean_speed: 20.0, unevenness: None })
+        }
+        _ => None,
+    };
+}
+
+/// A place of the link that is placed last.
+fn last_place(mechanism: &Mechanism) -> Place {
+    let moving = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link != GROUND);
+    *moving.max_by_key(|place| place.link).unwrap()
+}
+
+fn add_load(mechanism: &mut Mechanism, kind: &str) {
+    let at = last_place(mechanism);
+    let name = "load".to_owned();
+    let force = |direction, value| Force { name: name.clone(), at, direction, value };
+    let moment = |value| Moment { name: name.clone(), link: at.link, value };
+    match kind {
+        "weights" => mechanism.gravity = Some([1.0, -9.81]),
+        "constant force" => mechanism.forces.push(force(Direction::Link(0.4), Value::Constant(80.0))),
+        "force over the coordinate" => {
+            let value = over(Over::Coordinate, &[[0.0, 50.0], [1.5, 120.0], [1.5, 80.0], [4.0, 60.0]]);
+            mechanism.forces.push(force(Direction::Ground(0.7), value));
+        }
+        "force against the motion" => {
+            mechanism.forces.push(force(Direction::AgainstMotion, Value::Constant(30.0)));
+        }
+        "force over a stroke" => {
+            let forward = table(&[[0.0, 100.0], [0.5, 100.0], [0.5, 200.0], [1.0, 150.0]]);
+            let value = Value::Stroke { axis: 0.3, forward, back: Table::constant(50.0) };
+            mechanism.forces.push(force(Direction::Ground(3.0), value));
+        }
+        "moment over the speed" => {
+            mechanism.moments.push(moment(over(Over::Speed, &[[-10.0, 9.0], [0.0, 6.0], [30.0, 4.0]])));
+        }
+        "moment over time" => {
+            let rows = [[0.0, 3.0], [0.03, 6.0], [0.03, 5.0], [1.0, 8.0]];
+            mechanism.moments.push(moment(over(Over::Time, &rows)));
+        }
+        _ => {
+            let ends = [Place { link: GROUND, at: [-1.3, 2.1] }, at];
+            mechanism.springs.push(Spring { name, ends, stiffness: 100.0, length: 0.1, damping: 5.0 });
+        }
+    }
+}
+
+/// Turns the load round, which is the mistake that is planted.
+fn turn(mechanism: &mut Mechanism) {
+    let negate = |table: &mut Table| table.rows.iter_mut().for_each(|row| row[1] *= -1.0);
+    let values = mechanism.forces.iter_mut().map(|force| &mut force.value);
+    for value in values.chain(mechanism.moments.iter_mut().map(|moment| &mut moment.value)) {
+        match value {
+            Value::Constant(value) => *value *= -1.0,
+            Value::Table { table, .. } => negate(table),
+            Value::Stroke { forward, back, .. } => [forward, back].into_iter().for_each(negate),
+        }
+    }
+    mechanism.gravity = mechanism.gravity.map(|g| g.map(|g| -g));
+    for spring in &mut mechanism.springs {
+        (spring.stiffness, spring.damping) = (-spring.stiffness, -spring.damping);
+    }
+}
+
+/// The checks that fail.
+fn failing(calculation: &Calculation) -> Vec<String> {
+    let checks = calculation.checks(&mut unwatched).unwrap();
+    assert!(checks.len() > 8, "only {} checks", checks.len());
+    let failed = checks.iter().filter(|check| check.failed());
+    let words = failed.map(|check| {
+        let (name, residual, limit) = (check.name, check.residual, check.limit);
+        format!("{name} {residual:.1e}/{limit:.1e} {:?} {}", check.at, check.place)
+    });
+    words.collect()
+}
+
+/// The checks that fail for a mechanism, and those that fail with its load turned round; `None` where it has no such motion
+/// or load.
+fn judge(mechanism: Mechanism) -> Option<[Vec<String>; 2]> {
+    let mut changed = mechanism.clone();
+    turn(&mut changed);
+    let mut calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).ok()?;
+    if calculation.no_motion.is_some() {
+        return None;
+    }
+    let sound = failing(&calculation);
+    calculation.loads = Some(Loads::compile(&Linkage::compile(changed).ok()?).ok()?);
+    Some([sound, failing(&calculation)])
+}
+
+#[test]
+fn checks_hold_and_a_load_of_the_wrong_sign_is_caught() {
+    let (mut judged, mut wrong) = (0, Vec::new());
+    let scenes = assur_fixtures::SCENES.iter().filter(|(name, _)| *name != TOO_LARGE);
+    for (number, (name, text)) in scenes.enumerate() {
+        for (m, motion) in MOTIONS.iter().enumerate() {
+            for (l, load) in LOADS.iter().enumerate() {
+                for (d, direction) in [Sense::Ccw, Sense::Cw].into_iter().enumerate() {
+                    if (3 * m + 5 * l + 7 * d + number) % SPREAD != 0 {
+                        continue;
+                    }
+                    let mut mechanism = bare(text);
+                    mechanism.input.direction = direction;
+                    set_motion(&mut mechanism, motion);
+                    add_load(&mut mechanism, load);
+                    let what = format!("{name}, motion {motion}, {load}, {direction:?}");
+                    let Some([sound, planted]) = judge(mechanism) else { continue };
+                    if !sound.is_empty() {
+                        wrong.push(format!("{what}: {sound:?}"));
+                    }
+                    if !planted.iter().any(|name| name.starts_with("loads ")) {
+                        wrong.push(format!("{what}: the planted mistake is not caught"));
+                    }
+                    judged += 1;
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {judged}:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(judged > 30, "only {judged} combinations could be judged");
+}
