@@ -60,15 +60,22 @@ impl Calculation {
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
-    /// S stage 10: what the force analysis needs at the input is what drive and flywheel give there.
-    fn drive_check(&self, given: impl Fn(&State) -> f64, limit: f64, reason: &'static str) -> Option<Check> {
+    /// S stage 10: what the force analysis needs at the input is what drive and flywheel give there. `least`: a moment (force)
+    /// below which nothing is resolved.
+    fn drive_check(
+        &self,
+        given: impl Fn(&State) -> f64,
+        least: f64,
+        limit: f64,
+        reason: &'static str,
+    ) -> Option<Check> {
         let loads = self.loads.as_ref()?;
         if self.linkage.mechanism.balance.is_some() {
             return None;
         }
         let mut reader = Reader::new(self);
         let mut compared = false;
-        let (mut worst, mut at, mut largest) = (0.0_f64, None, 0.0_f64);
+        let (mut worst, mut at, mut largest) = (0.0_f64, None, least);
         for (index, state) in &self.checked_states() {
             if reader.solve_second(state.coordinate).is_err() {
                 continue;
@@ -114,7 +121,7 @@ impl Calculation {
         let given =
             |state: &State| machine.drive().torque(state) - machine.drive().inertia * state.acceleration;
         let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
-        rows.extend(self.drive_check(given, 1e-9, reason));
+        rows.extend(self.drive_check(given, 0.0, 1e-9, reason));
         rows.extend(self.work_check(found));
         rows
     }
@@ -125,7 +132,10 @@ impl Calculation {
         let reason = "the equation of motion is met between the nodes to 2e-13 of the energy; its acceleration to some more";
         let given =
             |state: &State| regime.state(state.coordinate).drive - regime.drive_inertia * state.acceleration;
-        rows.extend(self.drive_check(given, 1e-8, reason));
+        // Moments come from the kinetic energy over the cycle: work and energy are equal.
+        let start = regime.state(self.linkage.mechanism.input.from);
+        let least = 0.5 * (start.inertia + regime.drive_inertia) * start.speed * start.speed;
+        rows.extend(self.drive_check(given, least, 1e-8, reason));
         rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
         // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
