@@ -77,9 +77,8 @@ impl Rule {
         let c: Values = std::array::from_fn(|k| if k == 0 { 0.0 } else { 0.5 * (1.0 + x[k - 1]) });
         // l_j(y) = sum over n of P_n(y) v[n][j], V the inverse of the matrix P_n(x_j).
         let lu = SMatrix::<f64, S, S>::from_fn(|n, j| legendre(x[j])[n]).lu();
-        let combine = |basis: Nodal| -> Nodal {
-            lu.solve(&SVector::from(basis)).map_or([f64::NAN; S], |solution| solution.into())
-        };
+        let combine =
+            |basis: Nodal| -> Nodal { lu.solve(&SVector::from(basis)).map_or([f64::NAN; S], Into::into) };
         let integral = |x: f64| combine(legendre_integrals(x).map(|value| 0.5 * value));
         let middle = 0.5 * (c[S / 2] + c[S / 2 + 1]);
         let p = legendre(2.0 * middle - 1.0);
@@ -96,13 +95,13 @@ impl Rule {
     /// The polynomial with these values, at the part `theta` of the panel.
     pub(crate) fn interpolate(&self, values: &Values, theta: f64) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
-        for k in 0..=S {
-            let gap = theta - self.c[k];
+        for ((node, weight), value) in self.c.iter().zip(&self.weights).zip(values) {
+            let gap = theta - node;
             if gap == 0.0 {
-                return values[k];
+                return *value;
             }
-            let weight = self.weights[k] / gap;
-            above += weight * values[k];
+            let weight = weight / gap;
+            above += weight * value;
             below += weight;
         }
         above / below
