@@ -1,22 +1,23 @@
 //! `assur analyze`.
 
-use assur_analysis::results::Failure;
+use assur_analysis::results::{Check, Failure};
 use assur_report::{csv, json};
 
 use super::args::{AnalyzeArgs, Format};
 use super::fault::{Fault, Status};
+use super::output::Output;
 use super::style::Style;
-use super::{output, plans, scene};
-use crate::files;
+use super::{plans, scene};
 use crate::progress::ProgressLine;
 
-/// Failures that are told in full.
+/// Failures that are written out; of the others only the numbers.
 const MOST: usize = 3;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     if args.format == Format::Csv && args.output.is_none() {
         return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
     }
+    let output = Output::of(args.output.as_deref(), &args.scene.scene)?;
     let study = scene::study(&args.scene, style)?;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new();
@@ -28,30 +29,37 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         style.tell(&format!("error: {problem}"));
         return Ok(Status::Failed);
     }
-    let target = args.output.as_deref();
-    match (args.format, target) {
-        (Format::Json, _) => {
-            let text = json::to_json(&analysis, style.ascii_data).map_err(Fault::other)?;
-            output::print_or_write(&text, target)?;
+    let found = analysis.failures.is_empty() && analysis.no_motion.is_none();
+    let status = if found { added } else { Status::Failed };
+    let written = match args.format {
+        Format::Json => {
+            output.write(json::to_json(&analysis, style.ascii_data).map_err(Fault::other)?, status)
         }
-        (Format::Csv, Some(folder)) => {
-            let files = csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?;
-            files::write_folder(folder, &files)?;
+        Format::Csv => {
+            output.write_folder(&csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?, status)
         }
-        (Format::Text | Format::Csv, _) => {
+        Format::Text => {
             let report = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
-            let mut text = report.map_err(Fault::other)?;
-            text += &plans::text(&analysis, style);
-            output::print_or_write(&text, target)?;
+            output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
         }
-    }
+    };
     for note in &analysis.notes {
         style.tell(&format!("note: {note}"));
     }
     tell_failures(&analysis.failures, style);
     tell_no_motion(analysis.no_motion.as_deref(), style);
-    let found = analysis.failures.is_empty() && analysis.no_motion.is_none();
-    Ok(if found { added } else { Status::Failed })
+    tell_checks(&analysis.checks, style);
+    written.map(|()| status)
+}
+
+/// Checks that fail, or that could judge nothing, go to standard error.
+pub(crate) fn tell_checks(checks: &[Check], style: Style) {
+    for check in checks.iter().filter(|check| check.failed()) {
+        style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
+    }
+    for check in checks.iter().filter(|check| !check.failed() && !check.judged) {
+        style.tell(&format!("not judged: {}: {}", check.name, check.why_left_out));
+    }
 }
 
 /// The motion that was asked for and is not found goes to standard error.

@@ -12,8 +12,9 @@ use signal_hook::consts::SIGINT;
 
 use super::args::Format;
 use super::fault::{Fault, Status};
+use super::output::Output;
+use super::scene;
 use super::style::Style;
-use super::{output, scene};
 use crate::clock::SystemClock;
 use crate::progress::ProgressLine;
 
@@ -38,6 +39,7 @@ pub(crate) struct ChartArgs {
 }
 
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
+    let output = Output::of(args.output.as_deref(), &args.scene)?;
     let stop = on_interrupt()?;
     let data = match charted(&args.scene, args.quick, style, &stop)? {
         Ok(data) => data,
@@ -55,8 +57,8 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         Format::Json => data.to_json().map_err(Fault::other)?,
         Format::Csv => chart::csv(&data).map_err(Fault::other)?,
     };
-    output::print_or_write(&text, args.output.as_deref())?;
-    Ok(if stopped { Status::Code(INTERRUPTED) } else { Status::Done })
+    let status = if stopped { Status::Code(INTERRUPTED) } else { Status::Done };
+    output.write(text, status).map(|()| status)
 }
 
 /// Ctrl-C sets the flag; once more ends the program.

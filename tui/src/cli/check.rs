@@ -14,9 +14,7 @@ pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
     let study = scene::whole_study(args, style)?;
     let checks = study.checks(&mut ProgressLine::new().watch()).map_err(Fault::other)?;
     output::print(&text::checks(&checks, style.ascii))?;
-    for check in checks.iter().filter(|check| check.failed()) {
-        style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
-    }
+    analyze::tell_checks(&checks, style);
     let judged = checks.is_empty() || checks.iter().any(|check| check.judged);
     if !judged {
         style.tell("not judged: no check could judge any position, so that nothing is proved");

@@ -35,6 +35,9 @@ pub(crate) enum Fault {
     /// A file can't be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// Results that are not whole would replace a file; the command ends as it would have.
+    #[error("{0}")]
+    Partial(FileError, Status),
     /// Standard output refuses.
     #[error("error: can't write to standard output: {0}")]
     Stdout(io::Error),
@@ -50,6 +53,11 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
+    /// The exit status that it means.
+    pub(crate) fn status(&self) -> Status {
+        if let Self::Partial(_, status) = self { *status } else { Status::Bad }
+    }
+
     /// A fault in words.
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {

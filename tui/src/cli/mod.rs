@@ -23,7 +23,6 @@ use std::io::IsTerminal;
 use std::process::ExitCode;
 
 use clap::CommandFactory;
-use clap::error::ErrorKind;
 
 use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
 use fault::{Fault, Status};
@@ -46,17 +45,27 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
         Err(fault) => {
             style.tell(&fault.to_string());
-            Status::Bad.into()
+            fault.status().into()
         }
     }
 }
 
 /// Help and version go to standard output, faults of usage to standard error.
 fn refused(error: &clap::Error) -> ExitCode {
-    let _ = error.print();
-    match error.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => ExitCode::SUCCESS,
-        _ => Status::Bad.into(),
+    let plain = error.render().to_string();
+    if error.use_stderr() {
+        // The parser's own print has colors, but it repeats words of the command line as they are.
+        if plain.chars().any(|c| c.is_control() && c != '\n') || error.print().is_err() {
+            Style::of(false).tell(&plain);
+        }
+        return Status::Bad.into();
+    }
+    match error.print().map_err(Fault::stdout) {
+        Ok(()) | Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
+        Err(fault) => {
+            Style::of(false).tell(&fault.to_string());
+            Status::Bad.into()
+        }
     }
 }
 
@@ -78,9 +87,11 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
     }
 }
 
-/// `assur SCENE`: the terminal UI; where standard output is not a terminal, what `analyze` prints.
+/// `assur SCENE`: the terminal UI; where standard output is no terminal that can show it, what `analyze` prints.
 fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
-    let interactive = std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
+    // A terminal that calls itself dumb can't move its cursor.
+    let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
+    let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
     match cli.scene {
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };

@@ -1,10 +1,12 @@
-//! Writing results: to standard output or to a file.
+//! Writing results: to standard output, to a file, or into a folder.
 
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fault::Fault;
-use crate::files;
+use assur_report::csv::CsvFile;
+
+use super::fault::{Fault, Status};
+use crate::files::{self, FileError};
 
 /// Prints to standard output.
 pub(crate) fn print(text: &str) -> Result<(), Fault> {
@@ -12,10 +14,56 @@ pub(crate) fn print(text: &str) -> Result<(), Fault> {
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Fault::stdout)
 }
 
-/// Prints, or writes to a file.
-pub(crate) fn print_or_write(text: &str, target: Option<&Path>) -> Result<(), Fault> {
-    match target {
-        None => print(text),
-        Some(path) => Ok(files::write(path, text)?),
+/// Where the results of a command go; `None` is standard output.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Output<'a> {
+    target: Option<&'a Path>,
+    scene: &'a Path,
+}
+
+impl<'a> Output<'a> {
+    /// Refuses a target that is the scene itself, before anything is calculated.
+    pub(crate) fn of(target: Option<&'a Path>, scene: &'a Path) -> Result<Self, Fault> {
+        let output = Self { target, scene };
+        target.map_or(Ok(()), |path| output.refuse_scene(path)).map(|()| output)
     }
+
+    fn refuse_scene(&self, path: &Path) -> Result<(), Fault> {
+        if files::is_same(path, self.scene) {
+            return Err(FileError::write(path, "it is the scene itself; name another file").into());
+        }
+        Ok(())
+    }
+
+    /// Writes one text or file; results of a command that fails never replace a file.
+    pub(crate) fn write(self, content: impl AsRef<[u8]>, status: Status) -> Result<(), Fault> {
+        let Some(path) = self.target else {
+            return print(&String::from_utf8_lossy(content.as_ref()));
+        };
+        refuse_partial(path, status)?;
+        files::remove_on_signals();
+        Ok(files::write(path, content)?)
+    }
+
+    /// Writes CSV files into the folder; results of a command that fails never replace those of a former run.
+    pub(crate) fn write_folder(self, files: &[CsvFile], status: Status) -> Result<(), Fault> {
+        let Some(folder) = self.target else {
+            return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
+        };
+        for name in assur_report::csv::FILES {
+            let path = folder.join(name);
+            self.refuse_scene(&path)?;
+            refuse_partial(&path, status)?;
+        }
+        files::remove_on_signals();
+        Ok(files::write_folder(folder, files)?)
+    }
+}
+
+fn refuse_partial(path: &Path, status: Status) -> Result<(), Fault> {
+    if status != Status::Done && path.is_file() && !files::is_stream(path) {
+        let problem = "the results are not whole, and what is there stays; name a new file to have them";
+        return Err(Fault::Partial(FileError::write(path, problem), status));
+    }
+    Ok(())
 }

@@ -6,12 +6,14 @@ use assur_study::stability::stability;
 
 use super::args::{Format, StabilityArgs};
 use super::fault::{Fault, Status};
+use super::output::Output;
+use super::scene;
 use super::style::Style;
-use super::{output, scene};
 use crate::progress::ProgressLine;
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
+    let output = Output::of(args.output.as_deref(), path)?;
     let mechanism = scene::read(path, style)?;
     let line = ProgressLine::new();
     let found = stability(mechanism, &mut |done, total| {
@@ -26,9 +28,9 @@ pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
         Format::Csv => found.to_csv().map_err(Fault::other)?,
         Format::Text => style.text(&found.to_text()).into_owned(),
     };
-    output::print_or_write(&text, args.output.as_deref())?;
     if let Some(failure) = &found.failure {
         style.tell(&format!("error: {failure}"));
     }
-    Ok(if found.is_ok() { Status::Done } else { Status::Failed })
+    let status = if found.is_ok() { Status::Done } else { Status::Failed };
+    output.write(text, status).map(|()| status)
 }

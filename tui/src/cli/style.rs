@@ -7,6 +7,20 @@ use assur_report::to_ascii;
 
 use crate::locale::is_utf8;
 
+/// A text with its control, bidirectional and invisible characters as escapes: a name of a file or a method can't move
+/// the cursor or hide what follows.
+pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
+    let hides = |c: char| {
+        c.is_control() && !matches!(c, '\n' | '\t')
+            || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+    };
+    if !text.contains(hides) {
+        return Cow::Borrowed(text);
+    }
+    let escape = |c: char| if hides(c) { c.escape_unicode().to_string() } else { c.to_string() };
+    Cow::Owned(text.chars().map(escape).collect())
+}
+
 /// Which characters are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
@@ -29,7 +43,8 @@ impl Style {
 
     /// Writes to standard error; nothing can be done where that fails.
     pub(crate) fn tell(self, message: &str) {
-        let message = self.text(message.trim_end());
+        let message = escaped(message.trim_end());
+        let message = self.text(&message);
         let _ = writeln!(std::io::stderr().lock(), "{message}");
     }
 }

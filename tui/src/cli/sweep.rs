@@ -8,9 +8,10 @@ use clap::Args;
 
 use super::args::MethodArgs;
 use super::fault::{Fault, Status};
+use super::output::Output;
+use super::scene;
 use super::style::Style;
-use super::{output, scene};
-use crate::files::{self, FileError};
+use crate::files::FileError;
 use crate::progress::ProgressLine;
 
 /// What the columns are, where their names don't say it.
@@ -53,8 +54,8 @@ enum Form {
 }
 
 pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
-    let target = args.output.as_deref();
-    let form = target.map_or(Ok(Form::Csv), form)?;
+    let output = Output::of(args.output.as_deref(), &args.scene)?;
+    let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
     let options = scene::options(&args.methods)?;
     let text = scene::text_of(&args.scene)?;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary)).collect::<Result<Vec<_>, _>>();
@@ -67,17 +68,12 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
         sweep.run(&options, threads(args), &|done| line.show(|| format!("{done} of {points} points")));
     drop(line);
     let table = table.map_err(fault)?;
-    match form {
-        Form::Csv => {
-            let text = table.to_csv(style.ascii_data).map_err(Fault::other)?;
-            output::print_or_write(&text, target)?;
-        }
-        Form::Parquet => {
-            let bytes = parquet::to_parquet(&table).map_err(Fault::other)?;
-            target.map_or(Ok(()), |path| files::write(path, bytes))?;
-        }
-    }
-    Ok(told(&table, &sweep, style))
+    let status = tell_failures(&table, &sweep, style);
+    let content = match form {
+        Form::Csv => table.to_csv(style.ascii_data).map_err(Fault::other)?.into_bytes(),
+        Form::Parquet => parquet::to_parquet(&table).map_err(Fault::other)?,
+    };
+    output.write(content, status).map(|()| status)
 }
 
 /// The form that the name of the file asks for; known before anything is calculated.
@@ -109,7 +105,7 @@ fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
 }
 
 /// Points without a solution go to standard error, the first one in full.
-fn told(table: &Table, sweep: &Sweep, style: Style) -> Status {
+fn tell_failures(table: &Table, sweep: &Sweep, style: Style) -> Status {
     let failures: Vec<usize> = table.failures().collect();
     let first = failures.first().and_then(|row| Some((*row, table.status(*row)?)));
     let Some((row, (_, message))) = first else { return Status::Done };

@@ -1,13 +1,15 @@
 //! What is wrong with a command line, where the argument parser can't tell: a first word is a scene or a command.
 
-use clap::error::ErrorKind;
+use std::path::Path;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser};
 
 use super::args::{Cli, Command};
 
 /// The command line, or what to print and with which kind of end.
 pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error> {
-    let cli = Cli::try_parse_from(arguments).map_err(|error| misspelled(arguments, error))?;
+    let cli = Cli::try_parse_from(arguments).map_err(|error| explained(arguments, error))?;
     match &cli.command {
         Some(command) => misplaced(&cli, command).map_or(Ok(()), Err),
         None => Ok(()),
@@ -15,19 +17,57 @@ pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error
     Ok(cli)
 }
 
-/// Where the first word is neither a file nor a command, but spelled nearly as one, that is what is wrong.
-fn misspelled(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Error {
-    if !matches!(error.kind(), ErrorKind::UnknownArgument | ErrorKind::InvalidSubcommand) {
-        return error;
-    }
-    let words = arguments.iter().skip(1).filter_map(|word| word.to_str());
-    let first = words.filter(|word| !word.starts_with('-')).find(|word| !std::path::Path::new(word).exists());
-    match first.and_then(|word| Some((word, nearest_command(word)?))) {
-        Some((word, command)) => fault(&format!(
-            "there is neither a command nor a scene file `{word}`; did you mean `assur {command}`?"
-        )),
-        None => error,
-    }
+/// What is wrong in words that say what to write, where the order or the spelling of the words is; else the parser's.
+fn explained(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Error {
+    let program = Cli::command();
+    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
+    let command_at = words.iter().position(|word| program.find_subcommand(word).is_some());
+    let before = &words[..command_at.unwrap_or(words.len())];
+    let command = command_at.map(|at| words[at]);
+    let is_file = |word: &&&str| !word.starts_with('-') && Path::new(word).exists();
+    let message = match (error.kind(), error.get(ContextKind::InvalidArg)) {
+        (ErrorKind::UnknownArgument, Some(ContextValue::String(option)))
+            if option.starts_with('-')
+                && before.iter().any(|word| word.starts_with(option.as_str()))
+                && words.first().is_some_and(|word| word.starts_with('-') || is_file(&word)) =>
+        {
+            let takes = |of: &&clap::Command| {
+                let names = |arg: &clap::Arg| {
+                    let short = arg.get_short().map(|short| format!("-{short}"));
+                    [short, arg.get_long().map(|long| format!("--{long}"))]
+                };
+                of.get_arguments().flat_map(names).flatten().any(|name| name == *option)
+            };
+            let known = |name: &str| program.find_subcommand(name).filter(takes).map(clap::Command::get_name);
+            let owner = match command {
+                Some(name) => known(name),
+                None => program.get_subcommands().find(takes).map(clap::Command::get_name),
+            };
+            owner.map(|owner| {
+                format!(
+                    "`{option}` belongs to a command and stands behind it: `assur {owner} SCENE {option} ...`"
+                )
+            })
+        }
+        (ErrorKind::UnknownArgument | ErrorKind::InvalidSubcommand, _) => {
+            let first = words.iter().find(|word| !word.starts_with('-'));
+            first.filter(|word| !is_file(word) && command != Some(**word)).map(|word| {
+                let offer = nearest_command(word).map_or_else(
+                    || "`assur --help` lists the commands".to_owned(),
+                    |command| format!("did you mean `assur {command}`?"),
+                );
+                format!("there is neither a command nor a scene file `{word}`; {offer}")
+            })
+        }
+        (ErrorKind::MissingRequiredArgument, _) => before.iter().find(is_file).zip(command).map(behind),
+        _ => None,
+    };
+    message.map_or(error, |message| fault(&message))
+}
+
+/// That a scene stands before the command.
+fn behind((scene, command): (&&str, &str)) -> String {
+    format!("`{scene}` stands before the command `{command}`; write it behind: `assur {command} {scene}`")
 }
 
 /// The command that is spelled nearly as `word`: not more than two letters away.
@@ -59,11 +99,8 @@ fn misplaced(cli: &Cli, command: &Command) -> Option<clap::Error> {
             "`{option}` is for the terminal UI (`assur SCENE`); `{name}` has no use for it"
         )));
     }
-    let scene = cli.scene.as_ref()?;
-    let scene = scene.display();
-    Some(fault(&format!(
-        "`{scene}` stands before the command `{name}`; write it behind: `assur {name} {scene}`"
-    )))
+    let scene = cli.scene.as_ref()?.display().to_string();
+    Some(fault(&behind((&scene.as_str(), name))))
 }
 
 fn fault(message: &str) -> clap::Error {

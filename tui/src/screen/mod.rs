@@ -9,6 +9,7 @@
 mod command;
 mod config;
 mod draw;
+mod input;
 mod session;
 mod state;
 mod terminal;
@@ -79,7 +80,7 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
     let title = "The configuration was not taken; the defaults hold. Any key goes on.";
     state.fault = options.config_fault.clone().map(|fault| (title, fault));
-    state.size = crossterm::terminal::size().unwrap_or(state.size);
+    state.size = terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     command::start(&mut state);

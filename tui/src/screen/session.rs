@@ -5,19 +5,21 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crossterm::event::{self, Event as Input, KeyEventKind};
-use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+use crossterm::event::{Event as Input, KeyEventKind};
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
 use super::state::{Report, State, Wish};
 use super::terminal::{self, Screen};
-use super::{command, view, work};
+use super::{command, input, view, work};
 
 /// What can wake the loop.
 #[derive(Debug)]
 pub(crate) enum Event {
-    /// A key, the mouse, a new size, the focus.
+    /// A key, the mouse, the focus.
     Input(Input),
+    /// The terminal has another size.
+    Resized,
     /// The worker has something.
     Work(Report),
     /// Somebody asked the process to stop (SIGTSTP).
@@ -33,7 +35,8 @@ pub(crate) fn run(mut state: State, mouse: bool) -> io::Result<()> {
     let (sender, events) = channel();
     listen_to_signals(sender.clone())?;
     let mut screen = Screen::take(mouse)?;
-    listen_to_input(sender.clone())?;
+    let keys = sender.clone();
+    input::listen(move |event| keys.send(event.map_or(Event::Closed, Event::Input)).is_ok())?;
     let mut next_tick = Instant::now();
     loop {
         for wish in std::mem::take(&mut state.wishes) {
@@ -96,8 +99,8 @@ fn apply(state: &mut State, event: Event) -> bool {
             true
         }
         Event::Input(Input::Mouse(mouse)) => command::click(state, mouse),
-        Event::Input(Input::Resize(columns, rows)) => {
-            state.size = (columns, rows);
+        Event::Resized => {
+            state.size = terminal::size().unwrap_or(state.size);
             true
         }
         Event::Input(Input::FocusGained) => std::mem::replace(&mut state.focused, true) != state.focused,
@@ -143,29 +146,18 @@ fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Eve
     Ok(())
 }
 
-/// A thread that reads the terminal: blocking, so that an idle program takes no time at all.
-fn listen_to_input(sender: Sender<Event>) -> io::Result<()> {
-    thread::Builder::new().name("assur-input".into()).spawn(move || {
-        while let Ok(input) = event::read() {
-            if sender.send(Event::Input(input)).is_err() {
-                return;
-            }
-        }
-        let _ = sender.send(Event::Closed);
-    })?;
-    Ok(())
-}
-
-/// A thread that ends the program when it is told to: after a hang-up the thread that reads would spin.
+/// A thread that ends the program when a signal says so, and passes the other signals on.
 fn listen_to_signals(sender: Sender<Event>) -> io::Result<()> {
-    let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGCONT])?;
+    let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGCONT, SIGWINCH])?;
     thread::Builder::new().name("assur-signals".into()).spawn(move || {
         for signal in signals.forever() {
             let sent = match signal {
                 SIGTSTP => sender.send(Event::Suspend),
                 SIGCONT => sender.send(Event::Continued),
+                SIGWINCH => sender.send(Event::Resized),
                 _ => {
                     terminal::give_back_soon();
+                    crate::files::remove_temporaries();
                     std::process::exit(128 + signal);
                 }
             };

@@ -2,7 +2,8 @@
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::sync::mpsc::channel;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use crossterm::cursor::Show;
@@ -14,15 +15,19 @@ use crossterm::terminal::{
 };
 use crossterm::{execute, queue};
 use ratatui::backend::CrosstermBackend;
-use ratatui::{Frame, Terminal};
+use ratatui::layout::Rect;
+use ratatui::{Frame, Terminal, TerminalOptions, Viewport};
 
 /// Threads whose panics are caught and reported on the screen carry this name.
 pub(crate) const WORKER: &str = "assur-work";
 
+/// Columns and rows beyond which the rest of a terminal stays empty: no screen is larger, and a frame takes memory.
+const MOST: (u16, u16) = (1000, 500);
+
 /// Bytes of a whole frame fit, so that a frame is one write.
 const FRAME_BYTES: usize = 1 << 16;
-/// How long a way out waits for a frame that is just being written.
-const PATIENCE: (usize, Duration) = (20, Duration::from_millis(10));
+/// How long a way out waits for the terminal.
+const PATIENCE: Duration = Duration::from_millis(300);
 
 static TAKEN: AtomicBool = AtomicBool::new(false);
 static MOUSE: AtomicBool = AtomicBool::new(false);
@@ -47,6 +52,10 @@ impl Screen {
     pub(crate) fn draw(&mut self, paint: impl FnOnce(&mut Frame<'_>)) -> io::Result<()> {
         let _writing = writing();
         queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
+        let area = area()?;
+        if self.terminal.get_frame().area() != area {
+            self.terminal.resize(area)?;
+        }
         self.terminal.draw(paint)?;
         queue!(self.terminal.backend_mut(), EndSynchronizedUpdate)?;
         io::Write::flush(self.terminal.backend_mut())
@@ -80,7 +89,18 @@ impl Drop for Screen {
 }
 
 fn terminal() -> io::Result<Terminal<CrosstermBackend<BufWriter<Stdout>>>> {
-    Terminal::new(CrosstermBackend::new(BufWriter::with_capacity(FRAME_BYTES, io::stdout())))
+    let backend = CrosstermBackend::new(BufWriter::with_capacity(FRAME_BYTES, io::stdout()));
+    Terminal::with_options(backend, TerminalOptions { viewport: Viewport::Fixed(area()?) })
+}
+
+/// Columns and rows of the terminal that are drawn.
+pub(crate) fn size() -> io::Result<(u16, u16)> {
+    let (columns, rows) = crossterm::terminal::size()?;
+    Ok((columns.min(MOST.0), rows.min(MOST.1)))
+}
+
+fn area() -> io::Result<Rect> {
+    size().map(|(columns, rows)| Rect::new(0, 0, columns, rows))
 }
 
 fn writing() -> MutexGuard<'static, ()> {
@@ -111,19 +131,20 @@ pub(crate) fn give_back() {
     let _ = disable_raw_mode();
 }
 
-/// [`give_back`] from another thread: lets a frame end first, but not forever.
+/// [`give_back`] from another thread: lets a frame end first, but waits neither for that nor for a terminal that takes no
+/// more bytes.
 pub(crate) fn give_back_soon() {
-    for _ in 0..PATIENCE.0 {
-        match WRITING.try_lock() {
-            Err(TryLockError::WouldBlock) => std::thread::sleep(PATIENCE.1),
-            guard => {
-                give_back();
-                drop(guard);
-                return;
-            }
-        }
+    let (done, wait) = channel();
+    let writer = std::thread::Builder::new().spawn(move || {
+        let guard = writing();
+        give_back();
+        drop(guard);
+        let _ = done.send(());
+    });
+    if writer.is_err() || wait.recv_timeout(PATIENCE).is_err() {
+        // The modes of the terminal need no byte to be taken.
+        let _ = disable_raw_mode();
     }
-    give_back();
 }
 
 /// A panic gives the terminal back before it is printed; one of a worker is caught and shown by the UI instead.

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::{number, plain};
 use crate::screen::draw::{Chart, LABELS, Mark, column_of, position_of, put, short};
-use crate::screen::state::{Role, Scene, Series, State, zeros};
+use crate::screen::state::{Found, Role, Scene, State, View, zeros};
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
@@ -49,24 +49,34 @@ fn draw_title(state: &State, scene: &Scene, name: &str, area: Rect, buffer: &mut
     put(buffer, area, column, 0, legend, state.look.theme.style(Role::Dim));
 }
 
-/// A chart of one series of the analysis, and of the same one of another analyzer.
-pub(super) fn draw_series(
+/// Charts of these series of the analysis, and of the same ones of another analyzer, over one axis.
+pub(super) fn draw_stack(
     state: &State,
-    series: &Series,
-    other: Option<&Series>,
+    scene: &Scene,
+    found: &Found,
+    wanted: &[usize],
     area: Rect,
     buffer: &mut Buffer,
 ) {
+    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
+    let count = u32::try_from(wanted.len()).unwrap_or(1);
+    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); wanted.len()]).split(charts);
     let theme = state.look.theme;
-    let mut curves = vec![(series.values.as_slice(), theme.style(Role::First))];
-    curves.extend(other.map(|other| (other.values.as_slice(), theme.style(Role::Third))));
-    let title = format!("{}  {}", series.of, series.show(state.position));
-    Chart { title, curves, cursor: state.position, floor: series.floor, ..Chart::default() }
-        .draw(area, state.look, buffer);
+    for (index, place) in wanted.iter().zip(stacked.iter()) {
+        let series = &found.series[*index];
+        let other = scene.other.as_ref().filter(|_| state.view == View::Forces);
+        let other = other.and_then(|other| other.series.iter().find(|other| other.of == series.of));
+        let mut curves = vec![(series.values.as_slice(), theme.style(Role::First))];
+        curves.extend(other.map(|other| (other.values.as_slice(), theme.style(Role::Third))));
+        let title = format!("{}  {}", series.of, series.show(state.position));
+        Chart { title, curves, cursor: state.position, floor: series.floor, ..Chart::default() }
+            .draw(*place, state.look, buffer);
+    }
+    coordinate_axis(state, scene, axis, buffer);
 }
 
 /// The common axis: the coordinate of five positions from the first to the last.
-pub(super) fn coordinate_axis(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+fn coordinate_axis(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let series = &scene.series[0];
     let (count, width) = (scene.positions(), area.width.saturating_sub(LABELS + 1));
     for part in 0..=4_usize {

@@ -43,7 +43,7 @@ fn heading(scene: &Scene, found: &Found) -> String {
     match &scene.other {
         Some(other) => {
             let names = format!("1 {} (line)  2 {} (stars)", found.analyzer, other.analyzer);
-            format!("{names}   largest difference {:.1e} N", largest_difference(found, other))
+            format!("{names}   largest difference {:.1e} N", largest_difference(scene, found, other))
         }
         None => format!("force analyzer: {}", found.analyzer),
     }
@@ -84,19 +84,19 @@ pub(crate) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
 fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [String; 5] {
     let value = |index: usize| found.series[index].at(state.position);
     let bare = |index: usize| found.series[index].bare(state.position);
+    let apart = scene.other.as_ref().map(|other| {
+        let apart = difference(found, other, reaction, state.position);
+        apart.map_or_else(|| "-".to_owned(), |apart| format!("{apart:.1e}"))
+    });
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
         let unit = series.show(state.position);
         let none = String::new;
-        return [none(), none(), unit, none(), difference(state, scene, found, reaction)];
+        return [none(), none(), unit, none(), apart.unwrap_or_default()];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
     let direction = if modulus > 0.0 { direction_text(fx, fy) } else { "-".into() };
-    let last = if scene.other.is_some() {
-        difference(state, scene, found, reaction)
-    } else {
-        reaction.moment.map_or_else(String::new, bare)
-    };
+    let last = apart.unwrap_or_else(|| reaction.moment.map_or_else(String::new, bare));
     [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
 }
 
@@ -112,35 +112,24 @@ fn direction(fx: f64, fy: f64) -> f64 {
     part(fy).atan2(part(fx)).to_degrees()
 }
 
-/// Modulus of the difference of two analyzers.
-fn difference(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> String {
-    let Some(other) = &scene.other else { return String::new() };
-    let same = other.reactions.iter().find(|other| other.is_same(reaction));
-    let Some(same) = same else { return "-".to_owned() };
-    let at = |found: &Found, index: usize| found.series[index].values.get(state.position).copied();
-    let parts = reaction.series.iter().zip(&same.series).take(2.min(reaction.series.len()));
-    let squares: Option<f64> = parts.map(|(a, b)| Some((at(found, *a)? - at(other, *b)?).powi(2))).sum();
-    squares.map_or_else(|| "-".to_owned(), |sum| format!("{:.1e}", sum.sqrt()))
+/// Modulus of the difference of a reaction by two analyzers in a position; `None` where one has it not.
+fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize) -> Option<f64> {
+    let same = other.reactions.iter().find(|other| other.is_same(reaction))?;
+    // Both projections, or the balancing load.
+    let parts = reaction.series.iter().zip(&same.series).take(2);
+    let apart = |(own, theirs): (&usize, &usize)| {
+        found.series[*own].at(position) - other.series[*theirs].at(position)
+    };
+    Some(parts.map(apart).map(|part| part * part).sum::<f64>().sqrt()).filter(|size| size.is_finite())
 }
 
 /// Greatest modulus of the difference of a reaction over all positions, N.
-fn largest_difference(found: &Found, other: &Found) -> f64 {
-    let mut most = 0.0_f64;
-    for reaction in &found.reactions {
-        let same = other.reactions.iter().find(|other| other.is_same(reaction));
-        let (&[x, y, _], Some(&[other_x, other_y, _])) =
-            (reaction.series.as_slice(), same.map(|same| same.series.as_slice()))
-        else {
-            continue;
-        };
-        let apart = |own: usize, theirs: usize| {
-            let pairs = found.series[own].values.iter().zip(&other.series[theirs].values);
-            pairs.map(|(a, b)| a - b).collect::<Vec<_>>()
-        };
-        let sizes = apart(x, other_x).into_iter().zip(apart(y, other_y)).map(|(x, y)| x.hypot(y));
-        most = sizes.filter(|size| size.is_finite()).fold(most, f64::max);
-    }
-    most
+fn largest_difference(scene: &Scene, found: &Found, other: &Found) -> f64 {
+    let reactions = found.reactions.iter().filter(|reaction| !reaction.pair.is_empty());
+    let all = reactions.flat_map(|reaction| {
+        (0..scene.positions()).filter_map(move |position| difference(found, other, reaction, position))
+    });
+    all.fold(0.0, f64::max)
 }
 
 /// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
@@ -156,15 +145,7 @@ pub(crate) fn draw_curves(
     let mut wanted: Vec<usize> =
         which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
     wanted.dedup();
-    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    let count = u32::try_from(wanted.len()).unwrap_or(1);
-    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); wanted.len()]).split(charts);
-    for (index, place) in wanted.into_iter().zip(stacked.iter()) {
-        let series = &found.series[index];
-        let other = scene.other.as_ref().and_then(|other| other.series.iter().find(|o| o.of == series.of));
-        curves::draw_series(state, series, other, *place, buffer);
-    }
-    curves::coordinate_axis(state, scene, axis, buffer);
+    curves::draw_stack(state, scene, found, &wanted, area, buffer);
 }
 
 fn draw_hodograph(state: &State, found: &Found, area: Rect, buffer: &mut Buffer) {

@@ -39,7 +39,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     if over_time || found.motion.is_empty() {
         draw_course(state, &found.analysis, charts, buffer);
     } else {
-        draw_positions(state, scene, found, charts, buffer);
+        let shown = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS).clamp(1, found.motion.len());
+        let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
+        let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
+        curves::draw_stack(state, scene, found, &wanted, charts, buffer);
     }
 }
 
@@ -67,19 +70,6 @@ pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> String {
 /// Unit of the speed of the input.
 fn speed_unit(angular: bool) -> &'static str {
     if angular { "rad/s" } else { "m/s" }
-}
-
-fn draw_positions(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
-    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    let shown = usize::from(charts.height / LEAST_ROWS).clamp(1, found.motion.len());
-    let count = u32::try_from(shown).unwrap_or(1);
-    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); shown]).split(charts);
-    let first = state.chosen.motion % found.motion.len().max(1);
-    for (slot, place) in stacked.iter().enumerate() {
-        let index = found.motion[(first + slot) % found.motion.len()];
-        curves::draw_series(state, &found.series[index], None, *place, buffer);
-    }
-    curves::coordinate_axis(state, scene, axis, buffer);
 }
 
 /// Coordinate, speed and acceleration over time.

@@ -1,0 +1,213 @@
+//! Writing files: a new content is made whole beside the old one, and then takes its place.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+use assur_report::csv::{self, CsvFile};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::iterator::Signals;
+use tempfile::NamedTempFile;
+
+use super::FileError;
+
+/// A chain of links that is longer leads nowhere.
+const MOST_LINKS: usize = 40;
+
+/// Temporary files that lie beside their targets.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Writes a file as a whole: a failure leaves what was there before. Devices and pipes are written to as they are.
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), FileError> {
+    let (content, fault) = (content.as_ref(), |error| FileError::write(path, error));
+    match fs::metadata(path) {
+        Ok(found) if found.is_dir() => Err(FileError::write(path, "it is a folder; name a file")),
+        Ok(found) if !found.is_file() || is_stream(path) => {
+            stream(path, content).map_err(|error| match error.kind() {
+                io::ErrorKind::BrokenPipe => FileError::Reader,
+                _ => fault(error),
+            })
+        }
+        _ => Replacement::of(path, content).and_then(Replacement::put).map_err(fault),
+    }
+}
+
+/// Writes CSV files into a folder: all of them, or none. Those of a former run that this one has not are removed.
+pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), FileError> {
+    if fs::metadata(folder).is_ok_and(|found| !found.is_dir()) {
+        return Err(FileError::write(folder, "csv goes into a folder, and this is a file"));
+    }
+    let created = !folder.exists();
+    if created {
+        fs::create_dir(folder).map_err(|error| FileError::write(folder, error))?;
+    }
+    // Putting several files in place is no single act, so whatever can be known to fail comes first.
+    let all = files.iter().map(|file| {
+        let path = folder.join(file.name);
+        Replacement::of(&path, file.text.as_bytes()).map_err(|error| FileError::write(&path, error))
+    });
+    let all: Vec<Replacement> = all.collect::<Result<_, _>>().inspect_err(|_| {
+        if created {
+            let _ = fs::remove_dir(folder);
+        }
+    })?;
+    for replacement in all {
+        let path = replacement.path.clone();
+        replacement.put().map_err(|error| FileError::write(&path, error))?;
+    }
+    for name in csv::FILES.iter().filter(|name| files.iter().all(|file| file.name != **name)) {
+        let stale = folder.join(name);
+        if fs::symlink_metadata(&stale).is_ok_and(|found| found.is_file()) {
+            fs::remove_file(&stale).map_err(|error| FileError::write(&stale, error))?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether two paths lead to one file, also through links and other spellings.
+pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let file = |path: &Path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
+        matches!((file(one), file(other)), (Ok(one), Ok(other)) if one == other)
+    }
+    #[cfg(not(unix))]
+    matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
+}
+
+/// Whether a path means an open stream, such as `/dev/stdout`, though a regular file may lie behind it.
+pub(crate) fn is_stream(path: &Path) -> bool {
+    stream_of(path).is_some()
+}
+
+/// The open stream that a path means, also through links.
+fn stream_of(path: &Path) -> Option<PathBuf> {
+    let mut path = std::path::absolute(path).ok()?;
+    for _ in 0..MOST_LINKS {
+        let is_open =
+            path.starts_with("/dev/fd") || (path.starts_with("/proc") && path.parent()?.ends_with("fd"));
+        if is_open || ["/dev/stdout", "/dev/stderr", "/dev/stdin"].iter().any(|name| path == Path::new(name))
+        {
+            return Some(path);
+        }
+        path = path.parent()?.join(fs::read_link(&path).ok()?);
+    }
+    None
+}
+
+/// Writes to what is there: to a file behind a stream at its end, as its owner opened it.
+fn stream(path: &Path, content: &[u8]) -> io::Result<()> {
+    let names = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
+    if stream_of(path).is_some_and(|stream| names.contains(&stream.as_path())) {
+        let mut stdout = io::stdout().lock();
+        return stdout.write_all(content).and_then(|()| stdout.flush());
+    }
+    OpenOptions::new().append(true).open(path)?.write_all(content)
+}
+
+/// A new content beside its target; it vanishes unless it is put in place.
+struct Replacement {
+    content: NamedTempFile,
+    path: PathBuf,
+}
+
+impl Replacement {
+    /// Writes the content into a temporary file beside the target; a symbolic link stays and its target is meant.
+    fn of(path: &Path, content: &[u8]) -> io::Result<Self> {
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if let Ok(old) = fs::metadata(&path) {
+            if !old.is_file() {
+                return Err(io::Error::new(io::ErrorKind::AlreadyExists, "what is there is not a file"));
+            }
+            if old.permissions().readonly() {
+                let problem = "the file that is there is read-only";
+                return Err(io::Error::new(io::ErrorKind::PermissionDenied, problem));
+            }
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !folder.is_dir() {
+            let missing = format!("there is no folder {}", folder.display());
+            return Err(io::Error::new(io::ErrorKind::NotFound, missing));
+        }
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".assur-");
+        #[cfg(unix)]
+        let builder = {
+            use std::os::unix::fs::PermissionsExt;
+            // The umask takes its part, as for any new file.
+            builder.permissions(fs::Permissions::from_mode(0o666))
+        };
+        let file = builder.tempfile_in(folder)?;
+        temporaries().push(file.path().to_owned());
+        let mut replacement = Self { content: file, path };
+        replacement.content.write_all(content)?;
+        replacement.content.as_file().sync_all()?;
+        Ok(replacement)
+    }
+
+    /// Puts the content in the place of the target: by renaming, with the permissions of the old file; where that would
+    /// part hard links or change the owner, by copying into the old file.
+    ///
+    /// A copy that is interrupted, by a full disk or a crash, leaves a mixture, which renaming never does. Access lists
+    /// and extended attributes of a renamed file are lost.
+    fn put(self) -> io::Result<()> {
+        match fs::metadata(&self.path) {
+            Ok(old) if is_bound(&old, &self.content.as_file().metadata()?) => {
+                let mut target = OpenOptions::new().write(true).open(&self.path)?;
+                let length = io::copy(&mut File::open(self.content.path())?, &mut target)?;
+                target.set_len(length)?;
+                target.sync_all()
+            }
+            old => {
+                if let Ok(old) = old {
+                    self.content.as_file().set_permissions(old.permissions())?;
+                }
+                let temporary = self.content.path().to_owned();
+                let put = self.content.persist(&self.path).map(drop).map_err(|error| error.error);
+                temporaries().retain(|path| *path != temporary);
+                put
+            }
+        }
+    }
+}
+
+/// Whether an old file has other names, or an owner that a new file would not have.
+fn is_bound(old: &fs::Metadata, new: &fs::Metadata) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        old.nlink() > 1 || old.uid() != new.uid() || old.gid() != new.gid()
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (old, new);
+        false
+    }
+}
+
+fn temporaries() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the temporary files that lie about, for a way out that runs no destructors.
+pub(crate) fn remove_temporaries() {
+    temporaries().drain(..).for_each(|path| drop(fs::remove_file(path)));
+}
+
+/// From now on a signal that ends the program removes its temporary files first.
+pub(crate) fn remove_on_signals() {
+    static LISTENING: OnceLock<()> = OnceLock::new();
+    LISTENING.get_or_init(|| {
+        // Where no thread can be had the file is still written.
+        let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
+        let listen = move || {
+            for signal in signals.forever() {
+                remove_temporaries();
+                let _ = signal_hook::low_level::emulate_default_handler(signal);
+            }
+        };
+        let _ = std::thread::Builder::new().name("assur-signals".into()).spawn(listen);
+    });
+}

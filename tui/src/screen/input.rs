@@ -1,0 +1,142 @@
+//! What the terminal sends, cut into key presses and reports, by bytes and time.
+//!
+//! The reader of crossterm keeps a sequence that is cut off, or one that it does not know, and swallows all keys after it
+//! for good (its issues 1060 and 1104). Here a sequence ends where the standard says (ECMA-48), or when nothing more comes.
+
+#[cfg(test)]
+mod tests;
+
+use std::io::{self, Read};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use crossterm::event::Event;
+
+/// A sequence whose rest has not come after this time is cut off; a lone escape is the key.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// No key or report is longer; what is, is dropped.
+const LONGEST: usize = 256;
+const ESCAPE: u8 = 0x1b;
+
+/// Reads the terminal; what it sends goes to `tell`, which answers false to end, and `None` when it is gone.
+pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'static) -> io::Result<()> {
+    let (sender, bytes) = channel();
+    // Reading blocks, so that an idle program takes no time at all.
+    thread::Builder::new().name("assur-input".into()).spawn(move || {
+        let mut buffer = [0; 1024];
+        while let Ok(count @ 1..) = io::stdin().lock().read(&mut buffer) {
+            if sender.send(buffer[..count].to_vec()).is_err() {
+                return;
+            }
+        }
+    })?;
+    thread::Builder::new().name("assur-keys".into()).spawn(move || {
+        let mut decoder = Decoder::default();
+        loop {
+            let pause = if decoder.0.is_empty() { Duration::MAX } else { PATIENCE };
+            let events = match bytes.recv_timeout(pause) {
+                Ok(bytes) => decoder.take(&bytes),
+                Err(RecvTimeoutError::Timeout) => decoder.expire(),
+                Err(RecvTimeoutError::Disconnected) => {
+                    tell(None);
+                    return;
+                }
+            };
+            if !events.into_iter().map(Some).all(&mut tell) {
+                return;
+            }
+        }
+    })?;
+    Ok(())
+}
+
+/// Bytes that make no whole sequence yet.
+#[derive(Debug, Default)]
+pub(crate) struct Decoder(Vec<u8>);
+
+/// What stands at the beginning of the bytes.
+enum Head {
+    /// A sequence of so many bytes.
+    Whole(usize),
+    /// So many bytes that can't become one.
+    Broken(usize),
+    /// The beginning of one.
+    Open,
+}
+
+impl Decoder {
+    /// The events of all that is whole.
+    pub(crate) fn take(&mut self, bytes: &[u8]) -> Vec<Event> {
+        self.0.extend_from_slice(bytes);
+        let mut events = Vec::new();
+        while !self.0.is_empty() {
+            match head(&self.0) {
+                Head::Whole(count) => events.extend(event(&self.0.drain(..count).collect::<Vec<_>>())),
+                Head::Broken(count) => drop(self.0.drain(..count)),
+                Head::Open if self.0.len() > LONGEST => self.0.clear(),
+                Head::Open => break,
+            }
+        }
+        events
+    }
+
+    /// Nothing more has come: a lone escape is the key, any other beginning is dropped.
+    pub(crate) fn expire(&mut self) -> Vec<Event> {
+        let rest = std::mem::take(&mut self.0);
+        if rest == [ESCAPE] { event(&rest).into_iter().collect() } else { Vec::new() }
+    }
+}
+
+fn head(bytes: &[u8]) -> Head {
+    match bytes {
+        [ESCAPE] | [ESCAPE, b'O'] | [ESCAPE, b'[', b'['] => Head::Open,
+        // Escape, and then a sequence of its own.
+        [ESCAPE, ESCAPE, ..] => Head::Whole(1),
+        // The Linux console has function keys such as `ESC [ [ A`.
+        [ESCAPE, b'[', b'[', _, ..] => Head::Whole(4),
+        [ESCAPE, b'[', b'M', rest @ ..] => {
+            if rest.len() < 3 {
+                Head::Open
+            } else {
+                Head::Whole(6)
+            }
+        }
+        [ESCAPE, b'[', rest @ ..] => match rest.iter().position(|byte| !matches!(byte, 0x20..=0x3f)) {
+            Some(end) if matches!(rest[end], 0x40..=0x7e) => Head::Whole(end + 3),
+            Some(end) => Head::Broken(end + 2),
+            None => Head::Open,
+        },
+        [ESCAPE, b'O', _, ..] => Head::Whole(3),
+        // A string of the terminal, which ends with a bell or with `ESC \`.
+        [ESCAPE, b']' | b'P' | b'_' | b'^', rest @ ..] => {
+            let bell = rest.iter().position(|byte| *byte == 7).map(|end| end + 3);
+            let end = rest.windows(2).position(|two| two == [ESCAPE, b'\\']).map(|end| end + 4);
+            bell.into_iter().chain(end).min().map_or(Head::Open, Head::Broken)
+        }
+        [ESCAPE, rest @ ..] => character(rest, 1),
+        _ => character(bytes, 0),
+    }
+}
+
+/// One character of UTF-8 after so many bytes.
+fn character(bytes: &[u8], before: usize) -> Head {
+    let length = match bytes[0] {
+        0..=0x7f => 1,
+        0xc2..=0xdf => 2,
+        0xe0..=0xef => 3,
+        0xf0..=0xf4 => 4,
+        _ => return Head::Broken(before + 1),
+    };
+    match bytes.get(..length).map(std::str::from_utf8) {
+        Some(Ok(_)) => Head::Whole(before + length),
+        Some(Err(_)) => Head::Broken(before + 1),
+        None => Head::Open,
+    }
+}
+
+/// What a whole sequence means; nothing where it is unknown.
+fn event(sequence: &[u8]) -> Option<Event> {
+    let parsed = terminput::Event::parse_from(sequence).ok().flatten()?;
+    terminput_crossterm::to_crossterm(parsed).ok()
+}

@@ -1,0 +1,182 @@
+//! What a command does to the files that are there.
+
+#![cfg(unix)]
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
+use std::fs::{self, File, OpenOptions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// A crank that turns; its analysis succeeds.
+const CRANK: &str = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = \"100 mm\" }\n\
+    [input]\nlink = \"crank\"\npositions = 4\n[motion]\nspeed = 2\n";
+/// A mechanism that can't turn fully: positions are missing, so that the exit status is 1.
+const SHORT: &str = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 2 }\n\
+    [link.coupler]\npoints = { A = 0, B = 1.5 }\n[link.rocker]\npoints = { C = 0, B = 1.5 }\n\
+    [input]\nlink = \"crank\"\npositions = 6\n";
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+    command.args(arguments).current_dir(folder).env("LC_ALL", "C.UTF-8");
+    command
+}
+
+fn assur(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// A folder with both scenes.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("crank.toml"), CRANK).unwrap();
+    fs::write(folder.path().join("short.toml"), SHORT).unwrap();
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn no_command_writes_over_its_scene() {
+    let folder = folder();
+    let path = folder.path();
+    symlink("crank.toml", path.join("link.toml")).unwrap();
+    fs::hard_link(path.join("crank.toml"), path.join("name.csv")).unwrap();
+    fs::create_dir(path.join("sub")).unwrap();
+    let vary = "link.crank.points.A=100 mm..110 mm:2";
+    for target in ["crank.toml", "./crank.toml", "sub/../crank.toml", "link.toml", "name.csv"] {
+        for first in
+            [vec!["analyze"], vec!["chart", "--quick"], vec!["stability"], vec!["sweep", "--vary", vary]]
+        {
+            let output = assur(path, &[&first[..], &["crank.toml", "-o", target]].concat());
+            assert_eq!(code(&output), 2, "{first:?} {target}");
+            assert!(err(&output).contains("it is the scene itself"), "{first:?} {target}: {}", err(&output));
+        }
+    }
+    assert_eq!(fs::read_to_string(path.join("crank.toml")).unwrap(), CRANK);
+    fs::write(path.join("positions.csv"), CRANK).unwrap();
+    let output = assur(path, &["analyze", "positions.csv", "--format", "csv", "-o", "."]);
+    assert_eq!((code(&output), fs::read_to_string(path.join("positions.csv")).unwrap().as_str()), (2, CRANK));
+}
+
+#[test]
+fn results_that_are_not_whole_replace_nothing() {
+    let folder = folder();
+    let path = folder.path();
+    let run = |target| assur(path, &["analyze", "short.toml", "--format", "json", "-o", target]);
+    fs::write(path.join("old.json"), "old").unwrap();
+    let kept = run("old.json");
+    assert_eq!((code(&kept), fs::read_to_string(path.join("old.json")).unwrap().as_str()), (1, "old"));
+    assert!(err(&kept).contains("the results are not whole"), "{}", err(&kept));
+    // A new file tells what there is.
+    assert_eq!(code(&run("new.json")), 1);
+    assert!(fs::read_to_string(path.join("new.json")).unwrap().starts_with('{'));
+    let sweep = ["sweep", "short.toml", "--vary", "link.coupler.points.B=0.1..0.2:2", "-o", "old.csv"];
+    fs::write(path.join("old.csv"), "old").unwrap();
+    assert_eq!(code(&assur(path, &sweep)), 1);
+    assert_eq!(fs::read_to_string(path.join("old.csv")).unwrap(), "old");
+}
+
+#[test]
+fn a_folder_of_csv_has_the_files_of_one_run() {
+    let folder = folder();
+    let path = folder.path();
+    let tables = path.join("tables");
+    fs::create_dir(&tables).unwrap();
+    for name in ["trajectory.csv", "notes.csv"] {
+        fs::write(tables.join(name), "old").unwrap();
+    }
+    let run = |scene| code(&assur(path, &["analyze", scene, "--format", "csv", "-o", "tables"]));
+    assert_eq!(run("crank.toml"), 0);
+    assert_eq!(names(&tables), ["notes.csv", "positions.csv", "reactions.csv"]);
+    let before = fs::read_to_string(tables.join("positions.csv")).unwrap();
+    assert_eq!(run("short.toml"), 1);
+    assert_eq!(fs::read_to_string(tables.join("positions.csv")).unwrap(), before);
+    assert_eq!(names(&tables), ["notes.csv", "positions.csv", "reactions.csv"]);
+}
+
+#[test]
+fn links_and_modes_of_a_file_stay() {
+    let folder = folder();
+    let path = folder.path();
+    let run = |target| assert_eq!(code(&assur(path, &["analyze", "crank.toml", "-o", target])), 0);
+    fs::write(path.join("one"), "old").unwrap();
+    fs::set_permissions(path.join("one"), fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("one", path.join("link")).unwrap();
+    run("link");
+    assert!(fs::symlink_metadata(path.join("link")).unwrap().is_symlink());
+    let text = fs::read_to_string(path.join("one")).unwrap();
+    assert!(text.contains("crank"), "{text}");
+    assert_eq!(fs::metadata(path.join("one")).unwrap().mode() & 0o777, 0o640);
+    fs::write(path.join("one"), "a longer text than before".repeat(1000)).unwrap();
+    fs::hard_link(path.join("one"), path.join("two")).unwrap();
+    run("one");
+    for name in ["one", "two"] {
+        assert_eq!(fs::read_to_string(path.join(name)).unwrap(), text);
+        assert_eq!(fs::metadata(path.join(name)).unwrap().nlink(), 2);
+    }
+    assert_eq!(names(path), ["crank.toml", "link", "one", "short.toml", "two"]);
+}
+
+#[test]
+fn streams_are_written_to_and_never_replaced() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("log"), "kept\n").unwrap();
+    for target in ["/dev/stdout", "/dev/fd/1"] {
+        let log = OpenOptions::new().append(true).open(path.join("log")).unwrap();
+        let run = command(path, &["analyze", "crank.toml", "-o", target]).stdout(Stdio::from(log)).status();
+        assert_eq!(run.unwrap().code(), Some(0), "{target}");
+    }
+    let log = fs::read_to_string(path.join("log")).unwrap();
+    assert!(log.starts_with("kept\n") && log.matches("1. Structure").count() == 2, "{log}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_is_full_is_told() {
+    let folder = folder();
+    for arguments in [&["analyze", "crank.toml"][..], &["plugins"], &["man"], &["--help"], &["--version"]] {
+        let full = File::options().write(true).open("/dev/full").unwrap();
+        let output =
+            command(folder.path(), arguments).stdout(Stdio::from(full)).stderr(Stdio::piped()).output();
+        let output = output.unwrap();
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(err(&output).contains("can't write to standard output"), "{arguments:?}: {}", err(&output));
+    }
+    assert_eq!(code(&assur(folder.path(), &["analyze", "crank.toml", "-o", "/dev/full"])), 2);
+}
+
+#[test]
+fn words_of_the_command_line_are_told_without_control_characters() {
+    let folder = folder();
+    for arguments in [
+        &["analyze", "crank.toml", "--analyzer", "\u{1b}[31mred"][..],
+        &["analyze", "crank.toml", "--integrator", "\u{1b}]0;title\u{7}"],
+        &["analyze", "\u{1b}[2Jscene.toml"],
+        &["analyze", "\u{202e}scene.toml"],
+        &["\u{1b}[31mcommand", "crank.toml"],
+        &["analyze", "crank.toml", "-o", "\u{1b}[31m/none"],
+    ] {
+        let output = assur(folder.path(), arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        let hidden = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+        assert!(!err(&output).contains(hidden), "{arguments:?}: {:?}", err(&output));
+        // The parser of the command line leaves such characters out, the program shows them as escapes.
+        let escaped = arguments[0] != "analyze" || err(&output).contains("\\u{");
+        assert!(escaped, "{arguments:?}: {}", err(&output));
+    }
+}
