@@ -6,7 +6,7 @@ use assur_group::Order;
 
 use crate::progress::{Stopped, Watch, step};
 use crate::reader::Reader;
-use crate::results::{Analysis, Failure, InputReport, Named, PositionResult};
+use crate::results::{Analysis, Cycle, Failure, InputReport, Named, PositionResult};
 use crate::{Calculation, Progress, structure};
 
 impl Calculation {
@@ -28,6 +28,17 @@ impl Calculation {
     ///
     /// [`Stopped`] where `watch` breaks.
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
+        let found = self.analyze_positions(watch)?;
+        Ok(Analysis { cycle: self.cycle(&found.positions), ..found })
+    }
+
+    /// Calculates the positions and the motion without what follows from all positions together (extremes of the reactions,
+    /// sides of the guides, contacts): for grids of many scenes, which have no use for it.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where `watch` breaks.
+    pub fn analyze_positions(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
         let mut positions = Positions::new(self);
         let total = mechanism.input.positions;
@@ -46,7 +57,7 @@ impl Calculation {
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
             structure: structure::report(&self.linkage, !self.plan.is_partial()),
-            cycle: self.cycle(&positions.found),
+            cycle: Cycle::default(),
             positions: positions.found,
             failures: positions.failures,
             trajectory,

@@ -18,7 +18,7 @@ pub(crate) fn row(mechanism: Mechanism, options: &Options, names: &SharedNames) 
         Ok(calculation) => calculation,
         Err(error) => return refused(error),
     };
-    let analysis = match calculation.analyze(&mut unwatched) {
+    let analysis = match calculation.analyze_positions(&mut unwatched) {
         Ok(analysis) => analysis,
         Err(stopped) => return refused(stopped.into()),
     };

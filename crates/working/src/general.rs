@@ -2,7 +2,6 @@
 //!
 //! The solution is given; each equation shows its two sides with the solution put in.
 
-use assur_group::plane::direction;
 use assur_group::{Pair, PairGeometry, Wrench};
 use assur_worksheet::dyad::{across, along};
 use assur_worksheet::{Expr, Load, Point, Pose};
@@ -41,22 +40,10 @@ impl Work<'_> {
         let values = [body.point(at), body.first(arm), body.second(arm)];
         let primes = ["", "'", "''"];
         let pf = [0, 1, 2].map(|order| {
-            let mark = primes[order];
-            let x = self.sheet.given(
-                &format!("x{mark}_{name}_{tag}"),
-                values[order][0],
-                units[order],
-                "solution",
-            );
-            [
-                x,
-                self.sheet.given(
-                    &format!("y{mark}_{name}_{tag}"),
-                    values[order][1],
-                    units[order],
-                    "solution",
-                ),
-            ]
+            [0, 1].map(|i| {
+                let symbol = format!("{}{}_{name}_{tag}", ["x", "y"][i], primes[order]);
+                self.sheet.given(&symbol, values[order][i], units[order], "solution")
+            })
         });
         let rates = [body.s.atan2(body.c), body.w1, body.w2];
         let phi = [0, 1, 2].map(|order| {
@@ -217,9 +204,4 @@ impl Work<'_> {
         }
         wrenches
     }
-}
-
-/// Unit vector of a fixed angle as a working writes it.
-pub(crate) fn unit(angle: f64) -> [f64; 2] {
-    direction(angle)
 }

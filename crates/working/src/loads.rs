@@ -2,11 +2,11 @@
 
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
+use assur_group::plane::direction;
 use assur_mechanism::{Direction, LinkId, Place};
-use assur_worksheet::{Expr, Load, Point};
+use assur_worksheet::{Expr, Load, Point, symbol_of};
 
 use crate::Work;
-use crate::general::unit;
 
 impl Work<'_> {
     /// Writes every load and puts it on its link.
@@ -104,7 +104,7 @@ impl Work<'_> {
         let force = self.linkage.mechanism.forces[id].clone();
         let link = force.at.link;
         let at = self.sheet.point(link, force.at.at);
-        let name = tag_of(&force.name);
+        let name = symbol_of(&force.name);
         let toward = match force.direction {
             Direction::Ground(angle) => {
                 let angle = self.sheet.given(&format!("a_{name}"), angle, "rad", "direction");
@@ -134,7 +134,7 @@ impl Work<'_> {
     }
 
     fn moment(&mut self, id: usize, link: LinkId, value: f64) {
-        let name = tag_of(&self.linkage.mechanism.moments[id].name);
+        let name = symbol_of(&self.linkage.mechanism.moments[id].name);
         let what = format!("on {}, in this position", self.sheet.body_name(link));
         let moment = self.sheet.given(&format!("M_{name}"), value, "N·m", &what);
         self.sheet.load(link, Load { force: None, moment, applied: true });
@@ -142,7 +142,7 @@ impl Work<'_> {
 
     fn spring(&mut self, id: usize) {
         let spring = self.linkage.mechanism.springs[id].clone();
-        let name = tag_of(&spring.name);
+        let name = symbol_of(&spring.name);
         let [p, q] = spring.ends.map(|Place { link, at }| self.sheet.point(link, at));
         let d = q.from(&p, 0);
         let length = self.sheet.work(&format!("L_{name}"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
@@ -174,7 +174,7 @@ impl Work<'_> {
     /// K = N + R (-sin a, -cos a); F along (sin a, cos a), friction along (cos a, -sin a).
     fn contact(&mut self, id: usize, wrench: &Wrench<f64>) {
         let contact = self.linkage.mechanism.contacts[id].clone();
-        let (link, name) = (contact.center.link, tag_of(&contact.name));
+        let (link, name) = (contact.center.link, symbol_of(&contact.name));
         let center = self.sheet.point(link, contact.center.at);
         let a = self.sheet.fixed_angle(&format!("a_{name}"), contact.angle, "where the force acts");
         let radius = self.sheet.given(&format!("R_{name}"), contact.radius, "m", "radius");
@@ -183,7 +183,7 @@ impl Work<'_> {
         } else {
             self.sheet.given(&format!("f_{name}"), contact.friction, "", "friction")
         };
-        let [c, s] = unit(contact.angle);
+        let [c, s]: [f64; 2] = direction(contact.angle);
         let along = [s + contact.friction * c, c - contact.friction * s];
         let size =
             (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);
@@ -198,9 +198,4 @@ impl Work<'_> {
         let force = self.sheet.components("F", &name, &force, "N");
         self.apply(link, force, Point { name: k, pf: [place, first, second] });
     }
-}
-
-/// A name of the scene as it stands in symbols.
-fn tag_of(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, Mechanism, Place};
-use assur_worksheet::Names;
+use assur_worksheet::{Names, symbol_of};
 
 /// Names of all bodies, pairs and places that a working may speak of. A pair of a joint of more than two links is named by its
 /// links too: what it exerts is a share of the joint's reaction.
@@ -76,13 +76,8 @@ impl Places {
     }
 }
 
-/// Letters and digits of a name, the rest replaced.
-fn plain(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
-}
-
 fn unique(used: &mut BTreeSet<String>, name: &str) -> String {
-    let mut name = plain(name);
+    let mut name = symbol_of(name);
     while !used.insert(name.clone()) {
         name.push('_');
     }

@@ -1,5 +1,6 @@
 //! Right sides of equations.
 
+use std::borrow::Borrow;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
 
@@ -246,28 +247,16 @@ fn negative(a: &Expr) -> Expr {
 
 macro_rules! operator {
     ($trait:ident, $method:ident, $call:ident) => {
-        impl $trait<&Expr> for &Expr {
+        impl<Other: Borrow<Expr>> $trait<Other> for &Expr {
             type Output = Expr;
-            fn $method(self, other: &Expr) -> Expr {
-                $call(self, other)
+            fn $method(self, other: Other) -> Expr {
+                $call(self, other.borrow())
             }
         }
-        impl $trait<Expr> for &Expr {
+        impl<Other: Borrow<Expr>> $trait<Other> for Expr {
             type Output = Expr;
-            fn $method(self, other: Expr) -> Expr {
-                $call(self, &other)
-            }
-        }
-        impl $trait<&Expr> for Expr {
-            type Output = Expr;
-            fn $method(self, other: &Expr) -> Expr {
-                $call(&self, other)
-            }
-        }
-        impl $trait<Expr> for Expr {
-            type Output = Expr;
-            fn $method(self, other: Expr) -> Expr {
-                $call(&self, &other)
+            fn $method(self, other: Other) -> Expr {
+                $call(&self, other.borrow())
             }
         }
     };

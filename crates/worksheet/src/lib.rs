@@ -28,7 +28,7 @@ pub use load::{Load, Reaction};
 pub use place::{Guide, Point, Pose, Rod};
 pub use plugin::{WorkingPlugin, WorkingRegistryError, Write, plugin_for};
 pub use render::{WIDTH, text};
-pub use sheet::{Names, Sheet, Units};
+pub use sheet::{Names, Sheet, Units, symbol_of};
 
 pub use assur_group::inventory;
 

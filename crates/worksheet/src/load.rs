@@ -63,7 +63,7 @@ impl Sheet {
         let mut sum = Expr::zero();
         for load in &self.loads[body] {
             if let Some((force, at)) = &load.force {
-                sum = sum + arm_moment(at, point, force);
+                sum = sum + at.moment_about(point, force);
             }
             sum = sum + &load.moment;
         }
@@ -131,18 +131,13 @@ impl Sheet {
     }
 }
 
-/// Moment of a force at one point about another.
-pub(crate) fn arm_moment(at: &Point, about: &Point, force: &[Expr; 2]) -> Expr {
-    if at.name == about.name {
-        return Expr::zero();
-    }
-    let [x, y] = at.from(about, 0);
-    x * &force[1] - y * &force[0]
-}
-
 impl Point {
     /// Moment about another point of a force that acts here.
     pub fn moment_about(&self, about: &Self, force: &[Expr; 2]) -> Expr {
-        arm_moment(self, about, force)
+        if self.name == about.name {
+            return Expr::zero();
+        }
+        let [x, y] = self.from(about, 0);
+        x * &force[1] - y * &force[0]
     }
 }

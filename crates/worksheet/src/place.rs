@@ -138,20 +138,21 @@ impl Sheet {
         if is_same(at, pose.at) {
             return base.pf.clone();
         }
-        let [u, v] = self.arm(body, (&base.name, pose.at), (name, at));
-        let [phi, first, second] = &pose.phi;
-        let (c, s) = (phi.cos(), phi.sin());
-        let [xb, yb] = &base.pf[0];
-        let pf0 = self.vector(name, 0, &[xb + (&u * &c - &v * &s), yb + (&u * &s + &v * &c)]);
-        let arm = [&pf0[0] - xb, &pf0[1] - yb];
-        let pf1 = &base.pf[1];
-        let pf1 = self.vector(name, 1, &[&pf1[0] - &arm[1] * first, &pf1[1] + &arm[0] * first]);
-        let pf2 = &base.pf[2];
-        let square = first.squared();
-        let pf2 =
-            [&pf2[0] - &arm[1] * second - &arm[0] * &square, &pf2[1] + &arm[0] * second - &arm[1] * &square];
-        let pf2 = self.vector(name, 2, &pf2);
+        let turned = self.turned(body, pose, name, at);
+        let pf0 = self.vector(name, 0, &turned);
+        let [pf1, pf2] = [1, 2].map(|order| {
+            let carried = self.under(body, base, &pf0, order);
+            self.vector(name, order, &carried)
+        });
         [pf0, pf1, pf2]
+    }
+
+    /// Where a place of a posed body lies.
+    fn turned(&mut self, body: usize, pose: &Pose, name: &str, at: [f64; 2]) -> [Expr; 2] {
+        let [u, v] = self.arm(body, (&pose.base.name, pose.at), (name, at));
+        let (c, s) = (pose.phi[0].cos(), pose.phi[0].sin());
+        let [x, y] = &pose.base.pf[0];
+        [x + (&u * &c - &v * &s), y + (&u * &s + &v * &c)]
     }
 
     /// PF0, PF1 and PF2 of a place as a body carries it, as expressions; `place` is where it lies.
@@ -160,10 +161,7 @@ impl Sheet {
             return self.point(body, at).pf;
         };
         let name = self.place_name(body, at);
-        let [u, v] = self.arm(body, (&pose.base.name, pose.at), (&name, at));
-        let (c, s) = (pose.phi[0].cos(), pose.phi[0].sin());
-        let [xb, yb] = &pose.base.pf[0];
-        let pf0 = [xb + (&u * &c - &v * &s), yb + (&u * &s + &v * &c)];
+        let pf0 = self.turned(body, &pose, &name, at);
         let [first, second] = [1, 2].map(|order| self.under(body, &pose.base, place, order));
         [pf0, first, second]
     }

@@ -179,7 +179,7 @@ impl Sheet {
     }
 }
 
-/// A name with signs that could be read as an operation replaced.
-pub(crate) fn symbol_of(name: &str) -> String {
+/// A name as it stands in symbols: signs that could be read as an operation are replaced.
+pub fn symbol_of(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
 }
