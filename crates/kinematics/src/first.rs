@@ -22,7 +22,8 @@ pub(crate) fn first_ways(
     (chain, extended): (&Chain<f64>, Option<&Chain<Dd>>),
     from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
-    let mut bodies = guessed_bodies(mechanism, chain);
+    let wanted = wanted(mechanism);
+    let mut bodies = guessed_bodies(&wanted, chain);
     chain.set_input(from, &mut bodies);
     let mut wide: Vec<_> = bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
     if let Some(extended) = extended {
@@ -35,10 +36,10 @@ pub(crate) fn first_ways(
         let mut best: Option<(f64, u8)> = None;
         let mut failure = None;
         for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
-            match miss(mechanism, kernel.as_ref(), way, &mut bodies) {
+            match miss(&wanted, kernel.as_ref(), way, &mut bodies) {
                 Ok(found) => {
                     // Twice the digits where they can be had: close to a change point the ways differ by little.
-                    let exact = extended.and_then(|kernel| miss(mechanism, kernel, way, &mut wide).ok());
+                    let exact = extended.and_then(|kernel| miss(&wanted, kernel, way, &mut wide).ok());
                     let found = exact.unwrap_or(found);
                     if best.is_none_or(|(least, _)| found < least - SAME * scale) {
                         best = Some((found, way));
@@ -62,15 +63,32 @@ pub(crate) fn first_ways(
     Ok((ways, bodies))
 }
 
+/// Where `[assembly]` wants a point of a link.
+struct Wanted {
+    /// Index of the point.
+    point: usize,
+    /// In the frame of the link, m.
+    own: [f64; 2],
+    /// In the frame of the ground, m.
+    place: [f64; 2],
+}
+
+/// The wanted places by link.
+fn wanted(mechanism: &Mechanism) -> Vec<Vec<Wanted>> {
+    let mut wanted: Vec<Vec<Wanted>> = mechanism.links.iter().map(|_| Vec::new()).collect();
+    for &(point, place) in &mechanism.assembly {
+        for of in &mechanism.points[point].places {
+            wanted[of.link].push(Wanted { point, own: of.at, place });
+        }
+    }
+    wanted
+}
+
 /// Starting guess for kinds that iterate: each link at the mean of its wanted points.
-fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
+fn guessed_bodies(wanted: &[Vec<Wanted>], chain: &Chain<f64>) -> Vec<Body<f64>> {
     let mut bodies = chain.bodies();
-    for (link, body) in bodies.iter_mut().enumerate().skip(1) {
-        let known: Vec<_> = mechanism
-            .assembly
-            .iter()
-            .filter_map(|(point, place)| Some((mechanism.place_in(*point, link)?, *place)))
-            .collect();
+    for (body, wanted) in bodies.iter_mut().zip(wanted).skip(1) {
+        let known: Vec<_> = wanted.iter().map(|one| (one.own, one.place)).collect();
         match known[..] {
             [] => {}
             [(own, place)] => (body.x, body.y) = (place[0] - own[0], place[1] - own[1]),
@@ -89,7 +107,7 @@ fn guessed_bodies(mechanism: &Mechanism, chain: &Chain<f64>) -> Vec<Body<f64>> {
 /// Root of the sum of squares of the distances of a group's points from their wanted places in a way, m. The links of the
 /// group are left as they were.
 fn miss<T: Number>(
-    mechanism: &Mechanism,
+    wanted: &[Vec<Wanted>],
     kernel: &dyn AssurGroup<T>,
     way: u8,
     bodies: &mut [Body<T>],
@@ -98,10 +116,11 @@ fn miss<T: Number>(
     let before: Vec<_> = links.iter().map(|&link| bodies[link]).collect();
     let placed = kernel.place(bodies, usize::from(way));
     let mut sum = T::ZERO;
-    for (point, wanted) in &mechanism.assembly {
-        let place = mechanism.points[*point].places.iter().find(|place| links.contains(&place.link));
-        if let Some(place) = place {
-            let off = minus(bodies[place.link].point(vector(place.at)), vector(*wanted));
+    let mut seen = Vec::new();
+    for (link, one) in links.iter().flat_map(|&link| wanted[link].iter().map(move |one| (link, one))) {
+        if !seen.contains(&one.point) {
+            seen.push(one.point);
+            let off = minus(bodies[link].point(vector(one.own)), vector(one.place));
             sum += dot(off, off);
         }
     }

@@ -104,7 +104,7 @@ impl Follower<'_> {
                 None if sample == samples.health.len() => break,
                 _ if kernel.ways() == 1 => None,
                 _ => {
-                    let found = self.meeting(group, sample, &samples, branch, is_back);
+                    let found = self.meeting(group, sample, &mut samples, branch, is_back);
                     found.or_else(|| self.jump((group, samples.way), sample, branch))
                 }
             };
@@ -134,7 +134,7 @@ impl Follower<'_> {
         &mut self,
         group: usize,
         sample: usize,
-        samples: &Samples<'_>,
+        samples: &mut Samples<'_>,
         branch: &mut Branch,
         is_back: bool,
     ) -> Option<Event> {
@@ -146,7 +146,8 @@ impl Follower<'_> {
         let offset = samples.minimum_near(sample)?;
         let near = branch.at(sample) + offset * (branch.at(1) - branch.at(0));
         let reached = branch.distance(branch.at(last));
-        let meeting = match self.judge((group, samples.way), near, branch) {
+        let resolution = samples.resolution(sample, branch);
+        let meeting = match self.judge((group, samples.way), (near, resolution), branch) {
             Minimum::Beside => return None,
             Minimum::Gap(inside, gap_m) => {
                 let distance = branch.distance(inside);
@@ -173,10 +174,12 @@ impl Follower<'_> {
             .then(|| Event::Transition(self.through((group, samples.way), distance, branch)))
     }
 
-    fn judge(&mut self, (group, way): (usize, u8), near: f64, branch: &Branch) -> Minimum {
-        // Where the group can't be placed, the links that it joins can.
-        let (Ok(bodies) | Err((bodies, _))) = self.place((group, way), near, branch);
-        let resolution = self.chain.groups[group].resolution(&bodies);
+    fn judge(
+        &mut self,
+        (group, way): (usize, u8),
+        (near, resolution): (f64, f64),
+        branch: &Branch,
+    ) -> Minimum {
         let Some(wide) = &mut self.wide else { return Minimum::Beside };
         let mut determinant = |q: Dd| wide.solve(q, (group, way), branch).map(|(_, health)| health);
         let earlier = &branch.meetings;
@@ -290,22 +293,19 @@ impl Follower<'_> {
         passed.map_or(coordinate, |one| branch.coordinate(one.distance))
     }
 
-    /// Places a group and the groups that determine its motion; with an error the bodies as far as they were placed.
+    /// Places a group and the groups that determine its motion; all bodies.
     fn place(
         &self,
         (group, way): (usize, u8),
         q: f64,
         branch: &Branch,
-    ) -> Result<Vec<Body<f64>>, (Vec<Body<f64>>, GroupError)> {
+    ) -> Result<Vec<Body<f64>>, GroupError> {
         let mut bodies = branch.bodies_near(q);
         self.chain.set_input(q, &mut bodies);
         let mut place = |group: usize, way: u8| self.chain.groups[group].place(&mut bodies, usize::from(way));
         let mut ancestors = self.dependence.ancestors(group, |_| false).into_iter();
         let placed = ancestors.try_for_each(|ancestor| place(ancestor, branch.way(ancestor, q)).map(drop));
-        match placed.and_then(|()| place(group, way)) {
-            Ok(_) => Ok(bodies),
-            Err(error) => Err((bodies, error)),
-        }
+        placed.and_then(|()| place(group, way)).map(|_| bodies)
     }
 
     fn own(&self, group: usize, bodies: &[Body<f64>]) -> Vec<Body<f64>> {

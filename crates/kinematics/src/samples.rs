@@ -59,6 +59,13 @@ impl<'a> Samples<'a> {
         }
     }
 
+    /// The least determinant that is not rounding, near a sample.
+    pub(crate) fn resolution(&mut self, sample: usize, branch: &Branch) -> f64 {
+        let links = self.outer.iter().chain(&self.kernel.frame().links);
+        links.for_each(|&body| self.scratch[body] = branch.poses[body][sample]);
+        self.kernel.resolution(self.scratch)
+    }
+
     /// Where the squared determinant has a minimum near a sample, in samples from it; `None` where it has none or one that is
     /// certainly not zero.
     pub(crate) fn minimum_near(&self, sample: usize) -> Option<f64> {

@@ -1,5 +1,7 @@
 //! Names of links, points and slides, and what stands behind them.
 
+use std::collections::HashMap;
+
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
 
 use crate::numbers::Bound;
@@ -13,6 +15,8 @@ pub(crate) struct Linkage {
     pub(crate) links: Vec<Link>,
     pub(crate) points: Vec<Point>,
     pub(crate) slides: Vec<Slide>,
+    /// Points by name.
+    names: HashMap<String, PointId>,
 }
 
 impl Linkage {
@@ -48,7 +52,17 @@ impl Linkage {
 
     /// The point of this name.
     pub(crate) fn point_named(&self, name: &str) -> Option<PointId> {
-        self.points.iter().position(|point| point.name == name)
+        self.names.get(name).copied()
+    }
+
+    /// Adds a place of a point, which may be new.
+    pub(crate) fn add_place(&mut self, name: &str, place: Place) {
+        if let Some(known) = self.point_named(name) {
+            self.points[known].places.push(place);
+        } else {
+            self.names.insert(name.to_owned(), self.points.len());
+            self.points.push(Point { name: name.to_owned(), places: vec![place] });
+        }
     }
 
     /// Notes an unknown name, with the nearest known one.

@@ -1,6 +1,6 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Link, LinkId, Place, Point};
+use assur_mechanism::{GROUND, Link, LinkId, Place};
 
 use crate::error::Fault;
 use crate::linkage::{Linkage, coordinates};
@@ -31,7 +31,7 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let sections: Vec<_> = links.iter().map(|entry| add_link(&mut linkage, &mut firsts, entry)).collect();
     for (index, section) in sections.iter().enumerate() {
         if let Some(section) = section {
-            add_mass(&mut linkage, index + 1, section);
+            add_mass(&mut linkage, (index + 1, firsts[index + 1]), section);
         }
     }
     // A point with a fault stands at the origin until then.
@@ -97,11 +97,7 @@ fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2
         check_name(&point, "point");
         let at = coordinates(&point).unwrap_or_default();
         first = first.or(Some(at));
-        let place = Place { link, at };
-        match linkage.point_named(&point.name) {
-            Some(known) => linkage.points[known].places.push(place),
-            None => linkage.points.push(Point { name: point.name, places: vec![place] }),
-        }
+        linkage.add_place(&point.name, Place { link, at });
     }
     first.unwrap_or_default()
 }
@@ -117,25 +113,25 @@ fn check_name(entry: &Entry<'_>, what: &str) {
     }
 }
 
-fn add_mass(linkage: &mut Linkage, id: LinkId, section: &Section<'_>) {
+fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
     let mass = section.quantity_or("mass", Dimension::Mass, Bound::NotNegative, 0.0);
     let inertia = section.quantity_or("inertia", Dimension::Inertia, Bound::NotNegative, 0.0);
     let center = match section.get("center") {
         Some(entry) => linkage.location(&entry, id),
-        None => default_center(linkage, id, section, mass > 0.0 || inertia > 0.0),
+        None => default_center(section, first, mass > 0.0 || inertia > 0.0),
     };
     let link = &mut linkage.links[id];
     (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());
 }
 
-fn default_center(linkage: &Linkage, id: LinkId, section: &Section<'_>, heavy: bool) -> Option<[f64; 2]> {
-    let mut places = linkage.points.iter().flat_map(|point| &point.places).filter(|place| place.link == id);
-    match (places.next(), places.next()) {
-        (Some(only), None) => Some(only.at),
-        _ if heavy => {
-            section.missing("center", "a link with a mass or inertia and not just one point needs it");
-            None
-        }
-        _ => None,
+/// The center of a link with one point is there.
+fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option<[f64; 2]> {
+    let count = section.get("points").and_then(|entry| Some(entry.value.as_table()?.len()));
+    if count == Some(1) {
+        return Some(first);
     }
+    if heavy {
+        section.missing("center", "a link with a mass or inertia and not just one point needs it");
+    }
+    None
 }
