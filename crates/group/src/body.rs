@@ -43,7 +43,7 @@ impl<T: Copy> Body<T> {
         Self { x, y, c, s, x1, y1, w1, x2, y2, w2 }
     }
 
-    /// The same in another kind of number.
+    /// Pose and derivatives in another kind of number.
     #[inline]
     pub fn map<U: Copy>(&self, number: impl FnMut(T) -> U) -> Body<U> {
         Body::of_numbers(self.numbers().map(number))

@@ -31,6 +31,21 @@ pub enum GroupError {
     },
 }
 
+/// Lengths that make no group of a kind.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{what}")]
+pub struct BuildError {
+    /// What is wrong, with the numbers.
+    pub what: String,
+}
+
+impl BuildError {
+    /// A fault in words.
+    pub fn new(what: impl Into<String>) -> Self {
+        Self { what: what.into() }
+    }
+}
+
 /// A dimensionless determinant below this counts as zero: rounding alone gives some 1e-16.
 pub const LEAST_HEALTH: f64 = 1e-15;
 

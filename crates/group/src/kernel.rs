@@ -1,11 +1,8 @@
 //! The trait of an Assur group.
 
-use assur_number::{Dd, F64x4, Real};
+use assur_number::Real;
 
-use crate::{
-    Body, Builders, GroupError, GroupFrame, Wrench, derive_generally, health_generally, reactions_generally,
-    registry::BuildError,
-};
+use crate::{Body, GroupError, GroupFrame, Wrench, derive_generally, health_generally, reactions_generally};
 
 /// Up to which order transfer functions are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -99,30 +96,3 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         reactions_generally(self.frame(), bodies, loads, reactions)
     }
 }
-
-/// A number that kinds of groups are built for: each plugin gives a builder for each.
-pub trait Number: Real {
-    /// Builds the kernel of a kind in this number.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] where the lengths make no group of this kind.
-    fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError>;
-}
-
-macro_rules! number {
-    ($type:ty, $field:ident) => {
-        impl Number for $type {
-            fn build(
-                builders: &Builders,
-                frame: &GroupFrame,
-            ) -> Result<Box<dyn AssurGroup<Self>>, BuildError> {
-                (builders.$field)(frame)
-            }
-        }
-    };
-}
-number!(f64, double);
-number!(f32, single);
-number!(Dd, extended);
-number!(F64x4, lanes);

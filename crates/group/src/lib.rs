@@ -10,6 +10,7 @@
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
 mod body;
+mod builders;
 mod closed;
 mod error;
 mod general;
@@ -25,17 +26,16 @@ mod wrench;
 
 pub use assur_plugin::RegistryError;
 pub use body::Body;
+pub use builders::{Builders, GroupKind, Number};
 pub use closed::{Closed, ClosedForm};
-pub use error::{GroupError, LEAST_HEALTH};
+pub use error::{BuildError, GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
-pub use kernel::{AssurGroup, Number, Order};
+pub use kernel::{AssurGroup, Order};
 pub use newton::{Iterated, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
-pub use registry::{
-    BuildError, Builders, ForceAngle, GroupKind, GroupPlugin, Ways, groups, kernel_of, plugin_for,
-};
+pub use registry::{ForceAngle, GroupPlugin, Ways, groups, kernel_of, plugin_for};
 pub use wrench::Wrench;
 
 pub use inventory;

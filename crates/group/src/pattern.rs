@@ -1,7 +1,5 @@
 //! The pattern of a kind of group: which pairs its links have, as data; and a group read in its order.
 
-use std::fmt;
-
 use crate::{BuildError, GroupFrame, Pair};
 
 /// What a pair of a pattern may be.
@@ -95,7 +93,8 @@ impl Pattern {
     ///
     /// [`BuildError`] where the group is not of this pattern.
     pub fn read(&self, frame: &GroupFrame) -> Result<Reading, BuildError> {
-        self.find(frame).ok_or_else(|| BuildError::new(format!("the group is not of the pattern: {self}")))
+        self.find(frame)
+            .ok_or_else(|| BuildError::new("links and pairs of the group are not those of the kind"))
     }
 
     /// Extends an assignment of bodies to the first links of the pattern by all that can follow, in order.
@@ -159,28 +158,4 @@ fn distribute(wanted: &[([usize; 2], PairSort)], pairs: &[Pair]) -> Option<Vec<S
     }
     let seen = wanted.iter().zip(found).map(|((bodies, _), pair)| Some(pair?.seen_from(bodies[0])));
     seen.collect()
-}
-
-impl fmt::Display for PairSort {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Pin => "R",
-            Self::Slide => "P",
-            Self::Any => "R or P",
-        })
-    }
-}
-
-impl fmt::Display for Pattern {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} links; inner", self.links)?;
-        for (i, ([a, b], sort)) in self.inner.iter().enumerate() {
-            write!(f, "{} {sort} of {} and {}", if i > 0 { "," } else { "" }, a + 1, b + 1)?;
-        }
-        write!(f, "; outer")?;
-        for (i, (link, sort)) in self.outer.iter().enumerate() {
-            write!(f, "{} {sort} of {}", if i > 0 { "," } else { "" }, link + 1)?;
-        }
-        Ok(())
-    }
 }

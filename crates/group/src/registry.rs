@@ -1,64 +1,9 @@
 //! The registry of the kinds of groups.
 
-use assur_number::{Dd, F64x4};
 use assur_plugin::{Registered, RegistryError};
 
-use crate::{AssurGroup, Body, GroupFrame, Number, Pattern};
-
-/// Lengths that make no group of a kind.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{what}")]
-pub struct BuildError {
-    /// What is wrong, with the numbers.
-    pub what: String,
-}
-
-impl BuildError {
-    /// A fault in words.
-    pub fn new(what: impl Into<String>) -> Self {
-        Self { what: what.into() }
-    }
-}
-
-type Build<T> = fn(&GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError>;
-
-/// One builder for each number type; made by [`Builders::of`].
-#[derive(Debug, Clone, Copy)]
-pub struct Builders {
-    pub(crate) double: Build<f64>,
-    pub(crate) single: Build<f32>,
-    pub(crate) extended: Build<Dd>,
-    pub(crate) lanes: Build<F64x4>,
-}
-
-/// A kind of group, whose formulas are written once for all numbers.
-pub trait GroupKind {
-    /// The kernel in one number type.
-    type Kernel<T: Number>: AssurGroup<T> + 'static;
-
-    /// Compiles the group at one place of a mechanism.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] where the lengths make no group of this kind.
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError>;
-}
-
-fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError> {
-    Ok(Box::new(K::build::<T>(frame)?))
-}
-
-impl Builders {
-    /// The builders of a kind.
-    pub const fn of<K: GroupKind>() -> Self {
-        Self {
-            double: boxed::<K, f64>,
-            single: boxed::<K, f32>,
-            extended: boxed::<K, Dd>,
-            lanes: boxed::<K, F64x4>,
-        }
-    }
-}
+use crate::builders::{Builders, Number};
+use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
 
 /// The assemblies of a kind: the ways in which given links can be put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -159,10 +159,7 @@ fn a_group_is_read_in_the_order_of_its_pattern() {
         assert!(end.body == 7 && close(end.own[0], 2.0) && close(end.at[0], 1.0));
         assert_eq!(SlideJoint::<f64>::new(&found.outer[1]).unwrap().body, 8);
         let wrong = other.read(&frame).unwrap_err();
-        assert_eq!(
-            wrong.to_string(),
-            "the group is not of the pattern: 2 links; inner P of 1 and 2; outer R of 1, R of 2"
-        );
+        assert_eq!(wrong.to_string(), "links and pairs of the group are not those of the kind");
         assert!(SlideJoint::<f64>::new(&found.outer[0]).is_err());
         assert!(PinJoint::<f64>::new(&found.outer[1]).is_err());
     }
@@ -225,9 +222,9 @@ proptest! {
     ) {
         let arm = body.arm(at);
         body.hang(arm, [[pf[0], pf[1]], [pf[2], pf[3]], [pf[4], pf[5]]]);
-        let told = [body.point(at), body.first(arm), body.second(arm)];
-        for (told, wanted) in told.into_iter().flatten().zip(pf) {
-            prop_assert!(close(told, wanted));
+        let found = [body.point(at), body.first(arm), body.second(arm)];
+        for (found, wanted) in found.into_iter().flatten().zip(pf) {
+            prop_assert!(close(found, wanted));
         }
     }
 
@@ -242,9 +239,9 @@ proptest! {
             later.first(later.arm(at))
         };
         let (after, before) = (moved(h), moved(-h));
-        let told = body.second(body.arm(at));
+        let second = body.second(body.arm(at));
         for k in 0..2 {
-            prop_assert!(((after[k] - before[k]) / (2.0 * h) - told[k]).abs() < 1e-7);
+            prop_assert!(((after[k] - before[k]) / (2.0 * h) - second[k]).abs() < 1e-7);
         }
     }
 

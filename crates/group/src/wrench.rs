@@ -15,7 +15,7 @@ pub struct Wrench<T> {
 }
 
 impl<T: Copy> Wrench<T> {
-    /// The same in another kind of number.
+    /// Force and moment in another kind of number.
     pub fn map<U>(&self, number: impl Fn(T) -> U) -> Wrench<U> {
         Wrench { fx: number(self.fx), fy: number(self.fy), m: number(self.m) }
     }

@@ -1,14 +1,26 @@
 //! From the counted system to groups with pairs, kinds and a formula.
 
-use assur_group::{GroupFrame, Pair, PairGeometry, SeenPair, plugin_for};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
+use assur_group::{GroupFrame, Pair, plugin_for};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
 
+use crate::frame::{Incidence, frame_of, input_pair, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
     Counted, Group, Mobility, NamedPair, Structure, StructureError, class_and_order, name_of, roman,
 };
 
-pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
+impl Structure {
+    /// Takes a mechanism apart.
+    ///
+    /// # Errors
+    ///
+    /// [`StructureError`] if the mobility is not 1, or a group has no registered kind.
+    pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
+        compose(mechanism)
+    }
+}
+
+fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     let mobility = count(mechanism);
     let graph = counted_system(mechanism);
     refuse_other_mobility(mechanism, &mobility, &graph)?;
@@ -31,35 +43,6 @@ pub(crate) fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError
     }
     let formula = formula(mechanism, &groups);
     Ok(Structure { mobility, pairs, groups, links: mechanism.links.len(), scale, formula })
-}
-
-/// Points and slides of each link, in the order of the scene.
-struct Incidence {
-    points: Vec<Vec<PointId>>,
-    slides: Vec<Vec<SlideId>>,
-}
-
-impl Incidence {
-    fn of(mechanism: &Mechanism) -> Self {
-        let none = vec![Vec::new(); mechanism.links.len()];
-        let (mut points, mut slides) = (none.clone(), none);
-        for (id, point) in mechanism.points.iter().enumerate() {
-            point.places.iter().for_each(|place| points[place.link].push(id));
-        }
-        for (id, slide) in mechanism.slides.iter().enumerate() {
-            slides[slide.link].push(id);
-            slides[slide.on].push(id);
-        }
-        Self { points, slides }
-    }
-}
-
-/// What some links have together, once each and in the order of the scene.
-fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
-    let mut all: Vec<usize> = links.iter().flat_map(|&link| of[link].iter().copied()).collect();
-    all.sort_unstable();
-    all.dedup();
-    all
 }
 
 /// Chebyshev's formula.
@@ -148,44 +131,6 @@ fn refuse_other_mobility(
     }
 }
 
-/// The greatest distance between two points of one link, or of the ground; 1 m where there is none.
-fn typical_length(mechanism: &Mechanism, incidence: &Incidence) -> f64 {
-    let mut longest = 0.0_f64;
-    for (link, points) in incidence.points.iter().enumerate() {
-        let places: Vec<_> = points.iter().filter_map(|&id| mechanism.place_in(id, link)).collect();
-        for (i, a) in places.iter().enumerate() {
-            for b in &places[..i] {
-                longest = longest.max((a[0] - b[0]).hypot(a[1] - b[1]));
-            }
-        }
-    }
-    if longest > 0.0 { longest } else { 1.0 }
-}
-
-fn input_pair(mechanism: &Mechanism) -> NamedPair {
-    match mechanism.input.pair {
-        InputPair::Pin(point) => {
-            let at = |link| mechanism.place_in(point, link).unwrap_or_default();
-            let geometry = PairGeometry::Pin { at_a: at(mechanism.input.link), at_b: at(GROUND) };
-            let pair = Pair { id: 0, a: mechanism.input.link, b: GROUND, geometry };
-            NamedPair { pair, source: PairId::Pin(point) }
-        }
-        InputPair::Slide(slide) => slide_pair(mechanism, slide, 0),
-    }
-}
-
-fn slide_pair(mechanism: &Mechanism, id: usize, index: usize) -> NamedPair {
-    let slide = &mechanism.slides[id];
-    let geometry = PairGeometry::Slide {
-        point: slide.point,
-        through: slide.through,
-        angle: slide.angle,
-        tilt: slide.tilt,
-    };
-    let pair = Pair { id: index, a: slide.link, b: slide.on, geometry };
-    NamedPair { pair, source: PairId::Slide(id) }
-}
-
 /// The links of one part in the order of the scene; a part of a pin alone has none.
 fn links_of(graph: &Graph, part: &[usize]) -> Vec<LinkId> {
     let links = part.iter().filter_map(|&node| match graph.nodes[node] {
@@ -195,65 +140,6 @@ fn links_of(graph: &Graph, part: &[usize]) -> Vec<LinkId> {
     let mut links: Vec<LinkId> = links.collect();
     links.sort_unstable();
     links
-}
-
-/// The pairs of these links with each other and with what is solved; they are appended to `pairs`.
-fn frame_of(
-    mechanism: &Mechanism,
-    incidence: &Incidence,
-    links: Vec<LinkId>,
-    rank: &[usize],
-    scale: f64,
-    pairs: &mut Vec<NamedPair>,
-) -> GroupFrame {
-    let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), scale };
-    let mut found =
-        pins_of(mechanism, &common(&incidence.points, &frame.links), &frame.links, rank, pairs.len());
-    for id in common(&incidence.slides, &frame.links) {
-        let slide = &mechanism.slides[id];
-        let within = |link: LinkId| frame.links.contains(&link);
-        let solved = |link: LinkId| rank[link] != usize::MAX;
-        if within(slide.link) && (within(slide.on) || solved(slide.on))
-            || within(slide.on) && solved(slide.link)
-        {
-            found.push(slide_pair(mechanism, id, pairs.len() + found.len()));
-        }
-    }
-    for named in &found {
-        let inner = frame.links.contains(&named.pair.a) && frame.links.contains(&named.pair.b);
-        if inner { &mut frame.inner } else { &mut frame.outer }.push(named.pair);
-    }
-    pairs.extend(found);
-    frame
-}
-
-/// Pairs that the pins make between links of a group, and of the group with what is solved.
-fn pins_of(
-    mechanism: &Mechanism,
-    points: &[PointId],
-    links: &[LinkId],
-    rank: &[usize],
-    first: usize,
-) -> Vec<NamedPair> {
-    let mut found = Vec::new();
-    let points = points.iter().map(|&id| (id, &mechanism.points[id]));
-    for (id, point) in points.filter(|(_, point)| point.is_pin()) {
-        let members: Vec<_> = point.places.iter().filter(|place| links.contains(&place.link)).collect();
-        let solved = point.places.iter().filter(|place| rank[place.link] != usize::MAX);
-        // All hang on one body: on the first that is solved, or else on the first link of the group.
-        let anchor = solved.min_by_key(|place| rank[place.link]);
-        let (anchor, hung) = match (anchor, &members[..]) {
-            (Some(anchor), hung) => (anchor, hung),
-            (None, [anchor, hung @ ..]) => (*anchor, hung),
-            (None, []) => continue,
-        };
-        for place in hung {
-            let geometry = PairGeometry::Pin { at_a: place.at, at_b: anchor.at };
-            let pair = Pair { id: first + found.len(), a: place.link, b: anchor.link, geometry };
-            found.push(NamedPair { pair, source: PairId::Pin(id) });
-        }
-    }
-    found
 }
 
 fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Result<Group, StructureError> {
@@ -294,14 +180,4 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> String {
         text.extend([" -> ", &sort, "(", &links.join(","), ")"]);
     }
     text
-}
-
-impl Group {
-    /// Outer pairs in the order of the kind's pattern, with the bodies as the scene names them.
-    pub fn outer(&self) -> Vec<Pair> {
-        let Some(reading) = self.plugin.pattern.find(&self.frame) else { return self.frame.outer.clone() };
-        let original =
-            |seen: &SeenPair| self.frame.outer.iter().find(|pair| pair.id == seen.pair.id).copied();
-        reading.outer.iter().filter_map(original).collect()
-    }
 }

@@ -171,7 +171,9 @@ impl Graph {
         let mut parts = strongly_connected(&needs);
         let mut part_of = vec![0; self.nodes.len()];
         for (i, part) in parts.iter().enumerate() {
-            part.iter().for_each(|&node| part_of[node] = i);
+            for &node in part {
+                part_of[node] = i;
+            }
         }
         // Edges from each part to those that wait for it, and how many edges each part still waits for.
         let (mut waiting_for, mut open) = (vec![Vec::new(); parts.len()], vec![0_usize; parts.len()]);
@@ -210,7 +212,9 @@ impl Graph {
 fn strongly_connected(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut reverse = vec![Vec::new(); needs.len()];
     for (node, list) in needs.iter().enumerate() {
-        list.iter().for_each(|&other| reverse[other].push(node));
+        for &other in list {
+            reverse[other].push(node);
+        }
     }
     let mut finished = Vec::new();
     let mut seen = vec![false; needs.len()];

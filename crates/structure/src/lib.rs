@@ -8,115 +8,13 @@
 mod class;
 mod compose;
 mod error;
+mod frame;
 mod graph;
-
-use assur_group::{GroupFrame, GroupPlugin, Pair};
-use assur_mechanism::{LinkId, Mechanism, PairId};
+mod taken_apart;
 
 pub use class::class_and_order;
 pub use error::{Counted, StructureError};
-
-/// A mechanism taken apart.
-#[derive(Debug, Clone)]
-pub struct Structure {
-    /// Mobility by Chebyshev's formula.
-    pub mobility: Mobility,
-    /// All kinematic pairs (a joint of k links gives k - 1), the input's pair with the ground first.
-    pub pairs: Vec<NamedPair>,
-    /// The groups in solving order.
-    pub groups: Vec<Group>,
-    /// Number of links with the ground.
-    pub links: usize,
-    /// A length typical of the mechanism, m.
-    pub scale: f64,
-    /// `I(ground,crank) -> II3(stone2,rocker)`.
-    pub formula: String,
-}
-
-/// Mobility by Chebyshev's formula, W = 3 n - 2 p.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Mobility {
-    /// n, moving links.
-    pub moving_links: usize,
-    /// p, pairs of one freedom.
-    pub pairs: usize,
-    /// W.
-    pub value: i64,
-}
-
-/// A kinematic pair and the pin or slide of the scene that it belongs to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NamedPair {
-    /// Bodies and geometry; `pair.id` is its index.
-    pub pair: Pair,
-    /// The pin or slide.
-    pub source: PairId,
-}
-
-/// One group of a mechanism.
-#[derive(Debug, Clone)]
-pub struct Group {
-    /// Links and pairs.
-    pub frame: GroupFrame,
-    /// The registered kind.
-    pub plugin: &'static GroupPlugin,
-    /// Class (2 for a dyad).
-    pub class: u8,
-    /// Order: number of outer pairs.
-    pub order: u8,
-}
-
-impl Structure {
-    /// Takes a mechanism apart.
-    ///
-    /// # Errors
-    ///
-    /// [`StructureError`] if the mobility is not 1, or a group has no registered kind.
-    pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
-        compose::compose(mechanism)
-    }
-
-    /// Class of the mechanism: the highest among its groups; 1 without groups.
-    pub fn class(&self) -> u8 {
-        self.groups.iter().map(|group| group.class).max().unwrap_or(1)
-    }
-
-    /// Name of a pair: of its pin or slide.
-    pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a str {
-        name_of(mechanism, self.pairs[pair].source)
-    }
-
-    /// Whether a pair is one of several in a joint of more than two links, so that its reaction is a share of what the joint
-    /// exerts on a link.
-    pub fn is_share(&self, pair: usize) -> bool {
-        let source = self.pairs[pair].source;
-        self.pairs.iter().filter(|other| other.source == source).count() > 1
-    }
-
-    /// `group 1 (RRR rod, rocker)`, for messages.
-    pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> String {
-        let found = &self.groups[group];
-        let names = link_names(mechanism, &found.frame.links);
-        format!("group {} ({} {})", group + 1, found.plugin.kind, names.join(", "))
-    }
-}
-
-/// Name of a pin or slide.
-pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &str {
-    match pair {
-        PairId::Pin(point) => &mechanism.points[point].name,
-        PairId::Slide(slide) => &mechanism.slides[slide].name,
-    }
-}
-
-fn link_names<'a>(mechanism: &'a Mechanism, links: &[LinkId]) -> Vec<&'a str> {
-    links.iter().map(|&link| mechanism.links[link].name.as_str()).collect()
-}
-
-/// Roman numeral of a class.
-pub fn roman(class: u8) -> &'static str {
-    ["0", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"].get(usize::from(class)).copied().unwrap_or("IX+")
-}
+pub use taken_apart::{Group, Mobility, NamedPair, Structure, name_of, roman};
 
 #[cfg(test)]
 mod tests;

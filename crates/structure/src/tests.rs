@@ -110,25 +110,24 @@ fn loose_here_and_surplus_there_is_said_at_once() {
 /// A crank, and dyads RRR that each join the rocker of the one before to the ground; links and points are named in an
 /// order that skips `stride` places (a number without a common factor with `count` takes each once).
 fn ladder(count: usize, stride: usize) -> String {
-    let mut ground = "O = [0, 0]".to_owned();
-    let mut links = vec![String::new(); count];
-    for k in 0..count {
-        let (x, from) = (k as f64 + 1.0, if k == 0 { "A".to_owned() } else { format!("B{}", k - 1) });
-        ground += &format!(", C{k} = [{x}, 0]");
-        links[k] = format!(
+    let pin = |k: usize| format!(", C{k} = [{k}, 0]");
+    let ground: String = (0..count).map(pin).collect();
+    let dyad = |k: usize| {
+        let from = if k == 0 { "A".to_owned() } else { format!("B{}", k - 1) };
+        format!(
             "[link.rocker{k}]\npoints = {{ C{k} = 0, B{k} = 0.6 }}\n[link.rod{k}]\npoints = {{ {from} = 0, B{k} = 1 }}\n"
-        );
-    }
-    let links: String = (0..count).map(|k| links[k * stride % count].as_str()).collect();
+        )
+    };
+    let links: String = (0..count).map(|k| dyad(k * stride % count)).collect();
     format!(
-        "[ground]\npoints = {{ {ground} }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n{links}[input]\nlink = \"crank\"\n"
+        "[ground]\npoints = {{ O = [9, 9]{ground} }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n{links}[input]\nlink = \"crank\"\n"
     )
 }
 
 #[test]
 fn a_long_ladder_is_taken_apart_in_any_order_of_the_scene() {
-    const COUNT: usize = 2000;
-    for stride in [1, COUNT - 1, 1207] {
+    const COUNT: usize = 800;
+    for stride in [1, COUNT - 1, 487] {
         let mechanism = assur_scene::read("ladder", &ladder(COUNT, stride)).unwrap();
         let found = Structure::of(&mechanism).unwrap();
         assert_eq!(found.groups.len(), COUNT);

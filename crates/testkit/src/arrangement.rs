@@ -96,7 +96,7 @@ pub(crate) fn constraints(
 }
 
 /// Smallest over greatest singular value of such a matrix: 0 at a singular position.
-pub(crate) fn regularity(matrix: DMatrix<f64>) -> f64 {
+pub(crate) fn regularity(matrix: &DMatrix<f64>) -> f64 {
     let values = matrix.singular_values();
     values.min() / values.max()
 }

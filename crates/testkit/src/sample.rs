@@ -79,7 +79,7 @@ impl Sample {
         (0..TRIES).find_map(|_| {
             let draft = Draft::new(rng, pattern);
             let joins = draft.joins(rng);
-            let is_regular = draft.are_apart(&joins) && regularity(draft.matrix(&joins)) > LEAST_REGULARITY;
+            let is_regular = are_apart(&joins) && regularity(&draft.matrix(&joins)) > LEAST_REGULARITY;
             is_regular.then(|| draft.sample(rng, &joins))
         })
     }
@@ -96,22 +96,22 @@ impl Sample {
             let between = |part: f64| -> Vec<Join> {
                 ends[0].iter().zip(&ends[1]).map(|(one, two)| one.between(two, part)).collect()
             };
-            let sign = |part: f64| draft.matrix(&between(part)).determinant().signum();
+            let is_positive = |part: f64| draft.matrix(&between(part)).determinant() > 0.0;
             let places = (0..=STEPS).map(|i| f64::from(i) / f64::from(STEPS)).collect::<Vec<_>>();
-            let found = places.windows(2).find(|two| sign(two[0]) * sign(two[1]) < 0.0)?;
+            let found = places.windows(2).find(|two| is_positive(two[0]) != is_positive(two[1]))?;
             let (mut low, mut high) = (found[0], found[1]);
-            let start = sign(low);
+            let start = is_positive(low);
             loop {
                 let middle = 0.5 * (low + high);
                 if middle <= low || middle >= high {
                     break;
                 }
-                if sign(middle) == start { low = middle } else { high = middle }
+                if is_positive(middle) == start { low = middle } else { high = middle }
             }
             let joins = between(low);
             // An arrangement whose neighbors are no better is singular by its sorts of pairs, not by its position.
-            let neighbor = regularity(draft.matrix(&between(low + 0.25 / f64::from(STEPS))));
-            (neighbor > 1e-4 && draft.are_apart(&joins)).then(|| draft.sample(rng, &joins))
+            let neighbor = regularity(&draft.matrix(&between(low + 0.25 / f64::from(STEPS))));
+            (neighbor > 1e-4 && are_apart(&joins)).then(|| draft.sample(rng, &joins))
         })
     }
 
@@ -152,6 +152,13 @@ impl Join {
     }
 }
 
+/// Whether the joints of each body are well apart.
+fn are_apart(joins: &[Join]) -> bool {
+    let apart = |a: &Join, b: &Join| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]) > APART;
+    let common = |a: &Join, b: &Join| a.bodies.iter().any(|body| b.bodies.contains(body));
+    joins.iter().enumerate().all(|(i, a)| joins[..i].iter().all(|b| !common(a, b) || apart(a, b)))
+}
+
 /// Poses of all bodies, and which of them the pairs of the group shall join.
 struct Draft {
     paths: Vec<Path>,
@@ -176,12 +183,6 @@ impl Draft {
             Join { bodies: *bodies, at, guide: is_slide.then(|| rng.angle()) }
         };
         self.pairs.iter().map(join).collect()
-    }
-
-    fn are_apart(&self, joins: &[Join]) -> bool {
-        let apart = |a: &Join, b: &Join| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]) > APART;
-        let common = |a: &Join, b: &Join| a.bodies.iter().any(|body| b.bodies.contains(body));
-        joins.iter().enumerate().all(|(i, a)| joins[..i].iter().all(|b| !common(a, b) || apart(a, b)))
     }
 
     fn matrix(&self, joins: &[Join]) -> nalgebra::DMatrix<f64> {

@@ -57,7 +57,7 @@ fn slider_angle(sheet: &mut Sheet, pairs: &Rrp<f64>, guide: &Guide) -> Expr {
     &guide.alpha + tilt
 }
 
-/// PF1 and PF2 of the rod's angle and of the inner pin, which is told to the sheet.
+/// PF1 and PF2 of the rod's angle and of the inner pin, which is entered into the sheet.
 fn derive(
     sheet: &mut Sheet,
     pairs: &Rrp<f64>,

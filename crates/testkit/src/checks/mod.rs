@@ -40,7 +40,7 @@ pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(
     let way = places::recovers(case)?;
     let mut bodies = case.sample.bodies(0.0);
     let health = case.called("place", case.kernel.place(&mut bodies, way))?;
-    places::health_is_told_alike(case, &bodies, health)?;
+    places::health_is_consistent(case, &bodies, health)?;
     if health < LEAST_HEALTH {
         return Ok(());
     }

@@ -40,8 +40,8 @@ pub(crate) fn agrees_with_the_general_solution(case: &Case, way: usize, health: 
 pub(crate) fn solve_is_place_and_derive(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let apart_calls = case.called("derive", case.solved(&*case.kernel, 0.0, way))?;
     let mut bodies = case.sample.bodies(0.0);
-    let told = case.called("solve", case.kernel.solve(&mut bodies, way, Order::Second))?;
-    case.within("solve", "health", told - health, 0.0)?;
+    let given = case.called("solve", case.kernel.solve(&mut bodies, way, Order::Second))?;
+    case.within("solve", "health", given - health, 0.0)?;
     case.within("solve", "a place", super::places::apart(case, &bodies, &apart_calls), 0.0)?;
     let [first, second] = apart(case, &bodies, &apart_calls);
     case.within("solve", "PF1", first, 1e-14 / (health * health))?;
@@ -69,11 +69,11 @@ pub(crate) fn agrees_with_differences(case: &Case, way: usize) -> Result<(), Fau
     let (before, now, after) = (at(-STEP)?, at(0.0)?, at(STEP)?);
     for &i in &case.sample.frame.links {
         let body = &now[i];
-        let told = [[body.x1, body.y1, body.w1], [body.x2, body.y2, body.w2]];
-        for (told, seen) in told.into_iter().zip(rates(&before[i], &after[i])) {
-            for (told, seen) in told.into_iter().zip(seen) {
+        let given = [[body.x1, body.y1, body.w1], [body.x2, body.y2, body.w2]];
+        for (given, seen) in given.into_iter().zip(rates(&before[i], &after[i])) {
+            for (given, seen) in given.into_iter().zip(seen) {
                 let size = seen.abs().max(1.0);
-                case.within("differences", "a derivative", (told.to_f64() - seen) / size, 1e-13)?;
+                case.within("differences", "a derivative", (given.to_f64() - seen) / size, 1e-13)?;
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The same kernel in other numbers.
+//! A kernel in other kinds of numbers.
 
 use assur_group::Number;
 use assur_number::{Dd, F64x4, Lanes, Real};

@@ -10,23 +10,12 @@ const DIRECTIONS: u32 = 3600;
 
 /// A NaN in any number of an outer body leads to an error, never to a result.
 pub(crate) fn not_a_number(case: &Case, way: usize) -> Result<(), Fault> {
-    type Field = fn(&mut Body<f64>) -> &mut f64;
-    let fields: [Field; 10] = [
-        |b| &mut b.x,
-        |b| &mut b.y,
-        |b| &mut b.c,
-        |b| &mut b.s,
-        |b| &mut b.x1,
-        |b| &mut b.y1,
-        |b| &mut b.w1,
-        |b| &mut b.x2,
-        |b| &mut b.y2,
-        |b| &mut b.w2,
-    ];
     for outer in case.sample.outer() {
-        for (k, field) in fields.iter().enumerate() {
+        for k in 0..10 {
             let mut bodies = case.sample.bodies(0.0);
-            *field(&mut bodies[outer]) = f64::NAN;
+            let mut numbers = bodies[outer].numbers();
+            numbers[k] = f64::NAN;
+            bodies[outer] = Body::of_numbers(numbers);
             if case.kernel.solve(&mut bodies, way, Order::Second).is_ok() {
                 return Err(
                     case.fault("NaN", format!("number {k} of body {outer} is NaN, and no error came"))

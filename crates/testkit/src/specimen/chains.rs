@@ -40,7 +40,7 @@ impl Draft {
             let joins: Vec<Join> =
                 pairs.into_iter().map(|(bodies, is_slide)| self.join(bodies, is_slide, &links)).collect();
             let origin = |link: LinkId| [self.poses[link].x, self.poses[link].y];
-            if regularity(constraints(&links, &joins, origin, self.size)) > LEAST_REGULARITY {
+            if regularity(&constraints(&links, &joins, origin, self.size)) > LEAST_REGULARITY {
                 return Some(());
             }
             (self.points, self.slides) = (points.clone(), slides.clone());

@@ -1,0 +1,72 @@
+//! Builders of a kind's kernel, one for each number type.
+
+use assur_number::{Dd, F64x4, Real};
+
+use crate::{AssurGroup, BuildError, GroupFrame};
+
+type Build<T> = fn(&GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError>;
+
+/// One builder for each number type; made by [`Builders::of`].
+#[derive(Debug, Clone, Copy)]
+pub struct Builders {
+    pub(crate) double: Build<f64>,
+    pub(crate) single: Build<f32>,
+    pub(crate) extended: Build<Dd>,
+    pub(crate) lanes: Build<F64x4>,
+}
+
+/// A kind of group, whose formulas are written once for all numbers.
+pub trait GroupKind {
+    /// The kernel in one number type.
+    type Kernel<T: Number>: AssurGroup<T> + 'static;
+
+    /// Compiles the group at one place of a mechanism.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] where the lengths make no group of this kind.
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError>;
+}
+
+fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError> {
+    Ok(Box::new(K::build::<T>(frame)?))
+}
+
+impl Builders {
+    /// The builders of a kind.
+    pub const fn of<K: GroupKind>() -> Self {
+        Self {
+            double: boxed::<K, f64>,
+            single: boxed::<K, f32>,
+            extended: boxed::<K, Dd>,
+            lanes: boxed::<K, F64x4>,
+        }
+    }
+}
+
+/// A number that kinds of groups are built for: each plugin gives a builder for each.
+pub trait Number: Real {
+    /// Builds the kernel of a kind in this number.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] where the lengths make no group of this kind.
+    fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError>;
+}
+
+macro_rules! number {
+    ($type:ty, $field:ident) => {
+        impl Number for $type {
+            fn build(
+                builders: &Builders,
+                frame: &GroupFrame,
+            ) -> Result<Box<dyn AssurGroup<Self>>, BuildError> {
+                (builders.$field)(frame)
+            }
+        }
+    };
+}
+number!(f64, double);
+number!(f32, single);
+number!(Dd, extended);
+number!(F64x4, lanes);
