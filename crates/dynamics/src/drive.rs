@@ -64,7 +64,7 @@ impl InputDrive {
         if *efficiency >= 1.0 {
             return everywhere;
         }
-        let synchronous = characteristic.synchronous_speed() / ratio;
+        let synchronous = characteristic.synchronous_speed / ratio;
         // Motor torque times motor speed is negative above synchronous speed and where the input turns against the motor.
         if v < 0.0 {
             Branch { factor: 1.0 / efficiency, speed: [f64::NEG_INFINITY, 0.0] }

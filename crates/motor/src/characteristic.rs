@@ -11,10 +11,14 @@ use crate::{CharacteristicKind, RatedData, RatedDataError};
 ///   working section its torque is too great.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {
-    synchronous_speed: f64,
-    rated_speed: f64,
-    rated_torque: f64,
-    breakdown_torque: Option<f64>,
+    /// Synchronous speed, rad/s.
+    pub synchronous_speed: f64,
+    /// Rated speed, rad/s.
+    pub rated_speed: f64,
+    /// Rated torque, N·m.
+    pub rated_torque: f64,
+    /// Breakdown torque, N·m; `None` for a straight line whose motor does not print it.
+    pub breakdown_torque: Option<f64>,
     kloss: Option<Kloss>,
 }
 
@@ -99,26 +103,6 @@ impl Characteristic {
     /// Stable name of its kind, as scenes write it: `kloss` or `linear`.
     pub fn name(&self) -> &'static str {
         if self.kloss.is_some() { "kloss" } else { "linear" }
-    }
-
-    /// Synchronous speed, rad/s.
-    pub fn synchronous_speed(&self) -> f64 {
-        self.synchronous_speed
-    }
-
-    /// Rated speed, rad/s.
-    pub fn rated_speed(&self) -> f64 {
-        self.rated_speed
-    }
-
-    /// Rated torque, N·m.
-    pub fn rated_torque(&self) -> f64 {
-        self.rated_torque
-    }
-
-    /// Breakdown torque, N·m; `None` for a straight line whose motor does not print it.
-    pub fn breakdown_torque(&self) -> Option<f64> {
-        self.breakdown_torque
     }
 
     /// Slip of the greatest torque; `None` for a straight line.

@@ -60,7 +60,7 @@ pub fn check_breakdown(
 ) -> Option<MotorWarning> {
     let slip = |w: &f64| characteristic.slip(*w).abs();
     let speed = working_speeds.into_iter().max_by(|a, b| slip(a).total_cmp(&slip(b)))?;
-    let breakdown_torque = characteristic.breakdown_torque()?;
+    let breakdown_torque = characteristic.breakdown_torque?;
     let torque = characteristic.torque(speed);
     let beyond = match characteristic.critical_slip() {
         Some(sk) => slip(&speed) > sk,
@@ -75,7 +75,7 @@ pub fn check_breakdown(
 /// The printed ratio comes first: in a cage rotor the current displacement raises the starting torque above
 /// Kloss's value.
 pub fn starting_torque(characteristic: &Characteristic, starting_torque_ratio: Option<f64>) -> Option<f64> {
-    let printed = starting_torque_ratio.map(|ratio| ratio * characteristic.rated_torque());
+    let printed = starting_torque_ratio.map(|ratio| ratio * characteristic.rated_torque);
     printed.or_else(|| characteristic.starting_torque())
 }
 
@@ -99,7 +99,7 @@ pub fn rms_torque(samples: impl IntoIterator<Item = (f64, f64)>) -> f64 {
 
 /// Whether the motor becomes too hot: the losses in its windings grow with the square of the torque.
 pub fn check_rms(characteristic: &Characteristic, rms: f64) -> Option<MotorWarning> {
-    let rated = characteristic.rated_torque();
+    let rated = characteristic.rated_torque;
     (rms > rated).then_some(MotorWarning::RmsTorque { rms, rated })
 }
 

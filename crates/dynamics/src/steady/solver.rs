@@ -273,7 +273,7 @@ fn working_speed(characteristic: &Characteristic, torque: f64) -> f64 {
 
 /// Ends of the stable branch: breakdown as motor (of a straight line: a hundredth of the synchronous speed), and as brake.
 fn stable_branch(characteristic: &Characteristic) -> (f64, f64) {
-    let synchronous = characteristic.synchronous_speed();
+    let synchronous = characteristic.synchronous_speed;
     let slow = characteristic.breakdown_speed().unwrap_or(0.0).max(0.01 * synchronous);
     (slow, 2.0 * synchronous - slow)
 }
@@ -289,7 +289,7 @@ fn working_ratio(
     let wanted = if needed > 0.0 { needed * speed / efficiency } else { needed * speed * efficiency };
     let (mut slow, fast) = stable_branch(characteristic);
     // Of the power, the greatest lies above the breakdown speed.
-    let synchronous = characteristic.synchronous_speed();
+    let synchronous = characteristic.synchronous_speed;
     for k in 0..200 {
         let trial = slow + (synchronous - slow) * f64::from(k) / 200.0;
         if power(trial) > power(slow) {

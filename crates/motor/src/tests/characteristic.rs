@@ -9,25 +9,25 @@ fn kloss_of_the_shaper_motor_by_hand() {
     let c = kloss();
     // Mn = 1100 / (47 pi), sn = 0.06, sk = 0.06 (2.2 + sqrt(3.84))
     let mn = 1100.0 / (47.0 * std::f64::consts::PI);
-    assert_relative_eq!(c.rated_torque(), mn, max_relative = 1e-14);
+    assert_relative_eq!(c.rated_torque, mn, max_relative = 1e-14);
     assert_relative_eq!(c.critical_slip().unwrap(), 0.249_575_507_653_592_5, max_relative = 1e-12);
-    assert_relative_eq!(c.breakdown_torque().unwrap(), 2.2 * mn, max_relative = 1e-14);
+    assert_relative_eq!(c.breakdown_torque.unwrap(), 2.2 * mn, max_relative = 1e-14);
     assert_relative_eq!(c.starting_torque().unwrap(), 7.7012, max_relative = 1e-4);
 }
 
 #[test]
 fn both_pass_through_synchronous_speed_and_the_rated_point() {
     for c in [kloss(), linear()] {
-        assert_relative_eq!(c.torque(c.rated_speed()), c.rated_torque(), max_relative = 1e-12);
-        assert_eq!(c.torque(c.synchronous_speed()).abs(), 0.0);
-        assert!(c.slope(c.synchronous_speed()) < 0.0);
+        assert_relative_eq!(c.torque(c.rated_speed), c.rated_torque, max_relative = 1e-12);
+        assert_eq!(c.torque(c.synchronous_speed).abs(), 0.0);
+        assert!(c.slope(c.synchronous_speed) < 0.0);
     }
 }
 
 #[test]
 fn kloss_is_odd_in_the_slip() {
     let c = kloss();
-    let ws = c.synchronous_speed();
+    let ws = c.synchronous_speed;
     for dw in [0.1, 9.4, 40.0, 157.0, 400.0] {
         assert_relative_eq!(c.torque(ws + dw), -c.torque(ws - dw), max_relative = 1e-12);
         assert!(c.torque(ws + dw) < 0.0, "a generator brakes");
@@ -37,7 +37,7 @@ fn kloss_is_odd_in_the_slip() {
 #[test]
 fn kloss_pulls_forward_at_reversed_speed() {
     let c = kloss();
-    let (mut previous, ws) = (c.torque(0.0), c.synchronous_speed());
+    let (mut previous, ws) = (c.torque(0.0), c.synchronous_speed);
     for k in 1..=20 {
         let now = c.torque(-f64::from(k) * ws / 10.0);
         assert!(now > 0.0 && now < previous, "{now} after {previous}");
@@ -45,14 +45,14 @@ fn kloss_pulls_forward_at_reversed_speed() {
     }
     // The published form, s = 3 at w = -2 ws.
     let sk = c.critical_slip().unwrap();
-    let published = 2.0 * c.breakdown_torque().unwrap() / (3.0 / sk + sk / 3.0);
+    let published = 2.0 * c.breakdown_torque.unwrap() / (3.0 / sk + sk / 3.0);
     assert_relative_eq!(c.torque(-2.0 * ws), published, max_relative = 1e-12);
 }
 
 #[test]
 fn the_greatest_torque_is_at_the_critical_slip() {
     let c = kloss();
-    let (w, top) = (c.breakdown_speed().unwrap(), c.breakdown_torque().unwrap());
+    let (w, top) = (c.breakdown_speed().unwrap(), c.breakdown_torque.unwrap());
     assert_relative_eq!(c.torque(w), top, max_relative = 1e-13);
     for h in [0.01, 0.1, 1.0, 10.0] {
         assert!(c.torque(w - h) < top && c.torque(w + h) < top);
@@ -66,8 +66,8 @@ fn linear_knows_no_breakdown_point() {
     let c = linear();
     assert_eq!((c.critical_slip(), c.breakdown_speed(), c.starting_torque()), (None, None, None));
     // Twice the rated slip, twice the rated torque.
-    let w = 2.0 * c.rated_speed() - c.synchronous_speed();
-    assert_relative_eq!(c.torque(w), 2.0 * c.rated_torque(), max_relative = 1e-12);
+    let w = 2.0 * c.rated_speed - c.synchronous_speed;
+    assert_relative_eq!(c.torque(w), 2.0 * c.rated_torque, max_relative = 1e-12);
 }
 
 #[test]
@@ -128,9 +128,9 @@ proptest! {
         let c = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap();
         let (s, sk) = (c.slip(x * data.synchronous_speed), c.critical_slip().unwrap());
         prop_assume!(s != 0.0);
-        let published = 2.0 * c.breakdown_torque().unwrap() / (s / sk + sk / s);
+        let published = 2.0 * c.breakdown_torque.unwrap() / (s / sk + sk / s);
         prop_assert!((c.torque(x * data.synchronous_speed) - published).abs() <= 1e-12 * published.abs());
-        prop_assert!((c.torque(data.rated_speed) / c.rated_torque() - 1.0).abs() < 1e-12);
+        prop_assert!((c.torque(data.rated_speed) / c.rated_torque - 1.0).abs() < 1e-12);
     }
 
     #[test]
@@ -138,6 +138,6 @@ proptest! {
         let c = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap();
         prop_assume!(w.abs() < 1e300);
         prop_assert!(c.torque(w).is_finite() && c.slope(w).is_finite());
-        prop_assert!(c.torque(w).abs() <= c.breakdown_torque().unwrap() * (1.0 + 1e-12));
+        prop_assert!(c.torque(w).abs() <= c.breakdown_torque.unwrap() * (1.0 + 1e-12));
     }
 }

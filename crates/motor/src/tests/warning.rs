@@ -10,12 +10,12 @@ use crate::{
 fn beyond_breakdown_names_the_worst_point() {
     let c = kloss();
     let wk = c.breakdown_speed().unwrap();
-    assert_eq!(check_breakdown(&c, [c.rated_speed(), wk + 0.01]), None);
-    let warning = check_breakdown(&c, [c.rated_speed(), wk - 5.0, wk - 1.0]).unwrap();
+    assert_eq!(check_breakdown(&c, [c.rated_speed, wk + 0.01]), None);
+    let warning = check_breakdown(&c, [c.rated_speed, wk - 5.0, wk - 1.0]).unwrap();
     assert!(matches!(warning, MotorWarning::BeyondBreakdown { speed, torque, breakdown_torque }
         if speed == wk - 5.0 && torque < breakdown_torque));
     // As a brake, too: above synchronous speed by more than the critical slip.
-    assert!(check_breakdown(&c, [2.0 * c.synchronous_speed() - wk + 1.0]).is_some());
+    assert!(check_breakdown(&c, [2.0 * c.synchronous_speed - wk + 1.0]).is_some());
     assert_eq!(check_breakdown(&c, []), None);
 }
 
@@ -23,7 +23,7 @@ fn beyond_breakdown_names_the_worst_point() {
 fn the_straight_line_is_held_to_the_breakdown_torque() {
     let c = linear();
     // Torque 2.2 Mn is reached at 2.2 times the rated slip.
-    let at = |slips: f64| c.synchronous_speed() - slips * (c.synchronous_speed() - c.rated_speed());
+    let at = |slips: f64| c.synchronous_speed - slips * (c.synchronous_speed - c.rated_speed);
     assert_eq!(check_breakdown(&c, [at(2.19)]), None);
     assert!(check_breakdown(&c, [at(2.21)]).is_some());
 }
@@ -31,7 +31,7 @@ fn the_straight_line_is_held_to_the_breakdown_torque() {
 #[test]
 fn starting_torque_is_the_printed_one_if_there_is_one() {
     let c = kloss();
-    let mn = c.rated_torque();
+    let mn = c.rated_torque;
     assert_relative_eq!(starting_torque(&c, Some(2.0)).unwrap(), 2.0 * mn, max_relative = 1e-15);
     assert_eq!(starting_torque(&c, None), c.starting_torque());
     assert_eq!(starting_torque(&linear(), None), None);
@@ -48,8 +48,8 @@ fn root_mean_square_of_a_shaping_cycle() {
     assert_relative_eq!(rms_torque([(6.0, 2.0), (0.0, 6.0)]), 3.0, max_relative = 1e-15);
     assert_eq!(rms_torque([]), 0.0);
     let c = kloss();
-    assert_eq!(check_rms(&c, c.rated_torque()), None);
-    let text = check_rms(&c, 1.1 * c.rated_torque()).unwrap().to_string();
+    assert_eq!(check_rms(&c, c.rated_torque), None);
+    let text = check_rms(&c, 1.1 * c.rated_torque).unwrap().to_string();
     assert!(text.contains("by 10.0 %"), "{text}");
 }
 
