@@ -1,5 +1,7 @@
 //! What had to be left out, and what of a request has no use.
 
+mod springs;
+
 use std::fmt::Write;
 
 use assur_group::{GroupError, Order};
@@ -66,37 +68,6 @@ impl Calculation {
             ));
         }
         notes
-    }
-
-    /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, though their free
-    /// length wants one.
-    fn springs_without_direction(&self) -> Vec<String> {
-        /// Ends that are nearer, in parts of the scale of the mechanism, meet.
-        const NEAR: f64 = 1e-12;
-        let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
-        let mut position = linkage.position();
-        let mut meets = |spring: &assur_mechanism::Spring, index: usize| {
-            if linkage.solve_index(index, Order::Place, &mut position).is_err() {
-                return false;
-            }
-            let [a, b] = spring.ends.map(|end| position.bodies[end.link].point(end.at));
-            (b[0] - a[0]).hypot(b[1] - a[1]) <= NEAR * linkage.structure.scale
-        };
-        let pushing = mechanism.springs.iter().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0);
-        let words = pushing.filter_map(|spring| {
-            let found: Vec<usize> =
-                (0..mechanism.input.positions).filter(|index| meets(spring, *index)).collect();
-            (!found.is_empty()).then(|| {
-                format!(
-                    "The ends of spring `{}` meet in {}: it has no direction and gives no force there, though its free length \
-                     is {} m; place one end elsewhere.",
-                    spring.name,
-                    listed("position", &found),
-                    spring.length
-                )
-            })
-        });
-        words.collect()
     }
 
     /// Where ways of assembly meet, which the motion goes through without a sign in the numbers but a great condition.

@@ -39,7 +39,7 @@ fn over(over: Over, rows: &[[f64; 2]]) -> Value {
 
 /// The mechanism of a scene, with masses, in a few positions, and with nothing that acts.
 fn bare(text: &str) -> Mechanism {
-    let mut mechanism = assur_scene::read("scene.toml", text).unwrap();
+    let mut mechanism = assur_scene::read("scene.toml", text).expect("a shipped scene");
     mechanism.input.positions = 4;
     for link in mechanism.links.iter_mut().skip(1) {
         (link.mass, link.inertia) = (1.0 + link.mass, 0.01 + link.inertia);
@@ -80,7 +80,7 @@ fn set_motion(mechanism: &mut Mechanism, kind: &str) {
 /// A place of the link that is placed last.
 fn last_place(mechanism: &Mechanism) -> Place {
     let moving = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link != GROUND);
-    *moving.max_by_key(|place| place.link).unwrap()
+    *moving.max_by_key(|place| place.link).expect("a moving point")
 }
 
 fn add_load(mechanism: &mut Mechanism, kind: &str) {
@@ -136,7 +136,7 @@ fn turn(mechanism: &mut Mechanism) {
 
 /// The checks that fail.
 fn failing(calculation: &Calculation) -> Vec<String> {
-    let checks = calculation.checks(&mut unwatched).unwrap();
+    let checks = calculation.checks(&mut unwatched).expect("nobody stops them");
     assert!(checks.len() > 8, "only {} checks", checks.len());
     let failed = checks.iter().filter(|check| check.failed());
     let words = failed.map(|check| {

@@ -71,8 +71,8 @@ impl Subject<'_> {
     /// What multiplies rounding where a position is interpolated across a change point, 1 elsewhere: there the determinant is
     /// only as large as the distance, PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
     pub(crate) fn lost_by_interpolation(&self, solved: &Solved, order: usize) -> f64 {
-        let orders = if self.is_interpolated(solved) { 0..=order } else { 1..=0 };
-        orders.fold(1.0, |factor, _| factor / Interpolation::GREATEST_HALF_WIDTH)
+        let orders = if self.is_interpolated(solved) { order + 1 } else { 0 };
+        (0..orders).fold(1.0, |factor, _| factor / Interpolation::GREATEST_HALF_WIDTH)
     }
 
     /// The answer of a method under the loads of a state; `None` where it fails.

@@ -74,11 +74,13 @@ impl<'a> Comparison<'a> {
         let found = sample(subject.linkage, all, &one.position, &one.position);
         let mut sizes = vec![[1.0_f64; 3]; subject.linkage.structure.links];
         for (i, element) in all.iter().enumerate() {
-            for order in 0..3 {
+            let numbers = [0, 1, 2].map(|order| {
                 let [x, y] = [0, 1].map(|k| around.values.motion(i, order, k));
-                let number = x.hypot(y) / subject.unit(order, element.is_length());
-                for link in element.links(subject.linkage) {
-                    sizes[link][order] = sizes[link][order].max(number);
+                x.hypot(y) / subject.unit(order, element.is_length())
+            });
+            for link in element.links(subject.linkage) {
+                for (size, number) in sizes[link].iter_mut().zip(numbers) {
+                    *size = size.max(number);
                 }
             }
         }

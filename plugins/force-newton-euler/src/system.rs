@@ -200,7 +200,7 @@ impl<'a> System<'a> {
         let slides = slides.collect();
         let last = columns.last().copied().unwrap_or(f64::NAN);
         let balancing = if self.mechanism.balances_by_moment() { last * self.scale } else { last };
-        Solution { slides, balancing, columns }
+        Solution { columns, slides, balancing }
     }
 
     /// Force of a pin on one of its links, N.

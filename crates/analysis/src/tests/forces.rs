@@ -28,10 +28,12 @@ fn failing(change: impl FnOnce(&mut Mechanism)) -> Vec<&'static str> {
     checks.iter().filter(|check| check.failed()).map(|check| check.name).collect()
 }
 
+/// A change of the scene that stands for a mistake in the compiled loads.
+type Change = fn(&mut Mechanism);
+
 #[test]
 fn a_wrong_load_in_a_transient_motion_is_caught() {
     assert_eq!(failing(|_| ()), [""; 0]);
-    type Change = fn(&mut Mechanism);
     let changes: [(&str, Change); 4] = [
         ("weights upwards", |m| m.gravity = m.gravity.map(|g| g.map(|g| -g))),
         ("force turned round", |m| m.forces[0].direction = Direction::Ground(0.0)),
