@@ -26,6 +26,15 @@ impl Calculation {
         notes.extend(self.barriers());
         notes.extend(self.regime_notes());
         notes.extend(self.springs_without_direction());
+        if let InputMotion::Transient(found) = &self.motion {
+            let unrest = found.unrest.as_ref();
+            notes.extend(unrest.map(|why| {
+                format!(
+                    "The motion does not come to rest for good ({why}); it ends at its first turning point, as with \
+                     `until = \"turn\"`."
+                )
+            }));
+        }
         if !positions.is_empty() {
             notes.push(format!("No reactions in {}: {LOST}.", listed("position", positions)));
         }

@@ -19,7 +19,8 @@ impl Calculation {
         let loads = self.loads.as_ref()?;
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
-        let finer = Request { samples: INTERVALS, ..asked };
+        let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
+        let finer = Request { samples: INTERVALS, until, ..asked };
         let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
         let balance = Balance::of(&mut motion, &trajectory)?;
         let steps = (trajectory.statistics.steps + 1) as f64;

@@ -1,7 +1,9 @@
 //! Motion from an initial state: until a time, a way, or rest.
 
 use assur_force::Loads;
-use assur_integrator::{Dependence, Equation, Motion, Request, Solution, State, Trajectory, Until, enter};
+use assur_integrator::{
+    Dependence, Equation, IntegrationError, Motion, Request, Solution, State, Trajectory, Until, enter,
+};
 use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
 
@@ -26,6 +28,8 @@ pub struct Transient {
     pub instants: Vec<Instant>,
     /// Energies over the samples.
     pub energy: EnergyBalance,
+    /// Why there is no rest for good, where one was asked for and the motion ends at its first turning point instead.
+    pub unrest: Option<String>,
 }
 
 /// The method of a transient motion, where it is another than the scene's.
@@ -73,7 +77,8 @@ pub fn transient(
     request.tolerance = method.tolerance.unwrap_or(*tolerance);
     let dependence = motion.dependence();
     let mut watched = Watched { motion: &mut motion, watcher };
-    let found = assur_integrator::solve(method.integrator.unwrap_or(named), &mut watched, &request)?;
+    let named = method.integrator.unwrap_or(named);
+    let (found, unrest) = solve(named, &mut watched, &request)?;
     let Solution { trajectory, integrator, reason } = found;
     let last = trajectory.samples.len().saturating_sub(1);
     let completed = trajectory.samples.iter().enumerate().map(|(index, sample)| {
@@ -83,7 +88,27 @@ pub fn transient(
     });
     let instants = completed.collect::<Result<_, _>>()?;
     let energy = balance(&mut motion, &trajectory, is_conservative(mechanism))?;
-    Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, instants, energy })
+    Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, instants, energy, unrest })
+}
+
+/// Solves the equation. A motion that is to end at rest, and never rests for good, ends at its first turning point; then with
+/// the reason.
+fn solve(
+    named: &str,
+    motion: &mut dyn Motion,
+    request: &Request,
+) -> Result<(Solution, Option<String>), IntegrationError> {
+    let error = match assur_integrator::solve(named, motion, request) {
+        Err(error) if request.until == Until::Rest && error.is_unreached() => error,
+        found => return Ok((found?, None)),
+    };
+    let turning = Request { until: Until::Turn, ..*request };
+    let found = assur_integrator::solve(named, motion, &turning).map_err(|_| error.clone())?;
+    let why = match error {
+        IntegrationError::NotReached { why, .. } => why.to_owned(),
+        other => other.to_string(),
+    };
+    Ok((found, Some(why)))
 }
 
 /// The equation of motion of a scene with its drive, for a motion in time. `ratio` and `flywheel` must be given.
@@ -107,7 +132,8 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
     let initial = State { time: 0.0, coordinate: mechanism.input.from, speed: *speed };
     let until = match until {
         AskedUntil::Time(end) => Until::Time(*end),
-        AskedUntil::Rest | AskedUntil::Turn => Until::Rest,
+        AskedUntil::Turn => Until::Turn,
+        AskedUntil::Rest => Until::Rest,
         AskedUntil::Way(way) => {
             Until::Coordinate(initial.coordinate + heading(&initial, mechanism, motion)? * way)
         }

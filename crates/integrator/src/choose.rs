@@ -1,6 +1,7 @@
 //! Which method solves an equation, and which ones follow where it can't: ranked by what the methods declare.
 
 use crate::accuracy;
+use crate::error::SUSPICIOUS;
 use crate::{Dependence, IntegrationError, IntegratorPlugin, Motion, Request, Trajectory, find, integrators};
 
 /// The name that leaves the choice of the method to the program.
@@ -108,7 +109,9 @@ impl Choice {
                         refusals += &format!("; `{}` was tried before: {reason}", integrator.name);
                     }
                 }
-                (Err(IntegrationError::TooManySteps { stiffness: Some(product), .. }), Some(stiff)) => {
+                (Err(IntegrationError::TooManySteps { stiffness: Some(product), .. }), Some(stiff))
+                    if product > SUSPICIOUS =>
+                {
                     let reason = format!(
                         "the equation is stiff: an explicit method had to keep h*lambda at {product:.2}"
                     );

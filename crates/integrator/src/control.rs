@@ -69,6 +69,11 @@ impl Scale {
         self.speed = self.speed.max(state.speed.abs());
     }
 
+    /// Largest speed so far, rad/s (m/s).
+    pub fn fastest(&self) -> f64 {
+        self.speed
+    }
+
     /// Allowed errors of coordinate and speed at the end of a step.
     #[inline]
     pub fn allowed(&self, end: &State) -> [f64; 2] {

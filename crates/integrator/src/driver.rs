@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, EventKind, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
-    Scale, State, Step, Stepper, Trajectory, first_step,
+    Attempt, Dense, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run, Scale,
+    State, Step, Stepper, Trajectory, first_step,
 };
 
 mod events;
@@ -54,6 +54,8 @@ struct Drive<'a, S> {
     after_rejection: bool,
     /// Events in a row between which no time passed.
     stalls: usize,
+    /// Steps in a row whose speed is below the tolerance, and the time before them, s.
+    slow: (usize, f64),
 }
 
 /// A step about to be tried.
@@ -81,6 +83,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             error_before: 1.0,
             after_rejection: false,
             stalls: 0,
+            slow: (0, request.initial.time),
         }
     }
 
@@ -190,16 +193,10 @@ impl<'a, S: Stepper> Drive<'a, S> {
             Pace::Fixed | Pace::Unlimited => 0.5,
         };
         self.step = plan.h * factor;
-        let at = self.run.node.state;
-        let least = 4.0 * f64::EPSILON * at.time.abs().max(1e-12);
-        match (self.step > least, source, self.pace) {
-            // At a fixed step nothing is retried: the step is the user's word.
-            (_, Some(source), Pace::Fixed | Pace::Unlimited) | (false, Some(source), _) => {
-                Err(self.run.failed(source))
-            }
-            (false, None, _) => Err(IntegrationError::StepTooSmall { at, step: self.step }),
-            (true, ..) => Ok(()),
-        }
+        let least = 4.0 * f64::EPSILON * self.run.node.state.time.abs().max(1e-12);
+        // At a fixed step nothing is retried: the step is the user's word.
+        let retried = matches!(self.pace, Pace::Adaptive(_)) || source.is_none();
+        if retried && self.step > least { Ok(()) } else { Err(self.run.stuck(self.step, source)) }
     }
 
     /// Decides about a step that is exact enough: all of it, up to an event, or anew up to an event.
@@ -238,7 +235,8 @@ impl<'a, S: Stepper> Drive<'a, S> {
             self.run.record(dense, to.state.time);
             if turned {
                 let state = State { speed: 0.0, ..dense.at(turning(&dense)) };
-                self.run.event_at(state, EventKind::Reversal);
+                self.check_turning(&state)?;
+                self.run.reversal(state, self.run.node.state.speed)?;
             }
         }
         self.propose(&plan, error);
@@ -247,6 +245,8 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.scale.extend(&to.state);
         self.run.node = to;
         self.check_stability_at_times()?;
+        self.check_creeping()?;
+        self.run.check_way()?;
         match (plan.time, plan.bound) {
             (Some(_), _) => self.meet_time(),
             (None, Some(side)) => self.meet_if_at(side, plan.h),

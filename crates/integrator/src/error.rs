@@ -33,7 +33,8 @@ pub enum IntegrationError {
     Registry(#[from] RegistryError),
     /// The accuracy would need steps below what the numbers resolve.
     #[error(
-        "step too small: {step:e} s at {at}; loosen the tolerance, or look for a jump that is not in a table"
+        "the motion can't be followed beyond {at}: the tolerance asks for steps below {step:.1e} s; loosen it, or look for a load \
+         or an inertia that grows without limit there"
     )]
     StepTooSmall {
         /// Place reached.
@@ -42,7 +43,7 @@ pub enum IntegrationError {
         step: f64,
     },
     /// The steps that were allowed are used up.
-    #[error("too many steps: {steps} end at {at}, the step there is {step:e} s{}", stiffness_words(*stiffness))]
+    #[error("the motion got to {at} in {steps} steps, which is the most, the last of {step:.1e} s{}", stiffness_words(*stiffness))]
     TooManySteps {
         /// Place reached.
         at: State,
@@ -68,8 +69,19 @@ pub enum IntegrationError {
         /// The bound of the method.
         allowed: f64,
     },
+    /// The motion reaches the end of its range: the mechanism has no position beyond.
+    #[error(
+        "the motion reaches the end of its range at {at}: {source}; end it before (`until`), or look whether the mechanism \
+         shall pass there"
+    )]
+    EndOfRange {
+        /// Place reached.
+        at: State,
+        /// What fails beyond.
+        source: MotionError,
+    },
     /// The equation has no value, however small the step.
-    #[error("the equation of motion failed after {at}: {source}")]
+    #[error("the equation of motion has no value after {at}: {source}")]
     Equation {
         /// Place reached.
         at: State,
@@ -95,9 +107,17 @@ pub enum IntegrationError {
 }
 
 impl IntegrationError {
+    /// The end that was asked for does not come, or did not within the steps.
+    pub fn is_unreached(&self) -> bool {
+        matches!(self, Self::NotReached { .. } | Self::TooManySteps { .. })
+    }
+
     /// The equation has no value at a state, or near it.
     pub fn equation(at: &State, source: MotionError) -> Self {
-        Self::Equation { at: *at, source }
+        match source {
+            MotionError::Mechanism(_) => Self::EndOfRange { at: *at, source },
+            MotionError::Inertia { .. } | MotionError::NotFinite { .. } => Self::Equation { at: *at, source },
+        }
     }
 
     /// The end that `request` asks for doesn't come: the motion got to `at`, and why it goes no further.
@@ -105,6 +125,7 @@ impl IntegrationError {
         let goal = match request.until {
             Until::Time(end) => format!("time {end} s"),
             Until::Coordinate(end) => format!("coordinate {end}"),
+            Until::Turn => "a turning point".to_owned(),
             Until::Rest => "rest".to_owned(),
         };
         Self::NotReached { goal, at, why }
@@ -113,14 +134,16 @@ impl IntegrationError {
 
 /// Above this product of step and eigenvalue an explicit method is held by stability, not by accuracy: the
 /// bound of the real axis is 3.3 for dopri5 and 6.1 for dop853, 2.8 for rk4.
-const SUSPICIOUS: f64 = 1.5;
+pub(crate) const SUSPICIOUS: f64 = 1.5;
 
 fn stiffness_words(stiffness: Option<f64>) -> String {
     match stiffness {
         Some(product) if product > SUSPICIOUS => format!(
             "; the equation is probably stiff (h*lambda = {product:.2}: stability, not accuracy, holds the step): use `radau5`"
         ),
-        Some(product) => format!("; it does not look stiff (h*lambda = {product:.2}): allow more steps"),
-        None => String::new(),
+        Some(product) => format!(
+            "; it does not look stiff (h*lambda = {product:.2}): loosen the tolerance, or end the motion earlier (`until`)"
+        ),
+        None => "; loosen the tolerance, or end the motion earlier (`until`)".to_owned(),
     }
 }

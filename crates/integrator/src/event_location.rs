@@ -30,10 +30,10 @@ impl Bounds {
             goal: [false; 4],
         };
         match request.until {
-            Until::Time(_) => {}
+            Until::Time(_) | Until::Rest => {}
             Until::Coordinate(target) if target < node.state.coordinate => bounds.aim(0, target),
             Until::Coordinate(target) => bounds.aim(1, target),
-            Until::Rest => {
+            Until::Turn => {
                 // At rest itself the acceleration tells the side.
                 let forward = node.state.speed > 0.0 || (node.state.speed == 0.0 && node.acceleration > 0.0);
                 bounds.aim(if forward { 2 } else { 3 }, 0.0);

@@ -22,8 +22,8 @@ pub(crate) fn fixed(request: &Request, node: &Node) -> f64 {
     let duration = match request.until {
         Until::Time(end) => end - start,
         Until::Coordinate(target) => time_for((target - node.state.coordinate).abs(), node),
-        Until::Rest if node.state.speed == 0.0 => time_for(1.0, node),
-        Until::Rest => (node.state.speed / node.acceleration).abs(),
+        Until::Turn | Until::Rest if node.state.speed == 0.0 => time_for(1.0, node),
+        Until::Turn | Until::Rest => (node.state.speed / node.acceleration).abs(),
     };
     let duration = duration.min(request.time_limit - start);
     if duration.is_finite() { duration / FIXED_STEPS } else { time_for(1.0, node) / FIXED_STEPS }

@@ -103,7 +103,10 @@ impl Reduced {
             return Err(MotionError::Inertia { inertia: self.inertia });
         }
         let acceleration = (self.moment - 0.5 * self.inertia_derivative * speed * speed) / self.inertia;
-        if acceleration.is_finite() { Ok(acceleration) } else { Err(MotionError::NotFinite { acceleration }) }
+        if acceleration.is_finite() {
+            return Ok(acceleration);
+        }
+        Err(MotionError::NotFinite { inertia: self.inertia, moment: self.moment })
     }
 }
 
@@ -198,10 +201,15 @@ pub enum MotionError {
         inertia: f64,
     },
     /// The acceleration is not a number.
-    #[error("the acceleration is {acceleration}")]
+    #[error(
+        "the acceleration is not finite, with the reduced inertia {inertia:e} and the reduced moment {moment:e}: where the links \
+         that move have no inertia, as at a dead center, give the input link some"
+    )]
     NotFinite {
-        /// What came out.
-        acceleration: f64,
+        /// Reduced inertia, kg m² (kg).
+        inertia: f64,
+        /// Reduced moment, N m (N).
+        moment: f64,
     },
     /// The mechanism behind the equation failed: no assembly, singular position.
     #[error("{0}")]

@@ -11,7 +11,9 @@ pub enum Until {
     Time(f64),
     /// At this coordinate, rad or m (absolute, as [`State::coordinate`]), from whichever side it is reached.
     Coordinate(f64),
-    /// At the first instant of zero speed after the start (a reversal is one).
+    /// At the first instant of zero speed after the start: a turning point, or rest.
+    Turn,
+    /// At rest for good: turning points are passed. Where the moment depends on time, at the first rest.
     Rest,
 }
 
@@ -33,6 +35,9 @@ pub struct Request {
     /// Latest time, s, for an end by coordinate or rest: past it the answer is an error. May be infinite.
     pub time_limit: f64,
 }
+
+/// Least way that a motion can be asked for, as a part of the coordinate or of a thousandth of its unit: some roundings.
+const RESOLUTION: f64 = 64.0 * f64::EPSILON;
 
 impl Request {
     /// A request with the defaults: 100 samples, tolerance 1e-9, 100 000 steps, no limit of time.
@@ -77,6 +82,11 @@ impl Request {
                 refuse(format!("end at coordinate {end}: the motion is already there at the start"))
             }
             Until::Coordinate(end) if !end.is_finite() => refuse(format!("end at coordinate {end}")),
+            Until::Coordinate(end) if (end - coordinate).abs() < RESOLUTION * coordinate.abs().max(1e-3) => {
+                refuse(format!(
+                    "end at coordinate {end}: nearer to the start at {coordinate} than is resolved"
+                ))
+            }
             _ if self.time_limit.is_nan() || self.time_limit <= time => {
                 refuse(format!("time limit {} s: must be after the start at {time} s", self.time_limit))
             }
@@ -88,7 +98,7 @@ impl Request {
     pub fn latest(&self) -> f64 {
         match self.until {
             Until::Time(end) => end,
-            Until::Coordinate(_) | Until::Rest => self.time_limit,
+            Until::Coordinate(_) | Until::Turn | Until::Rest => self.time_limit,
         }
     }
 }

@@ -6,6 +6,9 @@ use crate::{
     Statistics, Trajectory, Until, enter,
 };
 
+/// Why a speed that decays without end brings no end.
+pub(crate) const CREEPS: &str = "creeps to rest without end";
+
 /// The motion so far. `C` is how the method describes the motion inside a segment.
 #[derive(Debug)]
 pub struct Run<'a, C> {
@@ -24,6 +27,8 @@ pub struct Run<'a, C> {
     first: Node,
     segments: Vec<Segment<C>>,
     events: Vec<Event>,
+    /// Coordinates of the last turning points, backward and forward.
+    turned_at: [Option<f64>; 2],
     /// Index of the next sample, where the end is a time.
     next_sample: usize,
 }
@@ -42,6 +47,7 @@ impl<'a, C: Curve> Run<'a, C> {
             first: node,
             segments: Vec::with_capacity(64),
             events: Vec::new(),
+            turned_at: [None; 2],
             next_sample: 1,
         }
     }
@@ -106,14 +112,52 @@ impl<'a, C: Curve> Run<'a, C> {
         self.events.push(Event { state, kind });
     }
 
-    /// Whether a sample may lie in a step to `time`, s. Where the end is not a time, its instants are not known yet.
+    /// Whether a sample may lie in a step to `time`, s, which belongs to the next step. Where the end is not a time, its instants are not known yet.
     pub fn wants(&self, time: f64) -> bool {
         let (next, count) = (self.next_sample, self.request.samples);
         next < count
             && match self.request.until {
-                Until::Time(end) => instant(self.first.state.time, end, next, count) <= time,
-                Until::Coordinate(_) | Until::Rest => true,
+                Until::Time(end) => instant(self.first.state.time, end, next, count) < time,
+                Until::Coordinate(_) | Until::Turn | Until::Rest => true,
             }
+    }
+
+    /// The speed changes its sign at a state; `before` has the sign of the speed before.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::NotReached`] where the motion swings between two turning points, and does not end in time.
+    pub fn reversal(&mut self, state: State, before: f64) -> Result<(), IntegrationError> {
+        /// Least part of the swing by which successive turning points must differ.
+        const RESOLUTION: f64 = 1e-12;
+        self.event_at(state, EventKind::Reversal);
+        let side = usize::from(before > 0.0);
+        let last = self.turned_at[side].replace(state.coordinate);
+        let endless = matches!(self.request.until, Until::Coordinate(_) | Until::Rest);
+        let (Some(last), Some(other)) = (last, self.turned_at[1 - side]) else { return Ok(()) };
+        let swing = (state.coordinate - other).abs();
+        let same = (state.coordinate - last).abs() <= RESOLUTION.max(self.request.tolerance) * swing;
+        if endless && same && !self.equation.depends_on_time() {
+            // A swing within the errors of the motion is none.
+            let way = (state.coordinate - self.request.initial.coordinate).abs();
+            let creeps = swing <= self.request.tolerance * way;
+            let why = if creeps { CREEPS } else { "swings between two turning points without end" };
+            return Err(self.not_reached(why));
+        }
+        Ok(())
+    }
+
+    /// The motion went so far that its coordinate has few digits left, and does not end in time.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::NotReached`].
+    pub fn check_way(&self) -> Result<(), IntegrationError> {
+        /// Coordinate, rad (m).
+        const FURTHEST: f64 = 1e12;
+        let ends = matches!(self.request.until, Until::Time(_));
+        let far = self.node.state.coordinate.abs() > FURTHEST;
+        if far && !ends { Err(self.not_reached("goes on without end")) } else { Ok(()) }
     }
 
     /// Remembers the motion from the present state to the time `end`, s, for its samples.
@@ -150,8 +194,8 @@ impl<'a, C: Curve> Run<'a, C> {
         self.node.acceleration = 0.0;
         let end = match self.request.until {
             Until::Time(end) => end,
-            Until::Rest if speed == 0.0 => return Ok(()),
-            Until::Rest => return Err(self.not_reached("keeps its speed")),
+            Until::Turn | Until::Rest if speed == 0.0 => return Ok(()),
+            Until::Turn | Until::Rest => return Err(self.not_reached("keeps its speed")),
             Until::Coordinate(_) if speed == 0.0 => return Err(self.not_reached("rests there for good")),
             Until::Coordinate(target) => time + (target - coordinate) / speed,
         };
@@ -221,6 +265,20 @@ impl<'a, C: Curve> Run<'a, C> {
     /// The equation has no value near the present state.
     pub fn failed(&self, source: MotionError) -> IntegrationError {
         IntegrationError::equation(&self.node.state, source)
+    }
+
+    /// No step is short enough: the equation fails (`source`, or just ahead), or changes too fast.
+    pub fn stuck(&mut self, step: f64, source: Option<MotionError>) -> IntegrationError {
+        /// Part of the coordinate, rad (m), by which to look ahead.
+        const AHEAD: f64 = 1e-6;
+        let Node { state: at, acceleration } = self.node;
+        let sense = if at.speed == 0.0 { acceleration.signum() } else { at.speed.signum() };
+        let coordinate = at.coordinate + sense * AHEAD * at.coordinate.abs().max(1.0);
+        let source = source.or_else(|| self.equation.acceleration(&State { coordinate, ..at }).err());
+        match source {
+            Some(source) => self.failed(source),
+            None => IntegrationError::StepTooSmall { at, step },
+        }
     }
 
     /// The end does not come, and why.

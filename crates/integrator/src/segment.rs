@@ -66,7 +66,7 @@ pub(crate) fn samples<C: Curve>(
     let (mut index, mut entered) = (0, None);
     for k in 1..count {
         let time = instant(first.state.time, last.state.time, k, count);
-        while index + 1 < segments.len() && segments[index].end < time {
+        while index + 1 < segments.len() && segments[index].end <= time {
             index += 1;
         }
         let Some(segment) = segments.get(index) else { break };

@@ -10,7 +10,7 @@ const BRAKED: State = State { time: 0.0, coordinate: 0.0, speed: 100.0 };
 
 #[test]
 fn d1_takes_one_step() {
-    let found = CLOSED_FORM.solve(&mut assur_problems::d1(), &Request::new(BRAKED, Until::Rest)).unwrap();
+    let found = CLOSED_FORM.solve(&mut assur_problems::d1(), &Request::new(BRAKED, Until::Turn)).unwrap();
     assert_close(found.end.time, 50.0, 0.0);
     assert_close(found.end.coordinate, 2500.0, 0.0);
     assert_eq!((found.statistics.steps, found.statistics.rejected), (1, 0));

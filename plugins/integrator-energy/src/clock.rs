@@ -9,6 +9,9 @@ use crate::panel::Panel;
 /// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
 const DEPTH: u32 = 40;
 
+/// Parts of a panel after which its time counts as infinite, too.
+const MOST_LEAVES: usize = 4096;
+
 /// Largest part of the time of a panel that may be lost to roundings; beyond it the energy left is not known, and the
 /// motion creeps.
 const NOISE: f64 = 1e-8;
@@ -91,7 +94,7 @@ impl Clock {
                 if now > latest {
                     break;
                 }
-            } else if depth == DEPTH {
+            } else if depth == DEPTH || clock.leaves.len() >= MOST_LEAVES {
                 return Err(Endless);
             } else {
                 let middle = 0.5 * (from + to);

@@ -70,6 +70,7 @@ impl Integrator for Energy {
             if march.run.is_exhausted() {
                 return Err(march.run.too_many_steps(march.step(), None));
             }
+            march.run.check_way()?;
             march.advance()?;
         }
         march.run.conclude()
@@ -108,6 +109,7 @@ impl March<'_> {
 
     /// Starts anew from rest, where what is left of the speed is swallowed by roundings.
     fn restart(&mut self) -> Result<(), IntegrationError> {
+        self.run.statistics.rejected += 1;
         self.run.node.state.speed = 0.0;
         self.enter_next()
     }
@@ -179,10 +181,8 @@ impl March<'_> {
         if self.length > self.least() {
             return Ok(());
         }
-        Err(match source {
-            Some(source) => self.run.failed(source),
-            None => IntegrationError::StepTooSmall { at: self.run.node.state, step: self.step() },
-        })
+        let step = self.step();
+        Err(self.run.stuck(step, source))
     }
 
     /// Goes through a fitted panel to its end, to the turning point in it, or to the end of time.
@@ -231,13 +231,13 @@ impl March<'_> {
     fn turn(&mut self, before: f64) -> Result<(), IntegrationError> {
         self.run.node.state.speed = 0.0;
         self.energy = 0.0;
-        if self.run.request.until == Until::Rest {
+        if self.run.request.until == Until::Turn {
             return self.run.finish();
         }
         let state = self.run.node.state;
         self.enter_next()?;
         if self.run.node.acceleration * before < 0.0 {
-            self.run.event_at(state, EventKind::Reversal);
+            self.run.reversal(state, before)?;
         }
         Ok(())
     }

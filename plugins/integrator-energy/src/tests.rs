@@ -33,7 +33,7 @@ fn e1_is_exact_from_rest() {
 #[test]
 fn d1_rests_and_jumps_are_exact() {
     let braked =
-        Request { initial: State { speed: 100.0, ..State::default() }, ..from_rest(Until::Rest, 1e-9) };
+        Request { initial: State { speed: 100.0, ..State::default() }, ..from_rest(Until::Turn, 1e-9) };
     let found = ENERGY.solve(&mut assur_problems::d1(), &braked).unwrap();
     assert_close(found.end.time, 50.0, 1e-10);
     assert_close(found.end.coordinate, 2500.0, 1e-9);
@@ -157,7 +157,7 @@ proptest! {
         moments in prop::collection::vec(-2.0..2.0_f64, 6),
         friction in 0.05..0.5_f64,
         w in prop_oneof![Just(0.0), -4.0..4.0_f64],
-        until in prop_oneof![Just(Until::Rest), (0.5..12.0_f64).prop_map(Until::Time)],
+        until in prop_oneof![Just(Until::Turn), (0.5..12.0_f64).prop_map(Until::Time)],
     ) {
         let mut motion = Example::new(VARIABLE, move |place, at| Reduced {
             inertia: 1.5 + at.coordinate.cos(),
@@ -200,4 +200,29 @@ fn a_start_is_exact_however_slow() {
             assert_close(end.time, time, 1e-11);
         }
     }
+}
+
+#[test]
+fn rest_for_good_is_told_from_a_turning_point() {
+    let initial = State { coordinate: 1.0, ..State::default() };
+    let end = |until| ENERGY.solve(&mut assur_problems::friction_oscillator(), &Request::new(initial, until));
+    // It turns at -0.4 after pi, and friction holds it at -0.2 after 2 pi.
+    let (turn, rest) = (end(Until::Turn).unwrap(), end(Until::Rest).unwrap());
+    assert_close(turn.end.coordinate, -0.4, 1e-10);
+    assert_close(rest.end.coordinate, -0.2, 1e-10);
+    assert_close(rest.end.time, 2.0 * PI, 1e-10);
+    assert_eq!(rest.events.last().unwrap().kind, EventKind::Rest);
+    let swing =
+        ENERGY.solve(&mut assur_problems::pendulum(), &Request::new(initial, Until::Rest)).unwrap_err();
+    assert!(swing.to_string().ends_with("swings between two turning points without end"), "{swing}");
+}
+
+#[test]
+fn a_motion_held_from_its_start_has_its_samples_in_time() {
+    let initial = State { coordinate: 0.2, ..State::default() };
+    let request = Request { samples: 4, ..Request::new(initial, Until::Time(2.0)) };
+    let found = ENERGY.solve(&mut assur_problems::friction_oscillator(), &request).unwrap();
+    let times: Vec<f64> = found.samples.iter().map(|sample| sample.time).collect();
+    assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0]);
+    assert!(found.samples.iter().all(|sample| sample.coordinate == 0.2 && sample.acceleration == 0.0));
 }

@@ -72,7 +72,7 @@ fn worked_examples_and_jumps() {
     let exact = |until| Request { tolerance: 1e-10, ..Request::new(State::default(), until) };
     let found = RADAU5.solve(&mut assur_problems::e1(), &exact(Until::Coordinate(10.0 * PI))).unwrap();
     assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-8);
-    let braked = Request { initial: State { speed: 100.0, ..State::default() }, ..exact(Until::Rest) };
+    let braked = Request { initial: State { speed: 100.0, ..State::default() }, ..exact(Until::Turn) };
     let found = RADAU5.solve(&mut assur_problems::d1(), &braked).unwrap();
     assert_close(found.end.time, 50.0, 1e-10);
     assert_close(found.end.coordinate, 2500.0, 1e-8);

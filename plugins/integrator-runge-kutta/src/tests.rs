@@ -30,7 +30,7 @@ fn the_order_is_four() {
 #[test]
 fn d1_and_e1_have_their_answers() {
     let initial = State { speed: 100.0, ..State::default() };
-    let brake = RK4.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
+    let brake = RK4.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Turn)).unwrap();
     assert_close(brake.end.time, 50.0, 1e-10);
     assert_close(brake.end.coordinate, 2500.0, 1e-8);
     let run_up = Request::new(State::default(), Until::Coordinate(10.0 * PI));

@@ -16,7 +16,7 @@ fn assert_close(found: f64, wanted: f64, allowed: f64) {
 fn d1_is_exact_at_any_step() {
     let initial = State { speed: 100.0, ..State::default() };
     for step in [0.3, 7.0, 200.0] {
-        let request = Request { initial, ..request(Until::Rest, step) };
+        let request = Request { initial, ..request(Until::Turn, step) };
         let found = UNIFORM.solve(&mut assur_problems::d1(), &request).unwrap();
         assert_close(found.end.time, 50.0, 1e-10);
         assert_close(found.end.coordinate, 2500.0, 1e-8);

@@ -136,7 +136,7 @@ impl<'a> Path<'a> {
         if found.inertia.is_finite() && slope.is_finite() && moment.is_finite() {
             return Ok(Coefficients { inertia: found.inertia, slope, moment, by_speed: 0.0 });
         }
-        Err(self.failed(x, MotionError::NotFinite { acceleration: moment / found.inertia }))
+        Err(self.failed(x, MotionError::NotFinite { inertia: found.inertia, moment }))
     }
 
     /// Coefficients at `x` by the formulas entered last; `v` is a speed near which they are wanted.

@@ -2,7 +2,8 @@
 
 use super::Drive;
 use crate::event_location::Side;
-use crate::{EventKind, IntegrationError, State, Stepper};
+use crate::run::CREEPS;
+use crate::{EventKind, IntegrationError, Node, State, Stepper, Until};
 
 /// Events without progress of time after which the pieces are contradictory.
 const MAX_STALLS: usize = 50;
@@ -42,10 +43,11 @@ impl<S: Stepper> Drive<'_, S> {
         self.run.statistics.steps += usize::from(!stalled);
         self.scale.extend(&state);
         self.run.node.state = state;
-        if self.bounds.is_goal(side) {
-            return self.run.finish();
-        }
         let in_speed = matches!(side, Side::SpeedLow | Side::SpeedHigh);
+        if self.bounds.is_goal(side) {
+            self.run.finish()?;
+            return if in_speed { self.check_stop(&self.run.node, before.speed) } else { Ok(()) };
+        }
         if !in_speed {
             self.run.event(EventKind::Coordinate);
         } else if state.speed != 0.0 {
@@ -53,7 +55,51 @@ impl<S: Stepper> Drive<'_, S> {
         }
         self.enter_next(in_speed)?;
         if in_speed && state.speed == 0.0 && self.run.node.acceleration * before.speed < 0.0 {
-            self.run.event_at(state, EventKind::Reversal);
+            self.run.reversal(state, before.speed)?;
+        }
+        Ok(())
+    }
+
+    /// At a turning point that the steps have found: the acceleration must lead through it. Where a speed decays without end,
+    /// the errors of the steps lead through zero.
+    fn check_stop(&self, at: &Node, speed: f64) -> Result<(), IntegrationError> {
+        /// The most of the largest speed that the acceleration must be able to change in the time of the motion so far.
+        const MOST: f64 = 0.01;
+        let Node { state, acceleration } = *at;
+        let request = self.run.request;
+        let change = -acceleration * speed.signum() * (state.time - request.initial.time);
+        if change > (100.0 * request.tolerance).min(MOST) * self.scale.fastest() {
+            return Ok(());
+        }
+        Err(self.run.not_reached(CREEPS))
+    }
+
+    /// Checks a turning point inside a step, as [`check_stop`](Self::check_stop), where the motion does not end in time.
+    pub(super) fn check_turning(&mut self, state: &State) -> Result<(), IntegrationError> {
+        if let Until::Time(_) = self.run.request.until {
+            return Ok(());
+        }
+        let acceleration = self.run.equation.acceleration(state).map_err(|source| self.run.failed(source))?;
+        self.check_stop(&Node { state: *state, acceleration }, self.run.node.state.speed)
+    }
+
+    /// After a step: a motion whose speed stays below the tolerance comes to rest without end.
+    pub(super) fn check_creeping(&mut self) -> Result<(), IntegrationError> {
+        /// Slow steps, and slow time over the time before, from which on the motion creeps; and the least number of steps.
+        const STEPS: usize = 1000;
+        const TIMES: f64 = 10.0;
+        const LEAST: usize = 10;
+        let (state, request) = (self.run.node.state, self.run.request);
+        let fast = state.speed.abs() > request.tolerance * self.scale.fastest();
+        if fast || matches!(request.until, Until::Time(_)) {
+            self.slow = (0, state.time);
+            return Ok(());
+        }
+        self.slow.0 += 1;
+        let (steps, since) = self.slow;
+        let long = state.time - since > TIMES * (since - request.initial.time);
+        if steps >= STEPS || (steps >= LEAST && long) {
+            return Err(self.run.not_reached(CREEPS));
         }
         Ok(())
     }

@@ -16,7 +16,7 @@ impl<S: Stepper> Drive<'_, S> {
     /// Stays at the present speed until something releases the motion, or to the end.
     pub(super) fn stick(&mut self) -> Result<(), IntegrationError> {
         let at_rest = self.run.node.state.speed == 0.0;
-        let rest_wanted = self.run.request.until == Until::Rest;
+        let rest_wanted = matches!(self.run.request.until, Until::Turn | Until::Rest);
         if at_rest && (rest_wanted || !self.run.equation.depends_on_time()) {
             return self.run.coast_to_end();
         }

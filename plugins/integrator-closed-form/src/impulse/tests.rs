@@ -81,7 +81,7 @@ fn a_moment_that_swings_keeps_the_tolerance() {
 fn places_and_rest_are_met() {
     // w = 9 - t^2: rest at 3, after 18 rad; it turns back there, as the moment goes on.
     let motion = || Example::new(BY_TIME, |_, at| inertia(-at.time));
-    let found = QUADRATURE.solve(&mut motion(), &Request::new(start(9.0), Until::Rest)).unwrap();
+    let found = QUADRATURE.solve(&mut motion(), &Request::new(start(9.0), Until::Turn)).unwrap();
     assert!((found.end.time - 3.0).abs() < 1e-9, "{:?}", found.end);
     assert!((found.end.coordinate - 18.3).abs() < 1e-12, "{:?}", found.end);
     let until = Until::Coordinate(0.3 + 9.0 - 1.0 / 3.0);
@@ -94,7 +94,7 @@ fn places_and_rest_are_met() {
 
 #[test]
 fn it_is_the_motion_of_constant_moments_too_and_of_no_others() {
-    let request = Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Rest);
+    let request = Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Turn);
     let found = QUADRATURE.solve(&mut assur_problems::d1(), &request).unwrap();
     assert!((found.end.time - 50.0).abs() < 1e-9 && (found.end.coordinate - 2500.0).abs() < 1e-8);
     let error = QUADRATURE.solve(&mut assur_problems::e1(), &request).unwrap_err().to_string();

@@ -52,6 +52,7 @@ pub(crate) fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajecto
             let step = march.length / march.run.node.acceleration.abs().max(f64::MIN_POSITIVE);
             return Err(march.run.too_many_steps(step, None));
         }
+        march.run.check_way()?;
         march.advance()?;
     }
     march.run.conclude()
@@ -89,12 +90,12 @@ impl March<'_> {
         let (w, e) = (state.speed.abs(), acceleration.abs());
         let length = match self.run.request.until {
             Until::Time(end) => e * (end - state.time),
-            Until::Coordinate(_) | Until::Rest if acceleration * state.speed < 0.0 => w,
+            Until::Coordinate(_) | Until::Turn | Until::Rest if acceleration * state.speed < 0.0 => w,
             Until::Coordinate(end) => {
                 let twice = 2.0 * e * (end - state.coordinate).abs();
                 twice / (w + (w * w + twice).sqrt())
             }
-            Until::Rest => w.max(e),
+            Until::Turn | Until::Rest => w.max(e),
         };
         length.min(e * (self.run.request.latest() - state.time))
     }

@@ -111,7 +111,7 @@ impl March<'_> {
         let speed = self.bound();
         let before = self.direction();
         self.go_to(State { speed, ..state });
-        if speed == 0.0 && self.run.request.until == Until::Rest {
+        if speed == 0.0 && self.run.request.until == Until::Turn {
             return self.run.finish();
         }
         if speed != 0.0 {
@@ -121,7 +121,7 @@ impl March<'_> {
         let moving = self.run.enter(true)?;
         self.go_on(moving)?;
         if speed == 0.0 && self.run.node.acceleration * before > 0.0 && moving {
-            self.run.event_at(state, EventKind::Reversal);
+            self.run.reversal(state, -before)?;
         }
         Ok(())
     }

@@ -24,7 +24,7 @@ fn e1_reaches_its_speed_after_five_turns() {
 fn d1_stops_after_fifty_seconds() {
     let initial = State { speed: 100.0, ..State::default() };
     for method in METHODS {
-        let found = method.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Rest)).unwrap();
+        let found = method.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Turn)).unwrap();
         assert_close(found.end.time, 50.0, 1e-12);
         assert_close(found.end.coordinate, 2500.0, 1e-10);
         assert_close(found.end.speed, 0.0, 0.0);

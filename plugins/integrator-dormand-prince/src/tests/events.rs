@@ -81,7 +81,7 @@ fn an_excursion_beyond_a_jump_inside_a_step_is_seen() {
     .with_breaks(vec![1.0]);
     for method in METHODS {
         let initial = State { speed: w0, ..State::default() };
-        let request = Request { tolerance: 1e-9, ..Request::new(initial, Until::Rest) };
+        let request = Request { tolerance: 1e-9, ..Request::new(initial, Until::Turn) };
         let found = method.solve(&mut motion, &request).unwrap();
         assert_close(found.end.coordinate, top, 1e-9);
     }
@@ -198,4 +198,42 @@ fn one_sample_costs_no_dense_output() {
     assert_eq!(one.steps, two.steps);
     // Three stages in every step but the last, which needs them to meet the end; and the sample itself.
     assert!(two.evaluations >= one.evaluations + 3 * (one.steps - 2), "{one:?} {two:?}");
+}
+
+/// A motion that stops without end is no rest, whatever the errors of the steps: w' = -3 w, and a link that runs to infinity
+/// while the input stands still, J = 1/(1 - q)².
+#[test]
+fn a_speed_that_decays_without_end_is_no_rest() {
+    let dependence = Dependence { moment_on_speed: true, ..assur_problems::VARIABLE };
+    let initial = State { speed: 1.0, ..State::default() };
+    let decays = |_, at: &State| Reduced { inertia: 1.0, inertia_derivative: 0.0, moment: -3.0 * at.speed };
+    let runs_away = |_, at: &State| {
+        let left = 1.0 - at.coordinate;
+        Reduced { inertia: left.powi(-2), inertia_derivative: 2.0 * left.powi(-3), moment: 0.0 }
+    };
+    for method in METHODS {
+        for until in [Until::Turn, Until::Rest, Until::Coordinate(1.0)] {
+            let request = Request { tolerance: 1e-8, ..Request::new(initial, until) };
+            let error =
+                method.solve(&mut Example::new(dependence, decays), &request).unwrap_err().to_string();
+            assert!(error.ends_with("creeps to rest without end"), "{until:?}: {error}");
+            let error =
+                method.solve(&mut Example::new(dependence, runs_away), &request).unwrap_err().to_string();
+            assert!(error.ends_with("creeps to rest without end"), "{until:?}: {error}");
+        }
+    }
+}
+
+/// A sample on a jump has the acceleration after it; the last sample the one before.
+#[test]
+fn a_sample_on_a_jump_is_of_the_side_after() {
+    for method in METHODS {
+        let request = Request { samples: 4, ..from_rest(Until::Time(2.0), 1e-9) };
+        let found = method.solve(&mut Switched { late: false }, &request).unwrap();
+        let accelerations: Vec<f64> = found.samples.iter().map(|sample| sample.acceleration).collect();
+        assert_eq!(accelerations, [1.0, 1.0, -3.0, -3.0, -3.0]);
+        let until_jump = Request { samples: 4, ..from_rest(Until::Time(1.0), 1e-9) };
+        let found = method.solve(&mut Switched { late: false }, &until_jump).unwrap();
+        assert_eq!(found.samples.last().unwrap().acceleration, 1.0);
+    }
 }

@@ -49,7 +49,7 @@ impl Motion for Wall {
 fn a_failing_equation_is_reported_where_it_fails() {
     for method in METHODS {
         let error = method.solve(&mut Wall, &from_rest(Until::Time(10.0), 1e-9)).unwrap_err();
-        let IntegrationError::Equation { at, .. } = &error else { panic!("{error}") };
+        let IntegrationError::EndOfRange { at, .. } = &error else { panic!("{error}") };
         assert_close(at.coordinate, 1.0, 1e-6);
         assert!(error.to_string().contains("no assembly"), "{error}");
         assert!(error.to_string().contains("t = 1.41421"), "{error}");

@@ -51,7 +51,7 @@ fn a_fan_slows_down_for_ever() {
             }
         }
     }
-    let error = refused(&mut speed_law(|w| -w), &request(5.0, Until::Rest, 1e-9));
+    let error = refused(&mut speed_law(|w| -w), &request(5.0, Until::Turn, 1e-9));
     assert!(error.ends_with("creeps to rest without end"), "{error}");
 }
 
@@ -122,7 +122,7 @@ fn places_rest_and_reversal_are_met() {
     // w = -2 + 12 exp(-t): rest at ln 6 after 10 - 2 ln 6, then back.
     let motion = || speed_law(|w| -2.0 - w);
     let rest = 6.0_f64.ln();
-    let found = solve(&mut motion(), &request(10.0, Until::Rest, 1e-10));
+    let found = solve(&mut motion(), &request(10.0, Until::Turn, 1e-10));
     assert!((found.end.time - 1.0 - rest).abs() < 1e-14 * 20.0, "{:?}", found.end);
     assert!((found.end.coordinate + 2.0 - (10.0 - 2.0 * rest)).abs() < 1e-13, "{:?}", found.end);
     let found = solve(&mut motion(), &request(10.0, Until::Time(9.0), 1e-10));

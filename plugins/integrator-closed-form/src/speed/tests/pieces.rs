@@ -45,7 +45,7 @@ fn friction_holds_at_rest() {
     let (a, b, w0) = (2.0, 0.5, 30.0_f64);
     let rest = (b * w0 / a).ln_1p() / b;
     let way = w0 / b - a / b * rest;
-    let found = solve(&mut braked(a, b), &request(w0, Until::Rest, 1e-9));
+    let found = solve(&mut braked(a, b), &request(w0, Until::Turn, 1e-9));
     assert!((found.end.time - 1.0 - rest).abs() < 1e-12, "{:?}", found.end);
     assert!((found.end.coordinate + 2.0 - way).abs() < 1e-11, "{:?}", found.end);
     let found = solve(&mut braked(a, b), &request(w0, Until::Time(40.0), 1e-9));
@@ -68,7 +68,7 @@ fn a_stall_by_a_hair_is_a_rest() {
             reduced(1.0 - at.speed - load * place.direction)
         })
         .directed();
-        let found = solve(&mut motion, &request(1.0, Until::Rest, 1e-10));
+        let found = solve(&mut motion, &request(1.0, Until::Turn, 1e-10));
         let time = (1.0 / a).ln_1p();
         // The moment left is known to a rounding of 1 in a.
         let allowed = 1e-9 + 8.0 * f64::EPSILON / a;

@@ -31,7 +31,7 @@ fn stall(margin: f64, until: Until) -> Case {
     let a = load - 1.0;
     let time = (1.0 / a).ln_1p();
     let place = match until {
-        Until::Rest => "motor stalled by a load so much greater, to its rest",
+        Until::Turn | Until::Rest => "motor stalled by a load so much greater, to its rest",
         Until::Time(_) => "motor stalled by a load so much greater, and after",
         Until::Coordinate(_) => "motor stalled by a load so much greater, before the end wanted",
     };
