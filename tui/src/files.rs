@@ -36,6 +36,7 @@ pub(crate) enum FileError {
     Reader,
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
 impl FileError {
     pub(crate) fn read(path: &Path, problem: impl ToString) -> Self {
         Self::Read { path: path.to_owned(), problem: problem.to_string() }

@@ -3,8 +3,9 @@
 use assur_analysis::results::{Check, Failure};
 use assur_report::{csv, json};
 
-use super::args::{AnalyzeArgs, Format};
+use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
+use super::options::Format;
 use super::output::Output;
 use super::style::Style;
 use super::{plans, scene};

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+
+use super::options::{Format, MethodArgs, SceneArgs};
 
 /// Planar linkages by Assur groups: positions, transfer functions, reactions, with checks.
 #[derive(Debug, Parser)]
@@ -69,46 +71,6 @@ pub(crate) enum Command {
     Man,
 }
 
-impl Command {
-    /// Its name on the command line.
-    pub(crate) fn name(&self) -> &'static str {
-        match self {
-            Self::Analyze(_) => "analyze",
-            Self::Check(_) => "check",
-            Self::Explain(_) => "explain",
-            Self::Chart(_) => "chart",
-            Self::Stability(_) => "stability",
-            Self::Sweep(_) => "sweep",
-            Self::Plugins => "plugins",
-            Self::Motors(_) => "motors",
-            Self::New { .. } => "new",
-            Self::Config => "config",
-            Self::Completions { .. } => "completions",
-            Self::Man => "man",
-        }
-    }
-}
-
-/// Methods by name.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct MethodArgs {
-    /// Force analyzer (see `assur plugins`)
-    #[arg(long, value_name = "NAME")]
-    pub(crate) analyzer: Option<String>,
-    /// Integrator (see `assur plugins`)
-    #[arg(long, value_name = "NAME")]
-    pub(crate) integrator: Option<String>,
-}
-
-/// A scene and methods.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct SceneArgs {
-    /// Scene file
-    pub(crate) scene: PathBuf,
-    #[command(flatten)]
-    pub(crate) methods: MethodArgs,
-}
-
 /// Arguments of `analyze`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct AnalyzeArgs {
@@ -145,17 +107,6 @@ pub(crate) struct ExplainArgs {
     /// Write the working of this position instead: every equation with its numbers, to follow by hand
     #[arg(long, value_name = "N")]
     pub(crate) position: Option<usize>,
-}
-
-/// Form of results.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Tables to read
-    Text,
-    /// One JSON object, SI units, all digits
-    Json,
-    /// Files positions.csv, reactions.csv, trajectory.csv (those that apply) in a folder
-    Csv,
 }
 
 /// Arguments of `motors`.

@@ -10,8 +10,8 @@ use assur_study::chart::{self, ChartData, ChartError, Options};
 use clap::Args;
 use signal_hook::consts::SIGINT;
 
-use super::args::Format;
 use super::fault::{Fault, Status};
+use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;

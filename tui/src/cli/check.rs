@@ -3,8 +3,8 @@
 use assur_analysis::results::Check;
 use assur_report::text;
 
-use super::args::SceneArgs;
 use super::fault::{Fault, Status};
+use super::options::SceneArgs;
 use super::style::Style;
 use super::{analyze, output, scene};
 use crate::progress::ProgressLine;

@@ -8,6 +8,7 @@ mod config;
 mod explain;
 mod fault;
 mod lists;
+mod options;
 mod output;
 mod plans;
 mod scene;
@@ -24,12 +25,13 @@ use std::process::ExitCode;
 
 use clap::CommandFactory;
 
-use args::{AnalyzeArgs, Cli, Command, Format, SceneArgs};
+use args::{AnalyzeArgs, Cli, Command};
 use fault::{Fault, Status};
+use options::{Format, SceneArgs};
 use plans::PlanArgs;
 use style::Style;
 
-use crate::files::FileError;
+use crate::files::{self, FileError};
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
 /// scene or usage.
@@ -93,6 +95,12 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
     let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
     let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
     match cli.scene {
+        // A word alone may be meant as a command.
+        Some(scene) if !scene.exists() && scene.to_str().and_then(usage::nearest_command).is_some() => {
+            let offer = scene.to_str().and_then(usage::nearest_command).unwrap_or_default();
+            let missing = files::read(&scene).err().map_or_else(String::new, |error| error.to_string());
+            Err(Fault::Scene(format!("{missing}; did you mean the command `assur {offer}`?")))
+        }
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
             analyze::run(

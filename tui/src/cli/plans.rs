@@ -5,8 +5,8 @@ use assur_analysis::results::{Analysis, PositionPlans};
 use assur_diagram::sheet_text;
 use clap::Args;
 
-use super::args::{Format, SceneArgs};
 use super::fault::{Fault, Status};
+use super::options::{Format, SceneArgs};
 use super::scene;
 use super::style::Style;
 

@@ -7,16 +7,15 @@ use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::Structure;
 
-use super::args::{MethodArgs, SceneArgs};
 use super::fault::Fault;
+use super::options::{MethodArgs, SceneArgs};
 use super::style::Style;
-use super::usage;
 use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
 
 /// Reads a scene file.
 pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
-    let text = text_of(path)?;
+    let text = files::read(path)?;
     let name = path.display().to_string();
     let mechanism = assur_scene::read(&name, &text).map_err(|errors| faults(&errors, style))?;
     let structure = || Structure::of(&mechanism).err().and_then(|error| files::located(&name, &text, &error));
@@ -64,16 +63,6 @@ pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
 /// A fault of the scene as a whole.
 pub(crate) fn in_file(path: &Path, message: &str) -> Fault {
     FileError::read(path, message).into()
-}
-
-/// The text of a scene file; where there is none, a command of nearly this name is offered.
-pub(crate) fn text_of(path: &Path) -> Result<String, Fault> {
-    files::read(path).map_err(|error| match path.to_str().and_then(usage::nearest_command) {
-        Some(name) if !path.exists() => {
-            Fault::Scene(format!("{error}; did you mean the command `assur {name}`?"))
-        }
-        _ => error.into(),
-    })
 }
 
 /// ASCII with a question mark for each other character, so that marks stay below what they mark.

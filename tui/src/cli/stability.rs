@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use assur_study::stability::stability;
 
-use super::args::{Format, StabilityArgs};
+use super::args::StabilityArgs;
 use super::fault::{Fault, Status};
+use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use assur_sweep::{Sweep, SweepError, Table, Vary, parquet};
 use clap::Args;
 
-use super::args::MethodArgs;
 use super::fault::{Fault, Status};
+use super::options::MethodArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::files::FileError;
+use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
 
 /// What the columns are, where their names don't say it.
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
     let options = scene::options(&args.methods)?;
-    let text = scene::text_of(&args.scene)?;
+    let text = files::read(&args.scene)?;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
     let fault = |error| fault(&args.scene, error, style);

@@ -5,16 +5,16 @@ use std::path::Path;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser};
 
-use super::args::{Cli, Command};
+use super::args::Cli;
 
 /// The command line, or what to print and with which kind of end.
 pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error> {
     let cli = Cli::try_parse_from(arguments).map_err(|error| explained(arguments, error))?;
-    match &cli.command {
-        Some(command) => misplaced(&cli, command).map_or(Ok(()), Err),
-        None => Ok(()),
-    }?;
-    Ok(cli)
+    let program = Cli::command();
+    let words = arguments.iter().skip(1).filter_map(|word| word.to_str());
+    let command =
+        words.filter(|_| cli.command.is_some()).find(|word| program.find_subcommand(word).is_some());
+    command.and_then(|command| misplaced(&cli, command)).map_or(Ok(cli), Err)
 }
 
 /// What is wrong in words that say what to write, where the order or the spelling of the words is; else the parser's.
@@ -79,7 +79,7 @@ pub(crate) fn nearest_command(word: &str) -> Option<String> {
 }
 
 /// Options of the terminal UI, or methods, that stand before a command would be lost without a word.
-fn misplaced(cli: &Cli, command: &Command) -> Option<clap::Error> {
+fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
     let before = [
         ("--analyzer", cli.methods.analyzer.is_some()),
         ("--integrator", cli.methods.integrator.is_some()),
@@ -87,7 +87,6 @@ fn misplaced(cli: &Cli, command: &Command) -> Option<clap::Error> {
         ("--fps", cli.fps.is_some()),
         ("--cell-ratio", cli.cell_ratio.is_some()),
     ];
-    let name = command.name();
     let lost = before.iter().find(|(_, given)| *given);
     if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {
         return Some(fault(&format!(

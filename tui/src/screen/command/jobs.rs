@@ -1,14 +1,6 @@
-//! Work beside the screen: asked for, stopped, and what comes back from it.
+//! Calculations beside the screen: asked for and stopped.
 
-use assur_analysis::results::Check;
-
-use super::whatif;
-use crate::screen::state::{
-    Cancel, Chosen, Compared, Found, Job, Purpose, Report, Request, Role, Running, Scene, State, View, Wish,
-    Zoom,
-};
-
-const FAULT: &str = "The scene was not taken; the old result stays. Any key goes on.";
+use crate::screen::state::{Cancel, Job, Purpose, Request, Role, Running, Scene, State, Wish};
 
 /// Asks for a calculation of the open scene by the chosen analyzer and integrator.
 pub(crate) fn ask(state: &mut State, purpose: Purpose) {
@@ -47,106 +39,6 @@ pub(super) fn stop(state: &mut State) {
         }
     }
     state.say(Role::Plain, stopped);
-}
-
-/// Takes what the worker found; returns whether the frame may differ.
-pub(crate) fn take(state: &mut State, report: Report) -> bool {
-    let number = match &report {
-        Report::Counted { number, .. }
-        | Report::Analyzed { number, .. }
-        | Report::Checked { number, .. }
-        | Report::Measured { number, .. } => Some(*number),
-        _ => None,
-    };
-    let running = state.running.iter().position(|running| Some(running.number) == number);
-    match (report, running) {
-        (Report::Opened(Ok(scene)), _) => open(state, *scene),
-        (Report::Opened(Err(text)) | Report::Compared(Err(text)), _) => state.fault = Some((FAULT, text)),
-        (Report::Changed(change, scene), _) => return whatif::take(state, &change, scene),
-        (Report::Preview(index, preview), _) => drop(state.previews.insert(index, preview)),
-        (Report::Compared(Ok(scene)), _) => take_compared(state, scene),
-        (Report::Counted { count, .. }, Some(index)) => state.running[index].count = count,
-        (Report::Analyzed { found, .. }, Some(index)) => take_found(state, index, found),
-        (Report::Checked { checks, .. }, Some(index)) => take_checks(state, index, checks),
-        (Report::Measured { measured, .. }, Some(index)) => {
-            state.running.remove(index);
-            match measured {
-                Ok(measured) => (state.measured, state.chosen.line) = (Some(measured), 0),
-                Err(text) => state.say(Role::Bad, format!("no analysis: {text}")),
-            }
-        }
-        // Nobody waits for it any more.
-        (_, None) => return false,
-    }
-    true
-}
-
-fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, String>) {
-    let purpose = state.running[index].purpose;
-    // After the main results their checks go on.
-    if purpose == Purpose::Difference || found.is_err() {
-        state.running.remove(index);
-    }
-    let Some(scene) = &mut state.scene else { return };
-    match found {
-        Ok(found) if purpose == Purpose::Difference => scene.other = Some(found),
-        Ok(found) => (scene.found, scene.fault) = (Some(found), None),
-        Err(text) => {
-            scene.fault.get_or_insert_with(|| text.clone());
-            state.say(Role::Bad, format!("no analysis: {text}"));
-        }
-    }
-}
-
-fn take_checks(state: &mut State, index: usize, checks: Vec<Check>) {
-    state.running.remove(index);
-    if let Some(found) = state.scene.as_mut().and_then(|scene| scene.found.as_mut()) {
-        found.checks = checks;
-    }
-}
-
-/// Takes a second scene; one that has other positions can't be compared.
-fn take_compared(state: &mut State, other: Box<Scene>) {
-    let Some(scene) = &state.scene else { return };
-    let mut name = other.source.short_name();
-    if other.positions() == scene.positions() {
-        if name == scene.source.short_name() {
-            name = other.source.name();
-        }
-        state.compared = Some(Compared { name, scene: other });
-    } else {
-        let (other, own) = (other.positions(), scene.positions());
-        let text = format!(
-            "{name} has {other} positions, not {own}: only scenes of the same positions are compared"
-        );
-        state.say(Role::Bad, text);
-    }
-}
-
-/// Shows a scene: a new one from its start, the same one again where it was.
-fn open(state: &mut State, scene: Scene) {
-    let again = state.scene.as_ref().is_some_and(|old| old.source == scene.source);
-    if !again {
-        state.position = scene.first_position();
-        state.chosen = Chosen::default();
-        state.zoom = Zoom::WHOLE;
-    }
-    if !again || state.view == View::Menu {
-        state.view = View::Mechanism;
-    }
-    if !again || state.positions() != scene.positions() {
-        state.compared = None;
-    }
-    let Chosen { transfer, group, column, .. } = state.chosen;
-    state.chosen = Chosen {
-        transfer: transfer.min(scene.transfers.len().saturating_sub(1)),
-        group: group.min(scene.linkage.structure.groups.len().saturating_sub(1)),
-        column: column.min(scene.series.len().saturating_sub(1)),
-        ..Chosen::default()
-    };
-    state.fault = None;
-    whatif::reloaded(state, &scene, again);
-    exchange(state, scene);
 }
 
 /// Puts another scene in the place of the one before, and asks for its analysis.

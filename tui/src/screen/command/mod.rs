@@ -6,6 +6,7 @@ mod jobs;
 mod line;
 mod plans;
 mod prompt;
+mod reports;
 mod table;
 mod whatif;
 mod write;
@@ -14,7 +15,7 @@ use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKin
 
 #[cfg(test)]
 pub(crate) use jobs::ask;
-pub(crate) use jobs::take;
+pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;
 #[cfg(test)]
 pub(crate) use whatif::toggle;

@@ -5,11 +5,6 @@ use crossterm::event::KeyCode;
 use super::line;
 use crate::screen::state::{Key, Prompt, PromptKind, State, round};
 
-/// Opens the line with a text that may be written on.
-pub(super) fn open(state: &mut State, kind: PromptKind, text: impl Into<String>) {
-    state.prompt = Some(Prompt { kind, text: text.into(), completing: None });
-}
-
 /// A key while the line is open.
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(mut prompt) = state.prompt.take() else { return };

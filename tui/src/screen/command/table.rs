@@ -1,6 +1,6 @@
 //! The one table of commands: dispatch, hints, help screen, `:` line and configuration read it.
 
-use super::{accuracy, act, plans, prompt, whatif, write};
+use super::{accuracy, act, plans, whatif, write};
 use crate::screen::state::{Command, Group, PromptKind, State, View, Wish};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
@@ -124,9 +124,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("ascii", Look, "a", &[], |s| s.look.ascii = !s.look.ascii, "", "only ASCII characters, or all"),
     command("theme", Look, "c", &[], act::theme, "", "colors: default, mono, okabe-ito"),
     command("help", Program, "?", &[], act::help, "", "this help; typing searches it"),
-    command("command", Program, ":", &[], |s| prompt::open(s, PromptKind::Command, ""), "42: position 42",
+    command("command", Program, ":", &[], |s| s.open_prompt(PromptKind::Command, ""), "42: position 42",
             "command line: :42, :point D, :view table, :set theme mono, :open FILE, :compare FILE; Tab completes"),
-    command("search", Program, "/", SCENE, |s| prompt::open(s, PromptKind::Search, ""), "search",
+    command("search", Program, "/", SCENE, |s| s.open_prompt(PromptKind::Search, ""), "search",
             "search: a number is a position, a word is a pair, column or quantity"),
     command("reload", Program, "r", SCENE, act::reload, "", "read the scene again"),
     command("write", Program, "w", SCENE, write::write, "write",

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::jobs;
 use super::write::home;
-use super::{jobs, prompt};
 use crate::screen::state::{
     Change, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State, Wish,
 };
@@ -124,7 +124,7 @@ pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
 pub(super) fn exact(state: &mut State) {
     if let Some(value) = state.what_if.values.get(state.what_if.chosen) {
         let line = format!("value {} ", value.key);
-        prompt::open(state, PromptKind::Command, line);
+        state.open_prompt(PromptKind::Command, line);
     }
 }
 
@@ -165,7 +165,7 @@ pub(super) fn save(state: &mut State) {
     let path = PathBuf::from(scene.source.name());
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = path.with_file_name(format!("{stem}-2.toml"));
-    prompt::open(state, PromptKind::Command, format!("save {}", name.display()));
+    state.open_prompt(PromptKind::Command, format!("save {}", name.display()));
 }
 
 /// `save FILE` of the `:` line: writes the scene with the changes.

@@ -161,12 +161,10 @@ impl Gather<'_> {
             };
             let of = |what: &str| format!("{pair} on {link} {what}");
             let short = |what: &str| format!("{pair}>{link}.{what}");
-            let parts: [(&str, fn([f64; 2]) -> f64); 3] =
-                [("Fx", |f| f[0]), ("Fy", |f| f[1]), ("F", |f| f[0].hypot(f[1]))];
-            let add = |(what, part): (&str, fn([f64; 2]) -> f64)| {
-                self.add(of(what), short(what), "N", |p| force(p).map(part))
-            };
-            let series: Vec<usize> = parts.into_iter().filter_map(add).collect();
+            let mut series = Vec::new();
+            series.extend(self.add(of("Fx"), short("Fx"), "N", |p| force(p).map(|f| f[0])));
+            series.extend(self.add(of("Fy"), short("Fy"), "N", |p| force(p).map(|f| f[1])));
+            series.extend(self.add(of("F"), short("F"), "N", |p| force(p).map(|f| f[0].hypot(f[1]))));
             let moment = |p: &PositionResult| p.reactions.as_ref()?.get(&pair)?.moment;
             let moment = self.add(of("M"), short("M"), "N m", moment);
             if series.len() == 3 {

@@ -203,6 +203,11 @@ impl State {
         order
     }
 
+    /// Opens the one-line input with a text that may be written on.
+    pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl Into<String>) {
+        self.prompt = Some(Prompt { kind, text: text.into(), completing: None });
+    }
+
     /// Shows one line until the next key.
     pub(crate) fn say(&mut self, role: Role, text: impl Into<String>) {
         self.message = Some((role, text.into()));

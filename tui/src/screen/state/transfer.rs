@@ -47,7 +47,7 @@ impl Gather<'_> {
             for (axis, letter) in ["x", "y"].into_iter().enumerate() {
                 let (name, short) =
                     (format!("point {} {letter}", point.name), format!("{}.{letter}", point.name));
-                self.add(name, short, Owner::Point(id), |position| {
+                self.add(name, &short, Owner::Point(id), |position| {
                     let motion = linkage.point_motion(id, position);
                     [1e3 * motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
                 });
@@ -59,7 +59,7 @@ impl Gather<'_> {
         let linkage = self.linkage;
         for (id, link) in linkage.mechanism.links.iter().enumerate().skip(1) {
             let mut before: Option<f64> = None;
-            self.add(format!("link {}", link.name), link.name.clone(), Owner::Link(id), |position| {
+            self.add(format!("link {}", link.name), &link.name, Owner::Link(id), |position| {
                 let motion = linkage.link_motion(id, position);
                 let angle = before.map_or(motion.pf0, |near| continuous_angle(motion.pf0, near));
                 before = Some(angle);
@@ -71,7 +71,7 @@ impl Gather<'_> {
     fn slides(&mut self) {
         let linkage = self.linkage;
         for (id, slide) in linkage.mechanism.slides.iter().enumerate() {
-            self.add(format!("slide {}", slide.name), slide.name.clone(), Owner::Slide(id), |position| {
+            self.add(format!("slide {}", slide.name), &slide.name, Owner::Slide(id), |position| {
                 let motion = linkage.slide_motion(id, position);
                 [1e3 * motion.pf0, motion.pf1, motion.pf2]
             });
@@ -79,13 +79,7 @@ impl Gather<'_> {
     }
 
     /// Adds PF0, PF1 and PF2 of a quantity; `read` gives PF0 in degrees or millimeters.
-    fn add(
-        &mut self,
-        name: String,
-        short: String,
-        owner: Owner,
-        mut read: impl FnMut(&Position) -> [f64; 3],
-    ) {
+    fn add(&mut self, name: String, short: &str, owner: Owner, mut read: impl FnMut(&Position) -> [f64; 3]) {
         let mut values: [Vec<f64>; 3] = Default::default();
         for pose in self.poses {
             let orders = pose.as_ref().map_or([f64::NAN; 3], &mut read);

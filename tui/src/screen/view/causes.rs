@@ -4,7 +4,7 @@ use assur_diagram::{JointForce, Share, Split};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{forces, plans};
+use super::{plans, reactions};
 use crate::number::number;
 use crate::screen::draw::{Arrow, Diagram, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
@@ -41,7 +41,7 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     draw_table(state, found, split, reaction, &parts, table, buffer);
     let side = (below.height * 3).min(below.width / 2);
     let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
-    forces::draw_curves(state, scene, found, left, &[usize::MAX], buffer);
+    reactions::draw_curves(state, scene, found, left, &[usize::MAX], buffer);
     draw_sum(state, &parts, right, buffer);
 }
 
@@ -73,7 +73,7 @@ fn draw_table(
     let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
     let last = if scalar.is_empty() { "M, N m".to_owned() } else { scalar.to_owned() };
     let header = ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(str::to_owned);
-    put(buffer, area, 0, 0, &forces::table_row(' ', header), theme.style(Role::Dim));
+    put(buffer, area, 0, 0, &reactions::table_row(' ', header), theme.style(Role::Dim));
     let sum = sum(parts, "sum");
     let whole = part(&split.whole, reaction);
     let whole = Part { cause: format!("whole, by `{}`", found.analyzer), ..whole };
@@ -118,11 +118,11 @@ fn row_of(name: &str, part: &Part, least: f64) -> String {
     let shown = |value: f64| if value.abs() <= least { "0".to_owned() } else { number(value) };
     let force = part.force.map(|[x, y]| {
         let [x, y] = [x, y].map(|v| if v.abs() <= least { 0.0 } else { v });
-        [shown(x), shown(y), shown(x.hypot(y)), forces::direction_text(x, y)]
+        [shown(x), shown(y), shown(x.hypot(y)), reactions::direction_text(x, y)]
     });
     let [fx, fy, f, direction] = force.unwrap_or_default();
     let scalar = part.scalar.map(shown).unwrap_or_default();
-    forces::table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
+    reactions::table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
 }
 
 /// The parts laid end to end, and from the first corner to the last one the whole.

@@ -1,5 +1,7 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis.
 
+use std::fmt::Write;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -24,7 +26,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         {
             curves.push((other.values.as_slice(), state.look.theme.style(Role::Plain)));
             let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
-            title += &format!("   1 - 2: {} {}", number(difference), series.unit);
+            let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
         }
         // A derivative is zero at an extreme, the second one at an inflection.
         let kinds = [Mark::Zero, Mark::Extreme, Mark::Inflection];

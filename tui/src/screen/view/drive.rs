@@ -72,7 +72,7 @@ fn draw_plots(
 }
 
 fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {
-    let mut lines = dynamics.motor.as_ref().map(|motor| motor_rows(motor)).unwrap_or_default();
+    let mut lines = dynamics.motor.as_ref().map(motor_rows).unwrap_or_default();
     lines.extend(dynamics.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
     lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
     for row in &dynamics.flywheel_methods {

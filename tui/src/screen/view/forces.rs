@@ -1,16 +1,13 @@
 //! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
 
-use std::fmt::Write;
-
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{causes, curves};
+use super::causes;
+use super::reactions::{direction_text, draw_curves, table_row};
 use crate::screen::draw::{Hodograph, first_shown, put, short};
 use crate::screen::state::{Found, Pane, Reaction, Role, Scene, State};
 
-/// Columns of the table: where each ends.
-const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
 
@@ -71,16 +68,6 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
     }
 }
 
-/// A row of a table of forces: a sign, the name at the left, the other cells at the right of their columns.
-pub(crate) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
-    let mut text = format!("{sign}{name}");
-    for (cell, end) in cells.into_iter().zip(ENDS) {
-        let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
-        let _ = write!(text, "{cell:>width$}");
-    }
-    text
-}
-
 fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [String; 5] {
     let value = |index: usize| found.series[index].at(state.position);
     let bare = |index: usize| found.series[index].bare(state.position);
@@ -98,18 +85,6 @@ fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [S
     let direction = if modulus > 0.0 { direction_text(fx, fy) } else { "-".into() };
     let last = apart.unwrap_or_else(|| reaction.moment.map_or_else(String::new, bare));
     [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
-}
-
-/// Direction of a force in words; a dash where there is none.
-pub(crate) fn direction_text(fx: f64, fy: f64) -> String {
-    if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
-}
-
-/// Direction of a force in (-180, 180], degrees; rounding beside the modulus turns nothing.
-fn direction(fx: f64, fy: f64) -> f64 {
-    let least = 1e-12 * fx.hypot(fy);
-    let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
-    part(fy).atan2(part(fx)).to_degrees()
 }
 
 /// Modulus of the difference of a reaction by two analyzers in a position; `None` where one has it not.
@@ -130,22 +105,6 @@ fn largest_difference(scene: &Scene, found: &Found, other: &Found) -> f64 {
         (0..scene.positions()).filter_map(move |position| difference(found, other, reaction, position))
     });
     all.fold(0.0, f64::max)
-}
-
-/// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
-pub(crate) fn draw_curves(
-    state: &State,
-    scene: &Scene,
-    found: &Found,
-    area: Rect,
-    which: &[usize],
-    buffer: &mut Buffer,
-) {
-    let Some(reaction) = chosen(state, found) else { return };
-    let mut wanted: Vec<usize> =
-        which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
-    wanted.dedup();
-    curves::draw_stack(state, scene, found, &wanted, area, buffer);
 }
 
 fn draw_hodograph(state: &State, found: &Found, area: Rect, buffer: &mut Buffer) {

@@ -17,6 +17,7 @@ mod menu;
 mod motion;
 mod panel;
 mod plans;
+mod reactions;
 mod regime;
 mod structure;
 mod table;

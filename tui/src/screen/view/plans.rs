@@ -38,7 +38,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     match plan {
         Some(plan) => draw_plan(state, plan, areas, buffer),
         None if !found.reactions.is_empty() => {
-            say(state, "no forces are determined in this position", areas[0], buffer)
+            say(state, "no forces are determined in this position", areas[0], buffer);
         }
         None => say(state, &advice::text(state, scene), areas[0], buffer),
     }
@@ -86,7 +86,7 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
         );
         rows.push((Role::Plain, text));
     }
-    rows.push((Role::Header, format!("left open: {} of the greatest", format!("{:.1e}", plan.residual))));
+    rows.push((Role::Header, format!("left open: {:.1e} of the greatest", plan.residual)));
     lines(state, &rows, list, buffer);
     let arrows = shown.iter().enumerate().map(|(number, item)| Arrow {
         from: item.start,

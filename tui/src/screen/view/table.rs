@@ -139,13 +139,10 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
     let mut text = format!("{of}   {first}-{last} / {}", scene.column_count());
     if let Some((column, up)) = state.sorted {
         let name = scene.column(column).map_or("", |series| series.short.as_str());
-        text.push_str("   ");
-        text.push_str(&format!("sorted by {name}"));
-        text.push(if up { '↑' } else { '↓' });
+        let _ = write!(text, "   sorted by {name}{}", if up { '↑' } else { '↓' });
     }
     if let Some(compared) = &state.compared {
-        text.push_str("   ");
-        text.push_str(&format!("differences to {} (:compare off)", compared.name));
+        let _ = write!(text, "   differences to {} (:compare off)", compared.name);
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));

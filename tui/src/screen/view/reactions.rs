@@ -1,0 +1,50 @@
+//! What the panes of the forces share: rows of tables, directions, charts of the chosen reaction.
+
+use std::fmt::Write;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::curves;
+use crate::screen::state::{Found, Scene, State};
+
+/// Columns of the table: where each ends.
+const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
+
+/// A row of a table of forces: a sign, the name at the left, the other cells at the right of their columns.
+pub(super) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
+    let mut text = format!("{sign}{name}");
+    for (cell, end) in cells.into_iter().zip(ENDS) {
+        let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
+        let _ = write!(text, "{cell:>width$}");
+    }
+    text
+}
+
+/// Direction of a force in words; a dash where there is none.
+pub(super) fn direction_text(fx: f64, fy: f64) -> String {
+    if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
+}
+
+/// Direction of a force in (-180, 180], degrees; rounding beside the modulus turns nothing.
+fn direction(fx: f64, fy: f64) -> f64 {
+    let least = 1e-12 * fx.hypot(fy);
+    let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
+    part(fy).atan2(part(fx)).to_degrees()
+}
+
+/// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
+pub(super) fn draw_curves(
+    state: &State,
+    scene: &Scene,
+    found: &Found,
+    area: Rect,
+    which: &[usize],
+    buffer: &mut Buffer,
+) {
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
+    let mut wanted: Vec<usize> =
+        which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
+    wanted.dedup();
+    curves::draw_stack(state, scene, found, &wanted, area, buffer);
+}
