@@ -101,6 +101,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["child", from, end] => child(from.parse()?, end.parse()?),
         [from, count, folder] => parent(from.parse()?, count.parse()?, Path::new(folder)),
-        _ => Err("usage: fuzz FROM COUNT FOLDER".into()),
+        [file] => {
+            println!("{:?}", run(&std::fs::read_to_string(file)?)?);
+            Ok(())
+        }
+        _ => Err("usage: fuzz FROM COUNT FOLDER, or fuzz FILE for one scene".into()),
     }
 }

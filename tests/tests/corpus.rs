@@ -19,34 +19,11 @@ use Answer::{Either, Message, Numbers};
 
 /// Scenes whose answer is not right yet.
 const OPEN: &[&str] = &[
-    "check_c7",
-    "check_closure_cw",
-    "check_drive_42",
-    "check_drive_c2",
     "check_loads_12",
     "check_loads_18",
     "check_loads_dd",
-    "check_work2",
-    "duplicate_keys",
-    "notfinite_0e152f5d6d",
-    "notfinite_19315c5573",
-    "notfinite_27aa337756",
-    "notfinite_3c4d9fcbd5",
-    "notfinite_5051b0ff0f",
-    "notfinite_coincident",
-    "notfinite_d5676d46f3",
-    "notfinite_d6e81b9875",
-    "tr-stiff-damper-1e-3",
-];
-
-/// Scenes that do not end yet, or only after very long.
-const ENDLESS: &[&str] = &[
-    "check_loads_6e",
     "check_work_prp",
-    "check_work_r122",
-    "hang_49fcf9055d",
-    "hang_eab2dafae2",
-    "hang_gravity",
+    "notfinite_coincident",
     "raw_work_r122",
 ];
 
@@ -62,7 +39,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_loads_07", Numbers(any)),
     ("check_loads_12", Numbers(any)),
     ("check_loads_18", Numbers(any)),
-    ("check_loads_6e", Numbers(any)),
+    ("check_loads_6e", Either),
     ("check_loads_dd", Numbers(any)),
     ("check_meanspeed", Either),
     ("check_rest_friction", Numbers(nothing_drives)),
@@ -86,6 +63,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("notfinite_d5676d46f3", Either),
     ("notfinite_d6e81b9875", Either),
     ("raw_work_r122", Either),
+    ("rests-for-good", Message(&["rests there for good"])),
     // An independent computation with 40 digits: -6.857 N m in position 12.
     ("st-linear-cw", Numbers(|found| is(&found["positions"][12]["balancing"], -6.857, 1e-3))),
     // Found is not the 120 rpm that are wanted, but 16.91 rad/s, which take 606 W.
@@ -158,9 +136,6 @@ fn every_kept_scene_has_its_right_answer() {
             wrong.push(format!("{name}: no right answer is known"));
             continue;
         };
-        if ENDLESS.contains(&name.as_str()) {
-            continue;
-        }
         let open = OPEN.contains(&name.as_str());
         match fault(&scene, answer) {
             Some(why) if !open => wrong.push(format!("{name}: {why}")),

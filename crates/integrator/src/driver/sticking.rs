@@ -46,6 +46,10 @@ impl<S: Stepper> Drive<'_, S> {
             }
             let left = latest - self.run.node.state.time;
             let dt = stride.min(left).min(self.time_to_goal());
+            if (self.run.node.state.time + dt).is_infinite() {
+                // Nothing releases it within any time that a number can hold.
+                return self.run.coast_to_end();
+            }
             if self.release_after(dt)?.is_some() {
                 return self.release_within(dt);
             }
