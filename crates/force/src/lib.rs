@@ -6,7 +6,7 @@
 //!   registry.
 //! * [`joint_reactions`]: pair reactions summed to what each pin and slide of the scene exerts.
 //!
-//! Knows no concrete analyzer, no scene file and no integrator. SI units; forces in the ground's frame; moments
+//! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
 
 mod analyzer;
