@@ -26,7 +26,7 @@ impl Calculation {
     ///
     /// [`DiagramError`] where the position can't be assembled, or has no reactions.
     pub fn sheet(&self, index: usize) -> Result<Sheet, DiagramError> {
-        // Told with the number of the position, where it can't be taken.
+        // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
         let state = self.state(self.linkage.mechanism.input.coordinate(index));
         // At rest the plans are those for unit speed.
@@ -60,7 +60,7 @@ impl Calculation {
         constructions(&self.linkage, &position, &loads.total(&state, &position.bodies))
     }
 
-    /// The analyzer of the study, where it gives reactions; else the default one.
+    /// The analyzer of the calculation, where it gives reactions; else the default one.
     fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, DiagramError> {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
