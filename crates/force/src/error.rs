@@ -30,6 +30,16 @@ pub enum LoadError {
         /// Distance of the extremes, m.
         travel: f64,
     },
+    /// The point of the load runs through infinity, as behind guides that turn parallel.
+    #[error(
+        "load `{name}` follows a stroke, but its point runs {travel:.3e} m along the axis: links run through infinity; calculate a range without that, or turn the axis"
+    )]
+    InfiniteStroke {
+        /// The load.
+        name: String,
+        /// Distance of the extremes that were found, m.
+        travel: f64,
+    },
     /// The stroke can't be found because the mechanism can't take a position of the cycle.
     #[error(
         "load `{name}` follows a stroke, but the cycle has no position at coordinate {coordinate:.9}: {reason}"

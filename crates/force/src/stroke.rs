@@ -43,11 +43,16 @@ pub(crate) struct Segment {
     pub(crate) segment: usize,
 }
 
+/// A travel beyond this many sizes of the mechanism is that of a point which runs through infinity.
+const GREATEST_TRAVEL: f64 = 1e9;
+
 /// Why a point has no stroke.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoStroke {
     /// It moves only so far along the axis, m.
     Stands(f64),
+    /// It runs through infinity: so far along the axis, m.
+    Infinite(f64),
     /// There is no position at this coordinate.
     NoPosition(f64, String),
 }
@@ -149,6 +154,9 @@ impl Stroke {
         let travel = extremes.iter().copied().fold(f64::NEG_INFINITY, f64::max) - least;
         if travel <= 1e-12 * scale {
             return Err(NoStroke::Stands(travel));
+        }
+        if travel.is_nan() || travel > GREATEST_TRAVEL * scale {
+            return Err(NoStroke::Infinite(travel));
         }
         let tables = tables.map(Clone::clone);
         let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };

@@ -83,6 +83,10 @@ fn scene(root: &Section<'_>) -> Mechanism {
     let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
     let (mut linkage, firsts) = links::read(root);
     slides::read(root, &mut linkage, &firsts);
+    // A point with a fault stands at the origin until then.
+    if root.faults.is_empty() {
+        links::refuse_points(root, &linkage);
+    }
     let input = input::read(root, &linkage);
     let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
     let names = &mut LoadNames::default();

@@ -34,25 +34,24 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
             add_mass(&mut linkage, (index + 1, firsts[index + 1]), section);
         }
     }
-    // A point with a fault stands at the origin until then.
-    if root.faults.is_empty() {
-        refuse_points(&linkage, &links);
-    }
     (linkage, firsts)
 }
 
 /// Pins nearer than this, in parts of the greatest coordinate of the scene, are at one place.
 const SAME_PLACE: f64 = 1e-12;
 
-/// Refuses links whose pins all lie at one place: they turn freely about it, nothing determines their angle.
-fn refuse_points(linkage: &Linkage, links: &[Entry<'_>]) {
+/// Refuses links without a slide whose pins all lie at one place: they turn freely about it, nothing determines their angle.
+pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
+    let links = root.get("link").map(|entry| entry.named("tables [link.NAME]", "")).unwrap_or_default();
+    let slides = |link: LinkId| linkage.slides.iter().any(|slide| slide.link == link || slide.on == link);
     let places = || linkage.points.iter().flat_map(|point| &point.places);
     let greatest = places().flat_map(|place| place.at).fold(0.0, |most: f64, x| most.max(x.abs()));
     let mut pins = vec![Vec::new(); linkage.links.len()];
     for pin in linkage.points.iter().filter(|point| point.is_pin()) {
         pin.places.iter().for_each(|place| pins[place.link].push((pin.name.as_str(), place.at)));
     }
-    for (entry, pins) in links.iter().zip(&pins[1..]) {
+    for (index, entry) in links.iter().enumerate().filter(|(index, _)| !slides(index + 1)) {
+        let pins = &pins[index + 1];
         let [(_, first), others @ ..] = &pins[..] else { continue };
         let is_same =
             |(_, at): &(&str, [f64; 2])| (at[0] - first[0]).hypot(at[1] - first[1]) <= SAME_PLACE * greatest;

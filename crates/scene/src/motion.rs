@@ -109,7 +109,10 @@ fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
         _ => {}
     }
     let way = context.coordinate().unwrap_or(Dimension::Angle);
-    let is_way = !is_bare(text, way) && quantity(text, way).is_ok();
+    // A way out of range is a way.
+    let found = quantity(text, way);
+    let is_way = matches!(found, Ok(_) | Err(UnitError::TooLarge { .. } | UnitError::TooSmall { .. }));
+    let is_way = is_way && !is_bare(text, way);
     if is_way {
         return entry.bounded(way, Bound::Positive).map(Until::Way);
     }

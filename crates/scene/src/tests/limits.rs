@@ -43,3 +43,19 @@ fn a_table_has_a_greatest_number_of_rows() {
     let errors = read("rows.toml", &BASE.replacen("value = 700", &value, 1)).unwrap_err();
     assert_eq!(errors.errors[0].message, "`table` has 100001 rows, at most 100000 are read");
 }
+
+#[test]
+fn pins_at_one_place_are_refused_where_nothing_else_turns_the_link() {
+    let scene = |slide: &str| {
+        format!(
+            "[ground]\npoints = {{ O = 0, C = 1 }}\n[link.crank]\npoints = {{ O = 0, A = 0 }}\n\
+             [link.rod]\npoints = {{ A = 0, B = 1 }}\n[link.rocker]\npoints = {{ C = 0, B = 0.5 }}\n\
+             [link.stone]\npoints = {{ S = 0 }}\n{slide}[input]\nlink = \"crank\"\n"
+        )
+    };
+    let errors = read("one.toml", &scene("")).unwrap_err();
+    assert_eq!(errors.errors[0].message, "link `crank` has its pins O, A at one place: its length is zero");
+    assert_eq!((errors.errors[0].line, errors.errors[0].column), (3, 7));
+    // The crank turns a guide: its angle matters.
+    assert!(read("two.toml", &scene("[[slide]]\nlink = \"stone\"\non = \"crank\"\n")).is_ok());
+}
