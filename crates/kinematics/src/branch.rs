@@ -95,6 +95,13 @@ impl Branch {
         self.from + distance * self.length.signum()
     }
 
+    /// Coordinate of a sample, or of the last passage of a group if that lies behind it.
+    pub(crate) fn behind(&self, group: usize, sample: usize) -> f64 {
+        let coordinate = self.at(sample);
+        let passed = self.passages[group].last().filter(|one| one.distance > self.distance(coordinate));
+        passed.map_or(coordinate, |one| self.coordinate(one.distance))
+    }
+
     /// Whether it leads over its whole length.
     pub(crate) fn is_complete(&self) -> bool {
         self.failure.is_none()

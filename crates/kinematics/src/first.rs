@@ -57,7 +57,9 @@ pub(crate) fn first_ways(
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
         if extended.is_none_or(|kernel| kernel.place(&mut wide, usize::from(ways[group])).is_err()) {
             // A gap that is rounding only: the place of 16 digits must do.
-            links.iter().for_each(|&link| wide[link] = bodies[link].map(Dd::from_f64));
+            for &link in links {
+                wide[link] = bodies[link].map(Dd::from_f64);
+            }
         }
     }
     Ok((ways, bodies))

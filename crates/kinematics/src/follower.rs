@@ -85,13 +85,7 @@ impl Follower<'_> {
     }
 
     /// Follows a group from event to event up to the end of the branch or its own.
-    fn follow_group(
-        &mut self,
-        group: usize,
-        branch: &mut Branch,
-        is_back: bool,
-        scratch: &mut Vec<Body<f64>>,
-    ) {
+    fn follow_group(&mut self, group: usize, branch: &mut Branch, is_back: bool, scratch: &mut [Body<f64>]) {
         let kernel = self.chain.groups[group].as_ref();
         let mut samples = Samples::new(kernel, branch.way(group, branch.from), scratch);
         samples.place_from(0, branch);
@@ -234,8 +228,7 @@ impl Follower<'_> {
     /// Where a group can't be placed at a sample: its end, or where another of its ways continues the motion.
     fn stop(&self, (group, way): (usize, u8), sample: usize, source: GroupError, branch: &Branch) -> Event {
         let Some(before) = sample.checked_sub(1) else { return Event::End(branch.from, source) };
-        let [good, bad] =
-            self.end((group, way), self.behind(group, before, branch), branch.at(sample), branch);
+        let [good, bad] = self.end((group, way), branch.behind(group, before), branch.at(sample), branch);
         let is_bounded = branch.passages[group].len() < branch.samples;
         let renumbered = self.renumbered((group, way), [good, bad], branch).filter(|_| is_bounded);
         renumbered.map_or(Event::End(good, source), Event::Transition)
@@ -258,7 +251,7 @@ impl Follower<'_> {
                 apart(&own, &from) < apart(&own, &to)
             })
         };
-        let ends = bisect(self.behind(group, sample - 1, branch), branch.at(sample), 0.0, is_before);
+        let ends = bisect(branch.behind(group, sample - 1), branch.at(sample), 0.0, is_before);
         self.renumbered((group, way), ends, branch).map(Event::Transition)
     }
 
@@ -284,13 +277,6 @@ impl Follower<'_> {
     /// Neighboring coordinates, at the first of which a group can be placed and at the second not.
     fn end(&self, at: (usize, u8), good: f64, bad: f64, branch: &Branch) -> [f64; 2] {
         bisect(good, bad, 0.0, |q| self.place(at, q, branch).is_ok())
-    }
-
-    /// Coordinate of a sample, or of the last passage of a group if that lies behind it.
-    fn behind(&self, group: usize, sample: usize, branch: &Branch) -> f64 {
-        let coordinate = branch.at(sample);
-        let passed = branch.passages[group].last().filter(|one| one.distance > branch.distance(coordinate));
-        passed.map_or(coordinate, |one| branch.coordinate(one.distance))
     }
 
     /// Places a group and the groups that determine its motion; all bodies.

@@ -73,7 +73,7 @@ impl Motions<'_> {
         if let ([vector], 1) = (&mut null[..], self.count) {
             let part = vector[0];
             if part.abs() > RANK_LIMIT {
-                vector.iter_mut().for_each(|number| *number /= part);
+                *vector = vector.iter().map(|number| number / part).collect();
             }
         }
         let goes_on = null.len() == 1 && self.count == 1 && (null[0][0] - 1.0).abs() <= f64::EPSILON;

@@ -55,7 +55,9 @@ impl<'a> Samples<'a> {
                     break;
                 }
             }
-            links.iter().for_each(|&link| branch.poses[link].push(self.scratch[link]));
+            for &link in links {
+                branch.poses[link].push(self.scratch[link]);
+            }
         }
     }
 

@@ -19,7 +19,8 @@ fn pin(pair: &Pair, body: usize) -> [f64; 2] {
 
 /// The inner and the outer pair of a link that has one of each.
 fn ends(frame: &GroupFrame, link: usize) -> [&Pair; 2] {
-    [&frame.inner, &frame.outer].map(|pairs| pairs.iter().find(|pair| pair.joins(link)).unwrap())
+    [&frame.inner, &frame.outer]
+        .map(|pairs| pairs.iter().find(|pair| pair.joins(link)).expect("a pair of the link"))
 }
 
 /// Where the outer pin of a link is.
@@ -129,7 +130,8 @@ inventory::submit! {
 }
 
 fn compiled(text: &str) -> Linkage {
-    Linkage::compile(assur_scene::read("ways", text).unwrap()).unwrap()
+    let mechanism = assur_scene::read("ways", text).unwrap_or_else(|errors| panic!("{errors}"));
+    Linkage::compile(mechanism).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Distance of two angles, rad.
