@@ -111,31 +111,6 @@ impl Shooting<'_> {
         Err(DynamicsError::NotPeriodic { cycles: MOST_ITERATIONS, residual: before })
     }
 
-    /// Runs cycle after cycle until the speed at the start changes by less than `tolerance` (relative): the slow
-    /// method, for comparison.
-    pub(crate) fn settle(
-        &mut self,
-        setup: Setup,
-        mut energy: f64,
-        tolerance: f64,
-        most: usize,
-    ) -> Result<Vec<Iteration>, DynamicsError> {
-        let mut iterations = Vec::new();
-        let mut guess: Option<CycleSolution> = None;
-        let mut residual = f64::NAN;
-        for number in 1..=most {
-            let found = self.run(setup, energy, guess.as_ref())?;
-            iterations.push(found.iteration(number));
-            residual = ((found.end - found.start) / found.start).abs();
-            if residual <= tolerance {
-                return Ok(iterations);
-            }
-            energy = found.end;
-            guess = Some(found);
-        }
-        Err(DynamicsError::NotPeriodic { cycles: most, residual })
-    }
-
     /// Halves the panels on which the solution misses the equation by more than `tolerance` of the energy; the
     /// worst miss and whether there was anything to halve.
     pub(crate) fn refine(

@@ -162,8 +162,19 @@ impl<'a> RegimeSolver<'a> {
         most: usize,
     ) -> Result<Vec<Iteration>, DynamicsError> {
         let setup = regime.solution().setup;
-        let energy = self.energy(&setup, self.request.mean_speed.abs());
-        self.shooting.settle(setup, energy, tolerance, most)
+        let mut energy = self.energy(&setup, self.request.mean_speed.abs());
+        let (mut iterations, mut guess, mut residual) = (Vec::new(), None, f64::NAN);
+        for number in 1..=most {
+            let found = self.shooting.run(setup, energy, guess.as_ref())?;
+            iterations.push(found.iteration(number));
+            residual = ((found.end - found.start) / found.start).abs();
+            if residual <= tolerance {
+                return Ok(iterations);
+            }
+            energy = found.end;
+            guess = Some(found);
+        }
+        Err(DynamicsError::NotPeriodic { cycles: most, residual })
     }
 
     /// The first cycle from the mean speed (S fig. 9) and the iteration from there (S fig. 10).
