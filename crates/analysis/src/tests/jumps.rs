@@ -76,6 +76,35 @@ fn a_speed_is_held_by_a_jump_of_a_table() {
     }
 }
 
+/// A pendulum of 1 kg on 1 m that swings against dry friction of 0.7 N m from 60 degrees below the horizontal.
+fn pendulum(until: &str) -> Analysis {
+    let friction = "{ over = \"speed\", table = [[-10, 0.7], [0, 0.7], [0, -0.7], [10, -0.7]] }";
+    analyzed(&format!(
+        "gravity = 9.81\n[ground]\npoints = {{ O = 0 }}\n[link.bob]\npoints = {{ O = 0, A = 1 }}\nmass = 1\ncenter = \"A\"\n\
+         [input]\nlink = \"bob\"\nfrom = \"-60 deg\"\n[[moment]]\nlink = \"bob\"\nvalue = {friction}\n\
+         [motion]\nkind = \"transient\"\nuntil = \"{until}\"\nsamples = 20\n"
+    ))
+}
+
+#[test]
+fn a_turn_is_the_first_reversal_and_rest_is_for_good() {
+    let turn = pendulum("turn");
+    assert_balanced(&turn, 10.0);
+    let (start, end) = (turn.trajectory.first().unwrap(), turn.trajectory.last().unwrap());
+    // From rest to rest the weight does the work that friction takes.
+    let fall = 9.81 * (start.coordinate.sin() - end.coordinate.sin());
+    assert!((fall - 0.7 * (start.coordinate - end.coordinate)).abs() < 1e-7);
+    // It still comes from the side that it moved on: friction and weight push it back together.
+    assert!((end.acceleration - (0.7 - 9.81 * end.coordinate.cos())).abs() < 1e-6);
+    assert_eq!((end.speed, end.holding), (0.0, None));
+    let rest = pendulum("rest");
+    assert_balanced(&rest, 10.0);
+    let end = rest.trajectory.last().unwrap();
+    let holding = end.holding.unwrap();
+    assert!(end.time > 2.0 * turn.trajectory.last().unwrap().time && end.acceleration == 0.0);
+    assert!((holding.moment - 9.81 * end.coordinate.cos()).abs() < 1e-9 && holding.moment.abs() < 0.7);
+}
+
 /// A slider-crank with a load.
 fn slider_crank(direction: &str, load: &str, motion: &str) -> String {
     format!(

@@ -23,6 +23,7 @@ mod shooting;
 mod solution;
 mod solver;
 mod tuning;
+mod working_point;
 
 pub use regime::Regime;
 pub use report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};

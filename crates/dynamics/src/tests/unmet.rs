@@ -31,7 +31,7 @@ fn power_is_that_of_the_speed_that_a_given_ratio_gives() {
     // By an independent computation; 120 rpm would be 12.57 rad/s and 450 W.
     assert_relative_eq!(regime.mean_speed, 16.91, max_relative = 2e-4);
     assert_relative_eq!(regime.required_power, 606.0, max_relative = 2e-3);
-    // The stroke is that of the crank in line with the rod; the guide lies 20 mm beside the pin.
+    // It presses over about one stroke; the guide lies 20 mm beside the pin.
     let far = |arm: f64| (arm * arm - 0.02_f64 * 0.02).sqrt();
     let work = 900.0 * (far(0.45) - far(0.25));
     assert_relative_eq!(found.resistance_work, work, max_relative = 0.02);
@@ -69,7 +69,7 @@ fn without_a_drive_another_speed_than_that_of_the_loads_is_refused() {
     assert_relative_eq!(disc(12.0, "").unwrap().regime.mean_speed, 12.0, max_relative = 1e-10);
     let error = disc(1.0, "").unwrap_err();
     let DynamicsError::OtherSpeed { wanted, found } = error else { panic!("{error}") };
-    assert_eq!(wanted, 1.0);
+    assert_relative_eq!(wanted, 1.0);
     assert_relative_eq!(found, 12.0, max_relative = 1e-10);
     // A moment that balances the loads makes any speed the mean one.
     let balanced = disc(4.0, "[drive]\ntorque = \"balance\"\n").unwrap();
@@ -89,7 +89,7 @@ fn an_inertia_that_vanishes_between_the_nodes_is_refused() {
         let (linkage, loads) = compiled(&text);
         let error = steady(&linkage, &loads, None).unwrap_err();
         let DynamicsError::NoInertia { coordinate, inertia } = error else { panic!("{from}: {error}") };
-        assert_eq!(inertia, 0.0);
+        assert!(inertia.abs() < 1e-300);
         // The piston stands in both dead points.
         assert!((coordinate / PI - (coordinate / PI).round()).abs() < 1e-6, "{coordinate}");
     }
