@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use assur_analysis::Progress;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::number::plain;
 
@@ -29,12 +29,19 @@ pub(crate) struct ProgressLine(ProgressBar);
 
 impl ProgressLine {
     pub(crate) fn new() -> Self {
-        let bar = ProgressBar::new_spinner().with_style(
-            ProgressStyle::with_template("{msg} ({elapsed})")
-                .unwrap_or_else(|_| ProgressStyle::default_spinner()),
-        );
-        // Time passes on the line though a calculation has nothing to say.
-        bar.enable_steady_tick(PATIENCE);
+        let bar =
+            ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()).with_message("calculating");
+        let line = bar.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(PATIENCE);
+            if !line.is_finished() {
+                let style = ProgressStyle::with_template("{msg} ({elapsed})");
+                line.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+                line.set_draw_target(ProgressDrawTarget::stderr());
+                // Time passes on the line though a calculation has nothing to say.
+                line.enable_steady_tick(PATIENCE);
+            }
+        });
         Self(bar)
     }
 
