@@ -57,7 +57,7 @@ pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<S
 /// equation, [`IntegrationError::NoMethod`] where none can.
 pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Choice, IntegrationError> {
     if name == AUTO {
-        return ranked(&integrators()?, dependence, tolerance);
+        return ranked(&integrators()?, *dependence, tolerance);
     }
     let integrator = find(name)?;
     integrator.supports(dependence)?;
@@ -67,11 +67,11 @@ pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Cho
 
 fn ranked(
     registry: &[&'static IntegratorPlugin],
-    dependence: &Dependence,
+    dependence: Dependence,
     tolerance: f64,
 ) -> Result<Choice, IntegrationError> {
     let suits = |plugin: &&'static IntegratorPlugin| {
-        let suitability = (plugin.suitability)(dependence, tolerance).ok()?;
+        let suitability = (plugin.suitability)(&dependence, tolerance).ok()?;
         Some((*plugin, suitability))
     };
     let mut methods: Vec<_> = registry.iter().filter_map(suits).collect();
@@ -106,7 +106,7 @@ impl Choice {
                 (Err(error @ IntegrationError::Unsupported { .. }), _) => {
                     candidate = rest.next().ok_or_else(|| error.clone())?;
                     if let IntegrationError::Unsupported { reason, .. } = error {
-                        refusals += &format!("; `{}` was tried before: {reason}", integrator.name);
+                        refusals = format!("{refusals}; `{}` was tried before: {reason}", integrator.name);
                     }
                 }
                 (Err(IntegrationError::TooManySteps { stiffness: Some(product), .. }), Some(stiff))

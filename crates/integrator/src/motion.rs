@@ -69,6 +69,7 @@ pub struct State {
 
 impl State {
     /// The state at a later time if the speed stays.
+    #[must_use]
     pub fn coasting_until(&self, time: f64) -> Self {
         Self { time, coordinate: self.coordinate + self.speed * (time - self.time), ..*self }
     }

@@ -181,7 +181,7 @@ pub struct Event {
 pub struct Statistics {
     /// Accepted steps (panels, for the energy form).
     pub steps: usize,
-    /// Rejected steps, and steps redone to land on an event.
+    /// Rejected steps, and steps redone to end on an event.
     pub rejected: usize,
     /// Evaluations of the equation, those for samples, events and Jacobians included.
     pub evaluations: usize,

@@ -109,7 +109,7 @@ impl<'a, C: Curve> Run<'a, C> {
 
     /// Something happened at a state.
     pub fn event_at(&mut self, state: State, kind: EventKind) {
-        self.events.push(Event { state, kind });
+        self.events.push(Event { kind, state });
     }
 
     /// Whether a sample may lie in a step to `time`, s, which belongs to the next step. Where the end is not a time, its instants are not known yet.

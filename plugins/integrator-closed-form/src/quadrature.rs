@@ -17,13 +17,13 @@ pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
     order: 0,
     knob: Knob::Tolerance,
     stiff: false,
-    suitability,
+    suitability: |dependence, _| suitability(*dependence),
     method: &Quadrature,
 };
 
 inventory::submit! { QUADRATURE }
 
-fn suitability(dependence: &Dependence, _: f64) -> Result<Suitability, String> {
+fn suitability(dependence: Dependence) -> Result<Suitability, String> {
     let one = !(dependence.moment_on_speed && dependence.moment_on_time);
     if !dependence.inertia_constant || dependence.moment_on_coordinate || !one {
         return Err(format!(

@@ -161,7 +161,7 @@ impl March<'_> {
         };
         let grown = length * factor.clamp(0.3, 3.0);
         self.length = if at_bound { self.length.max(grown) } else { grown };
-        self.pass(panel, ending)
+        self.pass(&panel, ending)
     }
 
     /// Length that the roundings of the coordinate swallow.
@@ -186,19 +186,19 @@ impl March<'_> {
     }
 
     /// Goes through a fitted panel to its end, to the turning point in it, or to the end of time.
-    fn pass(&mut self, panel: Panel, ending: Ending) -> Result<(), IntegrationError> {
+    fn pass(&mut self, panel: &Panel, ending: Ending) -> Result<(), IntegrationError> {
         let latest = self.run.request.latest();
         let turning = if let Ending::Turning(x) = ending { Some(x) } else { None };
         let until = turning.unwrap_or(1.0);
         let rests = Rests { at_start: self.energy <= 0.0, at_end: turning.is_some() };
         let begin = self.run.node.state.time;
         let tolerance = self.tolerance().max(CLOCK_ROUNDING);
-        let clock = Clock::measure(&panel, (until, rests), (begin, latest), tolerance);
+        let clock = Clock::measure(panel, (until, rests), (begin, latest), tolerance);
         let clock = clock.map_err(|_| self.run.not_reached("creeps into an equilibrium without end"))?;
         self.run.statistics.steps += 1;
         self.largest = self.largest.max(panel.most_energy());
         let end = clock.end();
-        let passage = Passage { panel: Box::new(panel), clock };
+        let passage = Passage { panel: Box::new(*panel), clock };
         if end >= latest {
             let state = passage.at(&self.run.node.state, latest);
             self.run.record(passage, end);

@@ -25,7 +25,7 @@ fn d1_is_exact_at_any_step() {
 }
 
 #[test]
-fn jumps_are_exact_because_each_stretch_is_uniform() {
+fn jumps_are_exact_because_each_piece_is_uniform() {
     let found = UNIFORM.solve(&mut assur_problems::jumps(), &request(Until::Coordinate(3.0), 0.4)).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert_close(found.end.speed, 10.0_f64.sqrt(), 1e-12);

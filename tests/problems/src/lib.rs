@@ -39,14 +39,14 @@ impl<F: Fn(Place, &State) -> Reduced> Example<F> {
         Self { dependence, breaks: Vec::new(), directed: false, formula, place }
     }
 
-    /// The same with breaks along the coordinate.
+    /// Adds breaks along the coordinate, at which the formula may jump.
     #[must_use]
     pub fn with_breaks(mut self, breaks: Vec<f64>) -> Self {
         self.breaks = breaks;
         self
     }
 
-    /// The same with a formula that depends on the direction of motion.
+    /// Lets the formula depend on the direction of motion.
     #[must_use]
     pub fn directed(mut self) -> Self {
         self.directed = true;

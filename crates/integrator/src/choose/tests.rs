@@ -75,7 +75,7 @@ fn cases_are_those_of_d() {
 fn methods_are_ranked_by_cost_then_by_order() {
     let registry = [&SPARE, &CLOSED, &HIGH, &STIFF, &LOW];
     let names = |dependence, tolerance| {
-        let choice = ranked(&registry, &dependence, tolerance).unwrap();
+        let choice = ranked(&registry, dependence, tolerance).unwrap();
         assert_eq!(choice.stiff.unwrap().name, "implicit");
         let first = std::iter::once(&choice.first);
         first.chain(&choice.others).map(|candidate| candidate.integrator.name).collect::<Vec<_>>()
@@ -89,9 +89,9 @@ fn methods_are_ranked_by_cost_then_by_order() {
 
 #[test]
 fn the_reason_names_the_case_and_nothing_suitable_is_an_error() {
-    let choice = ranked(&[&CLOSED], &equation(true, [false; 3]), 1e-6).unwrap();
+    let choice = ranked(&[&CLOSED], equation(true, [false; 3]), 1e-6).unwrap();
     assert_eq!(choice.first.reason, "case 1 of D (J constant, M constant): exact");
     assert!(choice.stiff.is_none() && choice.others.is_empty());
-    let error = ranked(&[&CLOSED], &equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
+    let error = ranked(&[&CLOSED], equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
     assert_eq!(error, "no linked integrator can treat this equation (J(q), M(q, w))");
 }

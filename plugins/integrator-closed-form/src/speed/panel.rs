@@ -117,7 +117,7 @@ impl Panel {
         self.time = integral(&divided(&self.slowness, x), 1.0);
         self.way = integral(&self.slowness, self.half);
         let mut speed = self.speed(x);
-        // A speed of zero is not told from one by rounding: the way would grow for ever.
+        // A speed that is a rounding counts as zero: otherwise the way would grow without end.
         if speed.abs() <= 16.0 * f64::EPSILON * (self.start.abs() + self.half.abs()) {
             speed = 0.0;
         }

@@ -58,7 +58,7 @@ fn friction_holds_at_rest() {
     assert!(error.ends_with("rests there for good"), "{error}");
 }
 
-/// Stalled by a hair: w' = -a - w with a down to a rounding of the moment, at rest after ln(1 + 1/a).
+/// Stalled by hardly more than nothing: w' = -a - w with a down to a rounding of the moment, at rest after ln(1 + 1/a).
 #[test]
 fn a_stall_by_a_hair_is_a_rest() {
     for exponent in 1..=15 {
