@@ -5,8 +5,8 @@ use assur_mechanism::Table;
 
 use crate::State;
 use crate::breaks::Breaks;
+use crate::selection::Selection;
 use crate::stroke::{Segment, Stroke};
-use crate::visit::Selection;
 
 /// The law of one load.
 #[derive(Debug, Clone, PartialEq)]

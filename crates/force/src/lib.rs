@@ -24,6 +24,7 @@ mod reactions;
 mod reduce;
 mod registry;
 mod reversal;
+mod selection;
 mod state;
 mod stroke;
 mod visit;

@@ -2,10 +2,10 @@
 
 use assur_group::Body;
 
-use crate::breaks::tolerance;
 use crate::law::Active;
 use crate::loads::{Along, ArcContact, Cause, Loads, PointForce, SpringDamper};
-use crate::state::{Side, beside};
+use crate::selection::Selection;
+use crate::state::Side;
 use crate::{Phase, State};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
@@ -27,42 +27,6 @@ pub(crate) trait Choice {
     fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool;
     /// By what a force against the motion multiplies the unit vector of PF1; 0 where the point stands.
     fn against(&self, loads: &Loads, force: usize, state: &State, pf: [[f64; 2]; 2]) -> f64;
-}
-
-/// The formulas of one side of a state.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Selection {
-    /// Sense of the motion, 1 or -1.
-    pub(crate) sense: f64,
-    /// 1: just after the state in the direction of motion; -1: just before.
-    pub(crate) ahead: f64,
-    /// Side of the speed: 1 above, -1 below, 0 as the tables have it.
-    pub(crate) speed_side: f64,
-    /// The input moves, so that a force against the motion has a direction.
-    moves: bool,
-    /// Both ends of a contact belong to it.
-    closed: bool,
-}
-
-impl Selection {
-    /// The coordinate from which the formulas of a law are taken.
-    #[inline]
-    pub(crate) fn coordinate(&self, state: &State, period: Option<f64>) -> f64 {
-        // A position that should lie on a row may miss it by rounding.
-        state.coordinate + self.ahead * self.sense * tolerance(state.coordinate, period)
-    }
-
-    /// The time from which the formulas of a law are taken.
-    #[inline]
-    pub(crate) fn time(&self, state: &State) -> f64 {
-        state.time + self.ahead * tolerance(state.time, None)
-    }
-
-    /// The speed from which the formulas of a law are taken.
-    #[inline]
-    pub(crate) fn speed(&self, state: &State) -> f64 {
-        if self.speed_side == 0.0 { state.speed } else { beside(state.speed, self.speed_side) }
-    }
 }
 
 /// The formulas that hold at a state.
