@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_force::Loads;
-use assur_integrator::Motion;
+use assur_integrator::{Motion, Request, Until};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
@@ -130,7 +130,15 @@ impl Charting<'_> {
         if let Some(Asked::Transient { .. }) = linkage.mechanism.motion {
             let mut motion = assur_dynamics::equation(linkage, loads)?;
             let request = assur_dynamics::request(&linkage.mechanism, &mut motion)?;
-            return self.integrators(&Task { motion, request });
+            let task = Task { motion, request };
+            return match self.integrators(&task) {
+                // A motion that never rests for good ends at its first turning point, as in the analysis.
+                Err(ChartError::NoMotion) if request.until == Until::Rest => {
+                    let request = Request { until: Until::Turn, ..request };
+                    self.integrators(&Task { request, ..task })
+                }
+                found => found,
+            };
         }
         match Cycle::of(linkage, loads) {
             None => {}
