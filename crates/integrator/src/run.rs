@@ -155,9 +155,9 @@ impl<'a, C: Curve> Run<'a, C> {
     pub fn check_way(&self) -> Result<(), IntegrationError> {
         /// Coordinate, rad (m).
         const FURTHEST: f64 = 1e12;
-        let ends = matches!(self.request.until, Until::Time(_));
+        let endless = !matches!(self.request.until, Until::Time(_));
         let far = self.node.state.coordinate.abs() > FURTHEST;
-        if far && !ends { Err(self.not_reached("goes on without end")) } else { Ok(()) }
+        if endless && far { Err(self.not_reached("goes on without end")) } else { Ok(()) }
     }
 
     /// Remembers the motion from the present state to the time `end`, s, for its samples.
@@ -166,14 +166,11 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     fn push(&mut self, curve: Option<C>, end: f64) {
-        if !self.wants(end) {
-            return;
+        if self.wants(end) {
+            self.segments.push(Segment { from: self.node.state, end, curve });
         }
-        self.segments.push(Segment { from: self.node.state, end, curve });
-        if let Until::Time(_) = self.request.until {
-            while self.wants(end) {
-                self.next_sample += 1;
-            }
+        while matches!(self.request.until, Until::Time(_)) && self.wants(end) {
+            self.next_sample += 1;
         }
     }
 
