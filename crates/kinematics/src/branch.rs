@@ -1,4 +1,4 @@
-//! The assembly followed from the first position in one direction.
+//! The assembly, followed from the first position in one direction.
 
 use assur_group::Body;
 
@@ -9,45 +9,45 @@ use crate::wide::Assembly;
 /// A transition of one group on a branch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Passage {
-    /// Distance from the start along the direction of the branch, rad or m.
+    /// Distance from the start in the direction of the branch, rad or m.
     pub(crate) distance: f64,
     /// The group's way before it.
     pub(crate) before: u8,
-    /// The group's way behind it.
+    /// The group's way after it.
     pub(crate) after: u8,
     /// Whether two ways meet there.
     pub(crate) is_change_point: bool,
 }
 
-/// What is known of a branch. Groups are followed one after the other, each over the whole branch.
+/// A branch as far as it is known. Groups are followed one after the other, each over the whole branch.
 #[derive(Debug)]
 pub(crate) struct Branch {
     /// Coordinate of the start.
     pub(crate) from: f64,
-    /// How far it leads if every group can be assembled; negative towards lesser coordinates.
+    /// Full length if every group can be assembled, rad or m; negative towards smaller coordinates.
     length: f64,
-    /// Number of steps to there.
+    /// Number of steps in the full length.
     steps: usize,
-    /// Samples at which all groups so far can be assembled, the start included.
+    /// Number of samples, the start included, at which all groups followed up to now can be assembled.
     pub(crate) samples: usize,
-    /// How far it leads, rad or m, with the sign of the length.
+    /// Length over which the mechanism can be assembled, rad or m, with the sign of `length`.
     pub(crate) reached: f64,
-    /// What ends it before its length.
+    /// What ends the branch before its full length.
     pub(crate) failure: Option<ChainError>,
-    /// The ways in the start.
+    /// The ways at the start.
     first: Vec<u8>,
-    /// By group, with increasing distance.
+    /// The passages of each group, in order of increasing distance.
     pub(crate) passages: Vec<Vec<Passage>>,
-    /// Groups whose ways meet in the start itself: they are left behind by a branch towards greater coordinates, and are the
-    /// first passage of one towards lesser ones.
+    /// Groups whose ways meet at the start itself: a branch towards greater coordinates begins behind this meeting;
+    /// for a branch towards smaller ones it is the first passage.
     pub(crate) met_at_start: Vec<usize>,
-    /// All meetings so far.
+    /// The meetings of all groups followed up to now.
     pub(crate) meetings: Vec<Meeting>,
-    /// By link: its pose at every sample, where it is still needed.
+    /// For each link, its pose at every sample, as long as other groups need it.
     pub(crate) poses: Vec<Vec<Body<f64>>>,
-    /// Links of groups that iterate.
+    /// Links of the groups that iterate.
     iterated: Vec<usize>,
-    /// All links in the start.
+    /// All links at the start.
     pub(crate) start: Vec<Body<f64>>,
 }
 
@@ -80,12 +80,12 @@ impl Branch {
         self.from + self.length * (sample as f64) / (self.steps as f64)
     }
 
-    /// Distance of two samples, positive.
+    /// Distance between neighboring samples, positive.
     pub(crate) fn step(&self) -> f64 {
         self.length.abs() / self.steps as f64
     }
 
-    /// Distance from the start along the direction of the branch.
+    /// Distance from the start in the direction of the branch.
     pub(crate) fn distance(&self, coordinate: f64) -> f64 {
         (coordinate - self.from) * self.length.signum()
     }
@@ -95,38 +95,38 @@ impl Branch {
         self.from + distance * self.length.signum()
     }
 
-    /// Coordinate of a sample, or of the last passage of a group if that lies behind it.
+    /// Coordinate of a sample, or of the last passage of a group if that is behind the sample.
     pub(crate) fn behind(&self, group: usize, sample: usize) -> f64 {
         let coordinate = self.at(sample);
         let passed = self.passages[group].last().filter(|one| one.distance > self.distance(coordinate));
         passed.map_or(coordinate, |one| self.coordinate(one.distance))
     }
 
-    /// Whether it leads over its whole length.
+    /// Whether the branch covers its full length.
     pub(crate) fn is_complete(&self) -> bool {
         self.failure.is_none()
     }
 
-    /// Ends it at a coordinate, behind so many samples.
+    /// Ends the branch at a coordinate, after so many samples.
     pub(crate) fn end(&mut self, coordinate: f64, samples: usize, failure: ChainError) {
         self.reached = coordinate - self.from;
         self.samples = samples;
         self.failure = Some(failure);
     }
 
-    /// Leaves out the passages behind its end.
+    /// Removes the passages behind the end of the branch.
     pub(crate) fn trim(&mut self) {
         let reached = self.reached.abs();
         self.passages.iter_mut().for_each(|passages| passages.retain(|one| one.distance <= reached));
     }
 
-    /// Ways at its end.
+    /// The ways at the end of the branch.
     pub(crate) fn last(&self) -> Vec<u8> {
         let last = |(first, passages): (&u8, &Vec<Passage>)| passages.last().map_or(*first, |one| one.after);
         self.first.iter().zip(&self.passages).map(last).collect()
     }
 
-    /// The links in the start with those of iterating groups as they are at the sample nearest to a coordinate.
+    /// The links at the start, but those of iterating groups as at the sample nearest to a coordinate.
     pub(crate) fn bodies_near(&self, coordinate: f64) -> Vec<Body<f64>> {
         let mut bodies = self.start.clone();
         self.guess(coordinate, &mut bodies);

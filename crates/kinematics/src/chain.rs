@@ -27,7 +27,7 @@ pub enum Input<T> {
         axis: [T; 2],
         /// d(origin)/dq: the unit vector along which the origin moves as the coordinate grows.
         along: [T; 2],
-        /// Its origin at the coordinate 0, m.
+        /// Origin of the link at the coordinate 0, m.
         origin: [T; 2],
     },
 }
@@ -46,7 +46,7 @@ impl<T> Input<T> {
 pub struct ChainError {
     /// Index of the group.
     pub group: usize,
-    /// What it says.
+    /// Why it has no solution.
     pub source: GroupError,
 }
 
@@ -71,7 +71,7 @@ impl<T: Number> Chain<T> {
     ///
     /// # Errors
     ///
-    /// [`CompileError::Build`] where lengths make no group of the kind.
+    /// [`CompileError::Build`] if a group's lengths don't form a group of its kind.
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
@@ -84,7 +84,7 @@ impl<T: Number> Chain<T> {
         Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links })
     }
 
-    /// Leaves the groups out that are not needed; none of the others may depend on them.
+    /// Leaves out the groups that are not needed; no needed group may depend on them.
     pub fn limit_to(&mut self, needed: &[bool]) {
         for (mine, needed) in self.needed.iter_mut().zip(needed) {
             *mine = *needed;
@@ -96,7 +96,7 @@ impl<T: Number> Chain<T> {
         self.needed[group]
     }
 
-    /// Bodies at rest at the origin, to be solved into.
+    /// Bodies at rest at the origin, as storage for a solution.
     pub fn bodies(&self) -> Vec<Body<T>> {
         vec![Body::ground(); self.bodies]
     }
@@ -138,8 +138,8 @@ impl<T: Number> Chain<T> {
         self.solve_except(coordinate, ways, order, bodies, health, |_, _| None)
     }
 
-    /// Solves the needed groups as [`solve`](Self::solve) does, except those that `instead` places itself: it answers with
-    /// the health of a group, or with `None` where the group shall be solved.
+    /// Solves the needed groups at one coordinate; a group that `instead` places itself is skipped: `instead` returns
+    /// the health of such a group, and `None` for a group that is to be solved.
     #[inline]
     pub(crate) fn solve_except(
         &self,
@@ -179,7 +179,7 @@ fn input_of<T: Real>(mechanism: &Mechanism) -> Input<T> {
     }
 }
 
-/// A sliding input; either of the two may carry the guide.
+/// A sliding input; the guide is on the ground or on the input link.
 fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
     let found = &mechanism.slides[slide];
     let (point, through) = (vector::<T>(found.point), vector::<T>(found.through));

@@ -1,8 +1,8 @@
-//! Which groups determine the motion of which.
+//! Dependence between groups: which groups determine the motion of another.
 
 use assur_structure::Structure;
 
-/// By group: the groups whose links its outer pairs join.
+/// For each group, the groups whose links its outer pairs join.
 #[derive(Debug, Clone)]
 pub(crate) struct Dependence {
     parents: Vec<Vec<usize>>,
@@ -25,8 +25,8 @@ impl Dependence {
         Self { parents: parents.collect() }
     }
 
-    /// The groups that determine the motion of a group, in solving order, without itself; those that `known` holds for, and
-    /// what only they depend on, are left out.
+    /// The groups that determine the motion of a group, in solving order, without the group itself. Groups for which
+    /// `known` holds are left out, and with them the groups that only they depend on.
     pub(crate) fn ancestors(&self, group: usize, known: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut found = Vec::new();
         let mut is_found = vec![false; group];

@@ -1,4 +1,4 @@
-//! What can go wrong between a mechanism and a position.
+//! Errors in compiling a mechanism and in calculating a position.
 
 use assur_group::{BuildError, GroupError};
 use assur_structure::StructureError;
@@ -7,10 +7,10 @@ use assur_structure::StructureError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompileError {
-    /// It can't be taken apart.
+    /// The mechanism can't be decomposed into groups.
     #[error(transparent)]
     Structure(#[from] StructureError),
-    /// The lengths make no group of the kind.
+    /// The lengths don't form a group of the kind.
     #[error("{group}: {source}")]
     Build {
         /// The group.
@@ -27,20 +27,20 @@ pub struct PositionError {
     pub group: usize,
     /// The group in words: `group 1 (RRR rod, rocker)`.
     pub group_name: String,
-    /// Number of the position, where it is one of the scene's.
+    /// Number of the position, if the coordinate is that of a position of the scene.
     pub index: Option<usize>,
     /// The coordinate, rad or m.
     pub coordinate: f64,
     /// Whether the coordinate is an angle.
     pub angular: bool,
-    /// What the group says.
+    /// Why the group has no solution.
     pub source: GroupError,
-    /// Coordinates around the first position between which the mechanism can be assembled, rad or m, in the order of
-    /// the coordinate; `None`: not even the first position.
+    /// The range around the first position in which the mechanism can be assembled, rad or m, in increasing order;
+    /// `None` if it can't be assembled in the first position.
     pub range: Option<[f64; 2]>,
 }
 
-/// Gaps from which on a length was probably written without its unit, m.
+/// Gaps above this suggest a length written without its unit, m.
 const VAST: f64 = 10.0;
 
 impl PositionError {
@@ -53,7 +53,7 @@ impl PositionError {
         }
     }
 
-    /// A coordinate as a reader wants it: degrees or millimeters.
+    /// A coordinate in the units of messages: degrees or millimeters.
     fn show(&self, coordinate: f64) -> String {
         if self.angular {
             format!("{:.4} deg", coordinate.to_degrees())

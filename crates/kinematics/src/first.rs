@@ -7,15 +7,16 @@ use assur_number::{Dd, Real};
 
 use crate::{Chain, ChainError};
 
-/// Places nearer than this (in parts of the scale) are one: near a change point the wanted places decide by less than
-/// what 16 digits see, but not by less than they are written with.
+/// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the ways
+/// differ by less than the resolution of 16 digits, but by more than this.
 const SAME: f64 = 1e-14;
 
 /// The way of each group, and the placed links.
 pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 
-/// The way of each group at the coordinate `from`, the one closest to the places of `[assembly]`, and the placed links; where
-/// a group can't be placed, the ways so far and what it says. `scale` is a length typical of the mechanism, m.
+/// Finds the way of each group at the coordinate `from` that is closest to the places in `[assembly]`, and places the
+/// links. Where a group can't be placed: the ways of the groups before it, and the error. `scale` is a typical length
+/// of the mechanism, m.
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
     scale: f64,
@@ -38,7 +39,7 @@ pub(crate) fn first_ways(
         for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
             match miss(&wanted, kernel.as_ref(), way, &mut bodies) {
                 Ok(found) => {
-                    // Twice the digits where they can be had: close to a change point the ways differ by little.
+                    // In 32 digits where possible: close to a change point the ways differ by little.
                     let exact = extended.and_then(|kernel| miss(&wanted, kernel, way, &mut wide).ok());
                     let found = exact.unwrap_or(found);
                     if best.is_none_or(|(least, _)| found < least - SAME * scale) {
@@ -53,10 +54,10 @@ pub(crate) fn first_ways(
             (None, Some(failure)) => return Err((ways, failure)),
             (None, None) => {}
         }
-        // It was placed before, from the same guess.
+        // The group was already placed from the same starting pose.
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
         if extended.is_none_or(|kernel| kernel.place(&mut wide, usize::from(ways[group])).is_err()) {
-            // A gap that is rounding only: the place of 16 digits must do.
+            // The gap is only rounding: the pose in 16 digits is kept.
             for &link in links {
                 wide[link] = bodies[link].map(Dd::from_f64);
             }
@@ -65,7 +66,7 @@ pub(crate) fn first_ways(
     Ok((ways, bodies))
 }
 
-/// Where `[assembly]` wants a point of a link.
+/// The place that `[assembly]` gives for a point of a link.
 struct Wanted {
     /// Index of the point.
     point: usize,
@@ -86,7 +87,7 @@ fn wanted(mechanism: &Mechanism) -> Vec<Vec<Wanted>> {
     wanted
 }
 
-/// Starting guess for kinds that iterate: each link at the mean of its wanted points.
+/// Starting pose for kinds that iterate: each link at the mean of its wanted points.
 fn guessed_bodies(wanted: &[Vec<Wanted>], chain: &Chain<f64>) -> Vec<Body<f64>> {
     let mut bodies = chain.bodies();
     for (body, wanted) in bodies.iter_mut().zip(wanted).skip(1) {
@@ -106,8 +107,8 @@ fn guessed_bodies(wanted: &[Vec<Wanted>], chain: &Chain<f64>) -> Vec<Body<f64>> 
     bodies
 }
 
-/// Root of the sum of squares of the distances of a group's points from their wanted places in a way, m. The links of the
-/// group are left as they were.
+/// Root of the sum of the squared distances between a group's points in one way and their wanted places, m. Leaves
+/// the links of the group unchanged.
 fn miss<T: Number>(
     wanted: &[Vec<Wanted>],
     kernel: &dyn AssurGroup<T>,

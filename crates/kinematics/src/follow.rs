@@ -1,4 +1,5 @@
-//! Follows the assembly from the first position: where ways meet, and where the mechanism ends.
+//! Follows the assembly from the first position: finds where two ways meet and where the mechanism can no longer be
+//! assembled.
 
 use std::f64::consts::TAU;
 
@@ -20,13 +21,14 @@ use crate::{Chain, ChainError, Range};
 /// Samples over one turn, or over the length of the range of a sliding input.
 const SAMPLES: usize = 720;
 
-/// Where the first position itself is singular, its assembly is chosen so far behind it, in units of the coordinate.
+/// If the first position is itself singular, its assembly is chosen at this displacement from it, in units of the
+/// coordinate.
 const BESIDE: f64 = 1e-4;
 
-/// Longest motion that is followed before ways must repeat, in turns.
+/// Longest motion that is followed until the ways repeat, in turns.
 const MOST_TURNS: usize = 4;
 
-/// What was found.
+/// The result of following the assembly.
 #[derive(Debug)]
 pub(crate) struct Followed {
     pub(crate) ways: Ways,
@@ -37,7 +39,7 @@ pub(crate) struct Followed {
     /// What ends the range, below and above.
     pub(crate) ends: [Option<ChainError>; 2],
     pub(crate) interpolants: Interpolants,
-    /// For kinds that iterate.
+    /// Starting poses for the groups that iterate.
     pub(crate) guesses: Option<Guesses>,
 }
 
@@ -45,11 +47,12 @@ pub(crate) struct Followed {
 pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Followed {
     let unit = coordinate_unit(mechanism, structure);
     let from = mechanism.input.from;
-    // Where a kernel can't be built in 32 digits, no meetings are looked for.
+    // Where a kernel can't be built in 32 digits, meetings are not searched for.
     let extended = Chain::<Dd>::compile(mechanism, structure).ok();
     let begin = |q: f64| first_ways(mechanism, structure.scale, (chain, extended.as_ref()), q);
     let found = match begin(from) {
-        // Equal links upon each other may point anywhere: what they do on the way through says how they stand.
+        // Coincident equal links may point in any direction; their assembly is chosen a small distance behind the
+        // position.
         Err((_, ChainError { source: GroupError::Singular { .. }, .. })) => begin(from + BESIDE * unit),
         found => found,
     };
@@ -80,7 +83,7 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain
 
 type Found = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
 
-/// The branches from the first position.
+/// Follows the branches that start at the first position.
 struct Path<'a> {
     follower: Follower<'a>,
     from: f64,
@@ -88,7 +91,7 @@ struct Path<'a> {
 }
 
 impl Path<'_> {
-    /// A pinned input: a full turn if it can, else in both directions to where it ends.
+    /// A pinned input: a full turn if possible, otherwise both directions up to the ends of the range.
     fn turn(&mut self) -> Found {
         let mut turns = 1;
         loop {
@@ -99,7 +102,8 @@ impl Path<'_> {
                 return self.joined(&branch, &back);
             }
             self.follower.close(&mut branch);
-            // With an odd number of meetings the mechanism comes back to the other assembly: its true cycle is longer.
+            // After an odd number of meetings in one turn the mechanism is in the other assembly, so its true cycle
+            // is longer.
             let first = &self.start.0;
             if branch.last() == *first || turns == MOST_TURNS {
                 let range = Range { low: self.from, high: self.from + TAU, full: true };
@@ -118,8 +122,8 @@ impl Path<'_> {
         }
     }
 
-    /// A sliding input: over the range of the scene, and farther on both sides (the reader wants to know where the mechanism
-    /// ends).
+    /// A sliding input: the range of the scene, extended on both sides to find where the mechanism can no longer be
+    /// assembled.
     fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> Found {
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - self.from).abs());
@@ -133,7 +137,7 @@ impl Path<'_> {
         self.follower.follow(branch, length < 0.0)
     }
 
-    /// Two branches from one start as one interval.
+    /// Joins two branches from one start into one interval.
     fn joined(&self, forth: &Branch, back: &Branch) -> Found {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
@@ -154,7 +158,7 @@ impl Path<'_> {
     }
 }
 
-/// The passages of a branch as transitions, in increasing order of the coordinate.
+/// The transitions of a branch in increasing order of the coordinate.
 fn transitions(branch: &Branch, forth: bool) -> Vec<Transition> {
     let one = |group: usize, passage: &Passage| Transition {
         coordinate: branch.coordinate(passage.distance),

@@ -12,23 +12,26 @@ use crate::samples::{Samples, pose_distance};
 use crate::wide::{Assembly, Wide};
 use crate::{Chain, ChainError};
 
-/// Coordinates nearer than this are one, relative.
+/// Coordinates whose relative difference is smaller than this are equal.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Meetings of one group nearer than this, in units of the coordinate, are one.
+/// Two meetings of one group nearer than this, in units of the coordinate, are one.
 const SAME_MEETING: f64 = 1e-6;
 
-/// Where the motion behind a change point is compared with its continuation from before it, in steps of the branch.
+/// Distances behind a change point at which the motion is compared with its extrapolation from before it, in steps of
+/// the branch.
 const BEHIND: f64 = 0.25;
 
-/// A pose that changes by more than this (rad, or parts of the scale), and by so many times the change before, may have jumped.
+/// A pose that changes by more than the first number (rad, or parts of the scale), and by more than the second number
+/// times the previous change, may have jumped.
 const LEAST_JUMP: f64 = 0.02;
 const JUMP_RATIO: f64 = 4.0;
 
-/// Poses on both sides of a coordinate that are nearer than this, in parts of the scale or rad, continue each other.
+/// Poses on both sides of a coordinate that differ by less than this (parts of the scale, or rad) continue each
+/// other.
 const CONTINUOUS: f64 = 1e-6;
 
-/// What following a branch needs.
+/// Data for following a branch.
 #[derive(Debug)]
 pub(crate) struct Follower<'a> {
     pub(crate) chain: &'a Chain<f64>,
@@ -36,22 +39,22 @@ pub(crate) struct Follower<'a> {
     pub(crate) dependence: &'a Dependence,
     /// The chain in 32 digits.
     pub(crate) wide: Option<Wide<'a>>,
-    /// Links of groups that iterate.
+    /// Links of the groups that iterate.
     pub(crate) iterated: Vec<usize>,
     /// Unit of the coordinate: 1 rad, or the scale in m.
     pub(crate) unit: f64,
 }
 
-/// What ends the present way of a group, or the group.
+/// How the present way of a group ends.
 enum Event {
-    /// It goes on in another way behind a coordinate.
+    /// The group continues in another way behind this coordinate.
     Transition(Passage),
-    /// It can't be assembled beyond a coordinate.
+    /// The group can't be assembled beyond this coordinate.
     End(f64, GroupError),
 }
 
 impl Follower<'_> {
-    /// Follows all groups along a branch; `is_back`: a meeting in the start itself belongs to it.
+    /// Follows all groups along a branch; with `is_back`, a meeting at the start itself belongs to it.
     pub(crate) fn follow(&mut self, mut branch: Branch, is_back: bool) -> Branch {
         if let Some(wide) = &mut self.wide {
             wide.restart(Order::Place);
@@ -73,7 +76,7 @@ impl Follower<'_> {
         branch
     }
 
-    /// Each link whose poses are not kept, with the last group that asks for them.
+    /// For each link that is not iterated, the last group that needs its poses.
     fn last_users(&self) -> Vec<(usize, usize)> {
         let mut users = vec![None; self.structure.links];
         for (group, found) in self.structure.groups.iter().enumerate() {
@@ -84,7 +87,7 @@ impl Follower<'_> {
         used.filter(|(link, _)| !self.iterated.contains(link)).collect()
     }
 
-    /// Follows a group from event to event up to the end of the branch or its own.
+    /// Follows a group from event to event to the end of the branch or of its own range.
     fn follow_group(&mut self, group: usize, branch: &mut Branch, is_back: bool, scratch: &mut [Body<f64>]) {
         let kernel = self.chain.groups[group].as_ref();
         let mut samples = Samples::new(kernel, branch.way(group, branch.from), scratch);
@@ -123,7 +126,7 @@ impl Follower<'_> {
         }
     }
 
-    /// Whether two ways of a group meet (its determinant touches zero), or leave a gap, near a sample.
+    /// Whether two ways of a group meet near a sample (its determinant touches zero), or leave a gap.
     fn meeting(
         &mut self,
         group: usize,
@@ -133,7 +136,7 @@ impl Follower<'_> {
         is_back: bool,
     ) -> Option<Event> {
         let last = samples.health.len() - 1;
-        // What ends the group behind the last sample is looked for there.
+        // Behind its last sample the group ends, which `stop` handles.
         if samples.failure.is_some() && sample == last {
             return None;
         }
@@ -180,10 +183,10 @@ impl Follower<'_> {
         Judge { determinant: &mut determinant, sample: branch.step(), resolution, earlier }.judge(near)
     }
 
-    /// The passage of a group through a meeting at a distance from the start: into the way which continues the motion.
+    /// The passage of a group through a meeting at a distance from the start, into the way that continues the motion.
     fn through(&mut self, (group, before): (usize, u8), distance: f64, branch: &Branch) -> Passage {
         let mut after = before;
-        // Nearer where so far away something else happens.
+        // A smaller step, because another event may be within the first one.
         for steps in [BEHIND, 0.1 * BEHIND, 0.01 * BEHIND] {
             if let Some(found) = self.continuing((group, before), distance, steps * branch.step(), branch) {
                 after = found;
@@ -193,8 +196,8 @@ impl Follower<'_> {
         Passage { distance, before, after, is_change_point: true }
     }
 
-    /// The way which continues the motion of a group behind a distance from the start, by its poses at three multiples of `step`
-    /// before it; `None` where they can't be solved.
+    /// The way that continues the motion of a group behind a distance from the start, extrapolated from its poses at
+    /// three multiples of `step` before it; `None` if they can't be solved.
     fn continuing(
         &mut self,
         (group, way): (usize, u8),
@@ -203,7 +206,7 @@ impl Follower<'_> {
         branch: &Branch,
     ) -> Option<u8> {
         let wide = self.wide.as_mut()?;
-        // The same places for all groups that meet here.
+        // All groups that meet here use the same places.
         let lattice = step / 16.0;
         let middle = (distance / lattice).round() * lattice;
         let mut solve = |steps: f64, way: u8| {
@@ -212,7 +215,7 @@ impl Follower<'_> {
             Some(bodies.iter().map(|body| body.map(Real::to_f64)).collect::<Vec<_>>())
         };
         let [far, middle, near] = [solve(-3.0, way)?, solve(-2.0, way)?, solve(-1.0, way)?];
-        // The parabola through three poses, one step behind the meeting.
+        // Parabola through three poses, extrapolated one step behind the meeting.
         let expected = |link: usize| {
             let [far, middle, near] = [&far, &middle, &near].map(|bodies| bodies[link].numbers());
             Body::of_numbers(std::array::from_fn(|k| 3.0 * far[k] - 8.0 * middle[k] + 6.0 * near[k]))
@@ -225,7 +228,8 @@ impl Follower<'_> {
         candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(way, _)| way)
     }
 
-    /// Where a group can't be placed at a sample: its end, or where another of its ways continues the motion.
+    /// Examines where a group can't be placed at a sample: either its range ends, or another way continues the
+    /// motion.
     fn stop(&self, (group, way): (usize, u8), sample: usize, source: GroupError, branch: &Branch) -> Event {
         let Some(before) = sample.checked_sub(1) else { return Event::End(branch.from, source) };
         let [good, bad] = self.end((group, way), branch.behind(group, before), branch.at(sample), branch);
@@ -234,7 +238,7 @@ impl Follower<'_> {
         renumbered.map_or(Event::End(good, source), Event::Transition)
     }
 
-    /// Whether a way jumps between a sample and the one before, because the kind numbers its ways anew.
+    /// Whether a group jumps between a sample and the previous one because the kind's numbering of its ways changes.
     fn jump(&self, (group, way): (usize, u8), sample: usize, branch: &Branch) -> Option<Event> {
         let poses = |sample: usize| self.poses(group, sample, branch);
         let change = |sample: usize| pose_distance(&poses(sample), &poses(sample - 1), self.structure.scale);
@@ -255,7 +259,8 @@ impl Follower<'_> {
         self.renumbered((group, way), ends, branch).map(Event::Transition)
     }
 
-    /// The other way that continues the motion of a group between neighboring coordinates, where its present one does not.
+    /// The other way that continues the motion of a group between neighboring coordinates, if its present one does
+    /// not.
     fn renumbered(
         &self,
         (group, before): (usize, u8),
@@ -274,12 +279,12 @@ impl Follower<'_> {
         after.map(|after| Passage { distance, before, after, is_change_point: false })
     }
 
-    /// Neighboring coordinates, at the first of which a group can be placed and at the second not.
+    /// Two neighboring coordinates: the group can be placed at the first and not at the second.
     fn end(&self, at: (usize, u8), good: f64, bad: f64, branch: &Branch) -> [f64; 2] {
         bisect(good, bad, 0.0, |q| self.place(at, q, branch).is_ok())
     }
 
-    /// Places a group and the groups that determine its motion; all bodies.
+    /// Places a group and the groups that determine its motion; returns all bodies.
     fn place(
         &self,
         (group, way): (usize, u8),
@@ -302,7 +307,7 @@ impl Follower<'_> {
         self.chain.groups[group].frame().links.iter().map(|&link| branch.poses[link][sample]).collect()
     }
 
-    /// Over a full turn what meets in the start meets in the end again, and is counted there, once.
+    /// A meeting at the start of a full turn is found again at its end, and is counted there, once.
     pub(crate) fn close(&mut self, branch: &mut Branch) {
         let length = branch.reached.abs();
         let rounding = 16.0 * ROUNDING * (length + 1.0);

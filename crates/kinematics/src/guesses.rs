@@ -1,4 +1,4 @@
-//! Where kinds of groups that iterate begin: the poses that were found when the assembly was followed.
+//! Starting poses for the groups that iterate: those found when the assembly was followed.
 
 use assur_group::Body;
 use assur_structure::Structure;
@@ -8,22 +8,22 @@ use assur_structure::Structure;
 pub(crate) struct Guesses {
     /// Coordinate of the first sample, rad or m.
     pub(crate) low: f64,
-    /// Distance of two samples, rad or m.
+    /// Distance between neighboring samples, rad or m.
     pub(crate) step: f64,
-    /// Whether the samples cover a whole period, the last one being the first one again.
+    /// Whether the samples cover a whole period, so that the last one repeats the first.
     pub(crate) periodic: bool,
     /// Each link with its pose at every sample.
     pub(crate) poses: Vec<(usize, Vec<Body<f64>>)>,
 }
 
-/// Links of the groups that iterate from a former place.
+/// Links of the groups whose solution is iterated from a starting pose.
 pub fn iterated(structure: &Structure) -> Vec<usize> {
     let iterating = structure.groups.iter().filter(|group| group.plugin.iterates);
     iterating.flat_map(|group| group.frame.links.iter().copied()).collect()
 }
 
 impl Guesses {
-    /// Puts the links where they were found at the sample closest to a coordinate.
+    /// Sets the links to their poses at the sample closest to a coordinate.
     pub(crate) fn put(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
         for (link, poses) in &self.poses {
             let last = (poses.len() - 1) as f64;

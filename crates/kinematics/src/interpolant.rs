@@ -1,10 +1,10 @@
-//! The smooth motion across a change point, where the equations of the group say nothing.
+//! The smooth motion across a change point, where the equations of the group are singular.
 //!
-//! At a change point J is singular though the motion goes through it smoothly: PF1 and PF2 are of the form 0/0, and
-//! close to it the closed forms lose digits with the inverse of the distance, its square and its cube. The motion is
-//! therefore interpolated there by a polynomial through nodes on both sides. The nodes are solved in 32 digits, so that
-//! they have all 16 although they lie close to the change point. Each group whose ways meet has its own interpolant;
-//! the others are solved as anywhere else, so that their numbers don't depend on what else is solved.
+//! At a change point J is singular although the motion is smooth: PF1 and PF2 have the form 0/0. Close to it, the
+//! errors of the closed forms grow with the first, second and third power of the inverse distance. The motion is
+//! therefore interpolated by a polynomial through nodes on both sides. The nodes are solved in 32 digits and so are
+//! accurate to 16 digits although they are close to the change point. Each group whose ways meet has its own
+//! interpolant; all other groups are solved by their own equations.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,30 +13,30 @@ use assur_number::{Dd, Real};
 
 use crate::wide::Solved;
 
-/// All nodes lie outside the interpolated stretch, up to so many half widths away: lengths that are rounded are no exact
-/// change point, and the closer a node is, the more it shows.
+/// All nodes are outside the interpolated interval, at most this many half-widths away. With rounded lengths the
+/// change point is not exact, and the error from this grows towards it.
 const SPREAD: f64 = 6.0;
 
-/// Numbers of nodes on each side that are tried.
+/// Numbers of nodes on each side, in the order in which they are tried.
 const NODES: [usize; 4] = [6, 10, 16, 24];
 
-/// On both sides, at most.
+/// Greatest number of nodes, both sides together.
 const MOST_NODES: usize = 48;
 
-/// How often the width is halved where the motion changes too fast for so many nodes.
+/// How often the width is halved if the motion changes too fast for the number of nodes.
 const HALVINGS: usize = 9;
 
-/// Places, in half widths, at which an interpolation is tried.
+/// Distances from the change point, in half-widths, at which an interpolation is tested.
 const TRIALS: [f64; 4] = [-0.98, -0.83, 0.79, 0.95];
 
-/// Deviation at the trials that is rounding, in parts of the largest number of its order.
+/// Deviation at the test points that counts as rounding, relative to the largest number of its order.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// What the closed forms lose of PF0, PF1, PF2 at the end of the stretch, in eps over health to the power 1, 2, 3: no more
-/// accuracy is asked of the interpolation.
+/// Error of the closed forms of PF0, PF1, PF2 at the end of the interval, in units of eps divided by health to the
+/// power 1, 2, 3: the interpolation need not be more accurate.
 const LOST: f64 = 4.0 * f64::EPSILON;
 
-/// 2 pi less its nearest f64.
+/// 2 pi minus its nearest f64.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
 /// The motion of the links of a group around a change point of its own.
@@ -45,41 +45,43 @@ pub(crate) struct Interpolant {
     /// Index of the group.
     pub(crate) group: usize,
     links: Vec<usize>,
-    /// The change point, of all turns the one closest to zero, and what its f64 leaves over.
+    /// The change point, in the turn closest to zero, and the remainder that its f64 leaves out.
     center: [f64; 2],
     /// Turns after which the motion repeats, for a pinned input.
     turns: Option<f64>,
     half_width: f64,
     nodes: Vec<Node>,
-    /// |health| of the group at the end of the stretch: it falls to zero with the distance from the change point.
+    /// |health| of the group at the end of the interval; it falls to zero linearly towards the change point.
     health_at_end: f64,
 }
 
-/// The stretch around a change point in which the motion of a group is interpolated instead of solved.
+/// The interval around a change point in which the motion of a group is interpolated instead of solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interpolation {
     /// Index of the group.
     pub group: usize,
-    /// The change point, rad or m, in the turn of the coordinate that was asked for.
+    /// The change point, rad or m, in the same turn as the given coordinate.
     pub center: f64,
-    /// Half of its width: how far it extends to each side, rad or m.
+    /// Half-width: how far the interval extends to each side, rad or m.
     pub half_width: f64,
     /// Number of nodes on each side of the change point.
     pub nodes: usize,
-    /// By how much the rounding of the nodes may be magnified in the middle: the sum of the absolute weights there.
+    /// Greatest magnification of the nodes' rounding, in the middle of the interval: the sum of the absolute weights
+    /// there.
     pub gain: f64,
 }
 
 impl Interpolation {
-    /// Greatest half width, in units of the coordinate ([`Linkage::coordinate_unit`](crate::Linkage::coordinate_unit)):
-    /// farther away, PF2 by the closed forms keeps about 10 digits.
+    /// Greatest half-width, in units of the coordinate
+    /// ([`Linkage::coordinate_unit`](crate::Linkage::coordinate_unit)): at greater distances PF2 by the closed forms
+    /// keeps about 10 digits.
     pub const GREATEST_HALF_WIDTH: f64 = 0.0125;
 }
 
 /// The motion at one node.
 #[derive(Debug, Clone)]
 struct Node {
-    /// Distance from the change point in half widths.
+    /// Distance from the change point in half-widths.
     x: f64,
     /// Weight of the barycentric formula.
     weight: f64,
@@ -96,7 +98,7 @@ pub(crate) struct Site<'a> {
     pub(crate) group: usize,
     /// Its links.
     pub(crate) links: &'a [usize],
-    /// After how many turns the motion repeats, for a pinned input.
+    /// Turns after which the motion repeats, for a pinned input.
     pub(crate) turns: Option<f64>,
 }
 
@@ -132,7 +134,8 @@ impl Interpolant {
         best.map(|(_, found)| found)
     }
 
-    /// With `count` nodes on each side: the zeros of Chebyshev's polynomial in the square of the distance.
+    /// Builds the interpolation with `count` nodes on each side, at the zeros of Chebyshev's polynomial in the
+    /// squared distance.
     fn through(
         count: usize,
         Site { center, group, links, turns }: Site<'_>,
@@ -159,8 +162,8 @@ impl Interpolant {
         Some(Self { group, links, center, turns, half_width, nodes, health_at_end })
     }
 
-    /// Itself with the largest deviation at the trials: in parts of the largest number of its order, and in parts of what the
-    /// closed forms lose at the end of the stretch.
+    /// Returns the interpolant with its largest deviation at the test points, relative to the largest number of its
+    /// order, and relative to the error of the closed forms at the end of the interval.
     fn miss(self, center: f64, solve: &mut impl FnMut(Dd) -> Option<Solved>) -> Option<(Self, [f64; 2])> {
         let (mut sizes, mut misses) = ([1.0_f64; 3], [0.0_f64; 3]);
         for x in TRIALS {
@@ -183,7 +186,8 @@ impl Interpolant {
         Some((self, worst))
     }
 
-    /// From the change point to a coordinate, without the rounding of 2 pi, which many turns add up.
+    /// Displacement from the change point to a coordinate, corrected for the rounding of 2 pi, which adds up over
+    /// many turns.
     fn distance(&self, coordinate: f64) -> f64 {
         let [center, rest] = self.center;
         let Some(turns) = self.turns else { return coordinate - center };
@@ -191,12 +195,12 @@ impl Interpolant {
         ((-passed).mul_add(TAU, coordinate) - center) - (passed * TAU_REST + rest)
     }
 
-    /// Whether a coordinate lies in the interpolated stretch.
+    /// Whether a coordinate is in the interpolated interval.
     pub(crate) fn covers(&self, coordinate: f64) -> bool {
         self.distance(coordinate).abs() < self.half_width
     }
 
-    /// The interpolation that covers a coordinate, in the turn of the coordinate.
+    /// The interpolation that covers a coordinate, in the same turn.
     pub(crate) fn at(&self, coordinate: f64) -> Option<Interpolation> {
         let away = self.distance(coordinate);
         let gain = || self.weights(0.0).iter().map(|weight| weight.abs()).sum();
@@ -209,18 +213,19 @@ impl Interpolant {
         })
     }
 
-    /// Writes the links of the group; returns its health.
+    /// Sets the links of the group; returns its health.
     pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>]) -> f64 {
         let x = self.distance(coordinate) / self.half_width;
         let weights = self.weights(x);
         for (i, &link) in self.links.iter().enumerate() {
             bodies[link] = self.blend(&weights, i);
         }
-        // What is left of the determinant where ways meet grows linearly from there.
+        // The determinant grows linearly with the distance from the meeting.
         x.abs() * self.health_at_end
     }
 
-    /// Weight of each node at a distance of `x` half widths, by the barycentric formula of the second kind: backward stable, exact at the nodes.
+    /// Weight of each node at a distance of `x` half-widths, by the barycentric formula of the second kind: backward
+    /// stable, exact at the nodes.
     fn weights(&self, x: f64) -> [f64; MOST_NODES] {
         let mut weights = [0.0; MOST_NODES];
         let mut sum = 0.0;
@@ -253,7 +258,7 @@ impl Interpolant {
     }
 }
 
-/// The sum without rounding.
+/// Sum of two numbers and its rounding error.
 fn place(center: f64, offset: f64) -> Dd {
     Dd::from_f64(center) + Dd::from_f64(offset)
 }

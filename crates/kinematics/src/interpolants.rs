@@ -16,7 +16,7 @@ pub(crate) struct Interpolants {
 }
 
 impl Interpolants {
-    /// One for each group around each of its change points, where the surroundings can be solved.
+    /// One for each group around each of its change points, where the neighborhood can be solved.
     pub(crate) fn of(
         structure: &Structure,
         unit: f64,
@@ -54,13 +54,13 @@ impl Interpolants {
         found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
     }
 
-    /// Writes the links of a group whose motion is interpolated at a coordinate, and returns its health.
+    /// Sets the links of a group whose motion is interpolated at a coordinate, and returns its health.
     pub(crate) fn apply(&self, group: usize, coordinate: f64, bodies: &mut [Body<f64>]) -> Option<f64> {
         let mut own = self.of_group(group).iter();
         own.find(|interpolant| interpolant.covers(coordinate)).map(|found| found.apply(coordinate, bodies))
     }
 
-    /// Whether the motion of a group with so little health is interpolated at a coordinate.
+    /// Whether the motion of a group with this health is interpolated at a coordinate.
     pub(crate) fn cover_unhealthy(&self, coordinate: f64, health: &[f64], limit: f64) -> bool {
         self.sorted.iter().any(|found| health[found.group].abs() < limit && found.covers(coordinate))
     }

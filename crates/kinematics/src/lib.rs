@@ -1,12 +1,13 @@
 //! Runs the chain of groups: positions and transfer functions at any value of the input coordinate.
 //!
-//! [`Linkage::compile`] takes a mechanism apart, builds the kernel of each group, chooses the assembly of the first
-//! position and follows it once over the whole cycle. From then on [`Linkage::solve`] is a pure function of the
-//! coordinate: it has no memory of where it was called before, allocates nothing and takes no lock.
+//! [`Linkage::compile`] decomposes a mechanism, builds the kernel of each group, chooses the assembly of the first
+//! position and follows it once over the whole cycle. After that, [`Linkage::solve`] is a pure function of the
+//! coordinate: it does not depend on earlier calls, allocates nothing and takes no lock.
 //!
-//! Where two ways of a group meet (a change point: parallelogram, kite) the assembly goes through by continuity. Such
-//! coordinates are found at compile time; the way of each group is then known for every coordinate, and close to a
-//! change point, where the group's equations lose all their digits, the smooth motion is interpolated across it.
+//! At a change point (parallelogram, kite) two ways of a group meet, and the assembly continues in the way that makes
+//! the motion smooth. These coordinates are found when the mechanism is compiled, so the way of each group is known
+//! at every coordinate. Close to a change point the group's equations lose all their digits; the smooth motion is
+//! interpolated across it.
 
 mod branch;
 mod chain;

@@ -12,25 +12,25 @@ use crate::interpolants::Interpolants;
 use crate::ways::{END_ROUNDING, Transition, Ways};
 use crate::{Chain, ChainError, CompileError, PositionError, Range};
 
-/// A mechanism, taken apart and compiled: everything that positions need.
+/// A mechanism decomposed into groups and compiled, with everything needed to calculate positions.
 #[derive(Debug)]
 pub struct Linkage {
-    /// The mechanism.
+    /// The mechanism as read.
     pub mechanism: Mechanism,
-    /// Its groups.
+    /// Its pairs and groups.
     pub structure: Structure,
     /// The compiled chain.
     pub chain: Chain<f64>,
     /// The way of each group at every coordinate.
     pub ways: Ways,
-    /// Where it can be assembled; `None`: not even in the first position.
+    /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
     pub range: Option<Range>,
     /// Why the first position can't be assembled, if so.
     first_failure: Option<ChainError>,
     /// What ends the range, below and above.
     ends: [Option<ChainError>; 2],
     interpolants: Interpolants,
-    /// For kinds that iterate.
+    /// Starting poses for the groups that iterate.
     guesses: Option<Guesses>,
 }
 
@@ -46,27 +46,27 @@ pub struct Position {
 }
 
 impl Linkage {
-    /// Takes a mechanism apart, compiles it and follows its assembly over the cycle.
+    /// Decomposes a mechanism into groups, compiles it and follows its assembly over the cycle.
     ///
-    /// A mechanism that can't be assembled compiles too; [`solve`](Self::solve) then says where and by how much.
+    /// A mechanism that can't be assembled compiles too; [`solve`](Self::solve) then reports the group and the gap.
     ///
     /// # Errors
     ///
-    /// [`CompileError`] if the mechanism can't be taken apart into registered groups.
+    /// [`CompileError`] if the mechanism can't be decomposed into registered groups.
     pub fn compile(mechanism: Mechanism) -> Result<Self, CompileError> {
         let structure = Structure::of(&mechanism)?;
         let needed = vec![true; structure.groups.len()];
         Self::compile_for(mechanism, structure, &needed)
     }
 
-    /// Compiles some of the groups of a mechanism that is taken apart already, and follows their assembly.
+    /// Compiles some of the groups of a decomposed mechanism and follows their assembly.
     ///
-    /// Groups that are not needed are neither assembled nor solved, and don't limit the range: the bodies of their links,
-    /// and their health, mean nothing. No needed group may depend on one of them.
+    /// Groups that are not needed are neither assembled nor solved, and don't limit the range; the bodies of their
+    /// links and their health are undefined. No needed group may depend on one of them.
     ///
     /// # Errors
     ///
-    /// [`CompileError`] if lengths make no group of its kind.
+    /// [`CompileError`] if a group's lengths don't form a group of its kind.
     pub fn compile_for(
         mechanism: Mechanism,
         structure: Structure,
@@ -88,7 +88,7 @@ impl Linkage {
         })
     }
 
-    /// Scratch for positions.
+    /// Storage for one solved position.
     pub fn position(&self) -> Position {
         Position {
             coordinate: f64::NAN,
@@ -116,7 +116,7 @@ impl Linkage {
     ///
     /// # Errors
     ///
-    /// [`PositionError`] with group, coordinate and what is missing.
+    /// [`PositionError`] with the group, the coordinate and the reason.
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
@@ -136,8 +136,8 @@ impl Linkage {
         solved.map_err(|failure| self.explain(coordinate, failure))
     }
 
-    /// The coordinate in the interval in which the assembly was followed: where the mechanism does not turn fully, an angle
-    /// counts from the lower end.
+    /// The coordinate shifted into the interval in which the assembly was followed: if the mechanism does not turn
+    /// fully, an angle is taken in the turn that begins at the lower end.
     #[inline]
     fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
@@ -146,8 +146,8 @@ impl Linkage {
         }
     }
 
-    /// What is in the way where a mechanism that does not turn fully would have to pass a gap to come from the first
-    /// position to a coordinate: the coordinate of the end, and what the group says beyond it.
+    /// The end of the range that separates a coordinate from the first position, if the mechanism would have to pass
+    /// a gap: its coordinate, and the error of the group beyond it.
     pub fn barrier(&self, coordinate: f64) -> Option<(f64, ChainError)> {
         let range = self.range.filter(|range| !range.full)?;
         let rounding = END_ROUNDING * self.coordinate_unit();
@@ -158,7 +158,7 @@ impl Linkage {
         }
     }
 
-    /// Whether the motion from the first position comes to a coordinate, forward or turning back, whole turns apart.
+    /// Whether the motion from the first position reaches a coordinate (forward or backward), up to whole turns.
     pub fn reaches(&self, coordinate: f64) -> bool {
         let rounding = END_ROUNDING * self.coordinate_unit();
         let followed = self.followed(coordinate);
@@ -170,7 +170,7 @@ impl Linkage {
     ///
     /// # Errors
     ///
-    /// As [`solve`](Self::solve), with the number of the position.
+    /// [`PositionError`], with the number of the position.
     pub fn solve_index(
         &self,
         index: usize,
@@ -181,16 +181,16 @@ impl Linkage {
         self.solve(coordinate, order, position).map_err(|error| PositionError { index: Some(index), ..error })
     }
 
-    /// Whether a solved position lies so near to a change point that forces are not determined there: two ways of a group
-    /// meet, its constraints coincide, and its reactions have the form 0/0.
+    /// Whether a solved position is so near to a change point that forces are indeterminate there: two ways of a
+    /// group meet, its constraints become dependent, and its reactions have the form 0/0.
     pub fn is_at_change_point(&self, position: &Position) -> bool {
-        /// Determinant of the group whose ways meet: with less, of the 16 digits of the places too few are left in it.
+        /// Determinant of the group whose ways meet: below this, places of 16 digits leave too few digits in it.
         const NEAR: f64 = 1e-5;
         self.interpolants.cover_unhealthy(position.coordinate, &position.health, NEAR)
     }
 
-    /// How the motion at a coordinate is interpolated across a change point, of several the widest interpolation; `None`
-    /// where all groups are solved by their own equations.
+    /// How the motion at a coordinate is interpolated across a change point (if several interpolations cover it, the
+    /// widest); `None` where all groups are solved by their own equations.
     pub fn interpolation(&self, coordinate: f64) -> Option<Interpolation> {
         self.interpolants.widest(coordinate)
     }
@@ -202,23 +202,23 @@ impl Linkage {
 
     /// The change points, at which two ways of a group meet, in increasing order of the coordinate.
     ///
-    /// They lie within one period of the motion, which may be several turns.
+    /// They are given for one period of the motion, which may be several turns.
     pub fn change_points(&self) -> impl Iterator<Item = &Transition> {
         self.ways.change_points()
     }
 
-    /// The change point nearest to a coordinate, rad or m, in the turn of the coordinate; `None` where there is none.
+    /// The change point nearest to a coordinate, rad or m, in the same turn; `None` if there is none.
     pub fn nearest_change_point(&self, coordinate: f64) -> Option<f64> {
         let offsets = self.change_points().map(|point| self.ways.offset(coordinate, point.coordinate));
         offsets.min_by(|a, b| a.abs().total_cmp(&b.abs())).map(|offset| coordinate + offset)
     }
 
-    /// Whether a change point lies within a distance (rad or m) of a coordinate.
+    /// Whether there is a change point within a distance (rad or m) of a coordinate.
     pub fn is_near_change_point(&self, coordinate: f64, distance: f64) -> bool {
         self.change_points().any(|point| self.ways.offset(coordinate, point.coordinate).abs() < distance)
     }
 
-    /// The groups whose links determine the motion of a group, in solving order, itself last.
+    /// The groups that determine the motion of a group, in solving order, the group itself last.
     pub fn ancestors(&self, group: usize) -> Vec<usize> {
         let mut found = Dependence::of(&self.structure).ancestors(group, |_| false);
         found.push(group);

@@ -1,16 +1,16 @@
-//! What happens where the determinant of a group has a minimum: do two ways meet there, and exactly where.
+//! Judges a minimum of the determinant of a group: whether two ways meet there, and at which coordinate.
 
 use assur_group::GroupError;
 use assur_number::{Dd, Real};
 
-/// What a minimum of a determinant is.
+/// Meaning of a minimum of a determinant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Minimum {
-    /// Two ways meet, as exactly as the lengths are given.
+    /// Two ways meet, within the accuracy of the lengths.
     Meeting(Meeting),
-    /// The ways come near each other and part again: the motion stays in its way.
+    /// The ways approach each other and separate again: the motion stays in its way.
     Beside,
-    /// The group can't be assembled there (at this coordinate), by so much (m).
+    /// The group can't be assembled at this coordinate (rad or m); the gap, m.
     Gap(f64, f64),
 }
 
@@ -18,32 +18,32 @@ pub(crate) enum Minimum {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Meeting {
     pub(crate) coordinate: f64,
-    /// What is left of the squared determinant there: 0, or rounding of the lengths.
+    /// Remainder of the squared determinant there: 0, or rounding of the lengths.
     pub(crate) residue: f64,
 }
 
-/// Distances from a supposed minimum at which the determinant is evaluated, in samples: coarse first, so that the minimum
-/// may be misplaced, then so fine that higher orders of the parabola are below 1e-30.
+/// Distances from a supposed minimum at which the determinant is evaluated, in samples: coarse first, because the
+/// minimum may be inaccurate; then so fine that the higher orders neglected by the parabola are below 1e-30.
 const DISTANCES: [f64; 4] = [3e-2, 3e-2, 1e-4, 1e-6];
 
-/// How many of the distances serve behind a group whose own meeting there is rounded.
+/// How many of these distances are used for a group followed after one with a rounded meeting at the same coordinate.
 const COARSE: usize = 2;
 
-/// Places are put onto a lattice of so many distances, so that groups that meet at one coordinate are evaluated at the same
-/// places. The parabola finds its minimum from any of them.
+/// The places of evaluation are rounded to multiples of this fraction of a distance, so that groups that meet at one
+/// coordinate share them. The parabola finds its minimum from any of them.
 const LATTICE: f64 = 0.25;
 
-/// Meetings this near, in samples, are at one coordinate.
+/// Meetings nearer than this, in samples, are at one coordinate.
 const NEAR: f64 = 1e-4;
 
-/// The residue of an earlier group at the same coordinate is rounding of 32 digits below this.
+/// The remainder of an earlier group at the same coordinate counts as rounding of 32 digits below this.
 const CLEAN: f64 = 1e-26;
 
-/// The least squared determinant that counts behind a group whose own meeting there is rounded: the places of its links are
-/// known to some 1e-16 / distance only.
+/// Smallest squared determinant that counts as nonzero for a group followed after one with a rounded meeting at the
+/// same coordinate: the places of its links are then only known to about 1e-16 / distance.
 const BLURRED: f64 = 1e-11;
 
-/// A squared determinant that stays above this is no meeting, whatever the rounding.
+/// A squared determinant above this is no meeting, whatever the rounding.
 const FAR: f64 = 1e-6;
 
 /// A parabola h² = least + slope² (q - center)² of the squared determinant.
@@ -54,16 +54,16 @@ struct Parabola {
     square: f64,
 }
 
-/// What decides about a minimum: by the squared determinant, which is smooth in the coordinate where the determinant itself
-/// is a square root.
+/// Data for the judgment of a minimum. It uses the squared determinant, which is smooth in the coordinate where the
+/// determinant itself is a square root.
 pub(crate) struct Judge<'a> {
     /// The determinant of the group at a coordinate, in its present way.
     pub(crate) determinant: &'a mut dyn FnMut(Dd) -> Result<Dd, GroupError>,
-    /// Distance of two samples, positive.
+    /// Distance between neighboring samples, positive.
     pub(crate) sample: f64,
-    /// Least determinant that rounding of the lengths can't make of zero.
+    /// Smallest determinant that can't be a zero with rounded lengths.
     pub(crate) resolution: f64,
-    /// Meetings of the groups that were followed earlier.
+    /// Meetings of the groups followed before.
     pub(crate) earlier: &'a [Meeting],
 }
 
@@ -77,7 +77,7 @@ impl Judge<'_> {
         let distances = if blurred.is_some() { &DISTANCES[..COARSE] } else { &DISTANCES[..] };
         let (mut center, mut least_distance, mut residue) = (Dd::from_f64(q), 0.0_f64, f64::NAN);
         for distance in distances {
-            // Not so near that the four places fall into a gap that is rounding only.
+            // At a distance at which the four places are not in a gap that is only rounding.
             let distance = (distance * self.sample).max(least_distance);
             let lattice = LATTICE * distance;
             let place = (center.to_f64() / lattice).round() * lattice;
@@ -107,7 +107,7 @@ impl Judge<'_> {
         }
     }
 
-    /// By how much the group misses, m.
+    /// The gap of the group, m.
     fn gap(&mut self, center: Dd) -> f64 {
         match (self.determinant)(center) {
             Err(GroupError::NoAssembly { gap_m }) => gap_m,
@@ -115,7 +115,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Parabola through four places, two on each side; the minimum itself may have no assembly.
+    /// Parabola through four places, two on each side; the group may have no assembly at the minimum itself.
     fn fit(&mut self, center: Dd, distance: f64) -> Result<Parabola, GroupError> {
         let mut at = |steps: f64| {
             let determinant = (self.determinant)(center + Dd::from_f64(steps * distance))?;

@@ -1,4 +1,4 @@
-//! What results want of a solved position: points, links, slides.
+//! Motion of points, links and slides in a solved position.
 
 use std::f64::consts::TAU;
 
@@ -13,18 +13,18 @@ use crate::{Linkage, Position};
 pub struct PointMotion {
     /// Place, m.
     pub pf0: [f64; 2],
-    /// First derivative by the coordinate.
+    /// First derivative with respect to the coordinate.
     pub pf1: [f64; 2],
-    /// Second derivative by the coordinate.
+    /// Second derivative with respect to the coordinate.
     pub pf2: [f64; 2],
 }
 
-/// PF0, PF1, PF2 of the angle of a link (rad) or of the displacement of a slide (m): the value and its derivatives by the
-/// coordinate.
+/// PF0, PF1, PF2 of the angle of a link (rad) or of the displacement of a slide (m): the value and its derivatives
+/// with respect to the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ScalarMotion {
-    /// An angle in (-pi, pi], rad ([`continuous_angle`] joins it to the position before); or the signed distance of the
-    /// sliding point from `through` along the guide, m.
+    /// An angle in (-pi, pi], rad ([`continuous_angle`] makes a sequence of them continuous); or the signed distance
+    /// of the sliding point from `through` along the guide, m.
     pub pf0: f64,
     /// First derivative.
     pub pf1: f64,
@@ -37,7 +37,7 @@ pub fn continuous_angle(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// Motion of a place of a body.
+/// Motion of a point of a body, given in the body's frame.
 pub(crate) fn motion_of(body: &Body<f64>, at: [f64; 2]) -> PointMotion {
     let arm = body.arm(at);
     PointMotion { pf0: [body.x + arm[0], body.y + arm[1]], pf1: body.first(arm), pf2: body.second(arm) }
@@ -49,10 +49,11 @@ impl Linkage {
         motion_of(&position.bodies[place.link], place.at)
     }
 
-    /// Motion of a named point, read from the first link that was placed with it (for a pin they agree).
+    /// Motion of a named point, calculated from the first of its links that was placed (for a pin all its links
+    /// agree).
     pub fn point_motion(&self, point: PointId, position: &Position) -> PointMotion {
         let places = &self.mechanism.points[point].places;
-        // The ground is exact, then the input link; the rest in the order of the scene.
+        // Ground and input link are exact and come first; the others follow in the order of the scene.
         let rank = |place: &&Place| match place.link {
             0 => 0,
             link if link == self.mechanism.input.link => 1,

@@ -1,4 +1,4 @@
-//! Where links run through infinity: guides that turn parallel without lying on each other.
+//! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
 use assur_number::search::least;
@@ -8,17 +8,18 @@ use crate::{Linkage, Position};
 /// Samples over one turn, or over the range of a sliding input.
 const SAMPLES: u32 = 720;
 
-/// A local minimum of the determinant above this can't be the foot of a zero between two samples.
+/// A local minimum of the determinant above this can't belong to a zero between two samples.
 const SUSPECT: f64 = 0.2;
 
-/// A zero is found to so much of the coordinate, rad or parts of the scale; beside it, links that run away are as many times
-/// the scale away as its inverse, within a factor.
+/// Width to which a zero is located, rad or parts of the scale. At this distance from a pole the links are of the
+/// order of 1/`NEAR` times the scale away, well beyond `AWAY`.
 const NEAR: f64 = 1e-6;
 const AWAY: f64 = 1e3;
 
 impl Linkage {
-    /// Coordinates at which links of a group of one way run through infinity, with the group: calculated positions go on behind,
-    /// but no mechanism gets there. They are looked for on every call, over the cycle of a full turn or the range.
+    /// Coordinates at which links of a group with a single way run to infinity, with the index of the group.
+    /// Positions can be calculated on both sides, but no real mechanism passes through. Every call searches anew,
+    /// over one full turn or the range of a sliding input.
     pub fn poles(&self) -> Vec<(f64, usize)> {
         let suspects: Vec<usize> = (0..self.groups().len())
             .filter(|&i| self.chain.is_needed(i) && self.groups()[i].ways() == 1)
@@ -26,7 +27,7 @@ impl Linkage {
         let Some(range) = self.range.filter(|_| !suspects.is_empty()) else { return Vec::new() };
         let mut position = self.position();
         let step = (range.high - range.low) / f64::from(SAMPLES);
-        // One sample more on each side of a full turn, where a zero may lie on the seam.
+        // One sample more on each side of a full turn, for a zero at the seam.
         let places: Vec<f64> = (-1..=i64::from(SAMPLES) + 1)
             .map(|i| range.low + step * i as f64)
             .filter(|q| range.full || (range.low..=range.high).contains(q))
@@ -40,7 +41,7 @@ impl Linkage {
                 }
                 let health = |q: f64| self.health_at(group, q, &mut position);
                 let (place, _) = least(places[i], places[i + 2], 90, health);
-                // On the seam of a full turn one zero lies at both of its ends.
+                // A zero at the seam of a full turn is found at both ends.
                 let turn = if range.full { range.high - range.low } else { f64::INFINITY };
                 let same = |(other, _): &(f64, usize)| {
                     let apart = (other - place).abs();
@@ -61,7 +62,7 @@ impl Linkage {
         }
     }
 
-    /// Whether a link of the group is far away a little beside.
+    /// Whether a link of the group is far away at a small distance from the coordinate.
     fn runs_away(&self, group: usize, q: f64, position: &mut Position) -> bool {
         if self.solve(q + NEAR * self.coordinate_unit(), Order::Place, position).is_err() {
             return false;

@@ -6,18 +6,17 @@ use nalgebra::DMatrix;
 
 use crate::{Linkage, Position};
 
-/// Below this ratio to the greatest, a singular value is rounding.
+/// A singular value whose ratio to the greatest one is below this is rounding.
 const RANK_LIMIT: f64 = 1e-9;
 
-/// Velocities of a body, one for each independent motion of the mechanism so far: of its origin, in units of the scale, and
-/// its rotation.
+/// Velocities of a body in each independent motion found: of its origin, in units of the scale, and of its rotation.
 type Velocities = Vec<[f64; 3]>;
 
 /// Number of independent motions that the constraints of all pairs leave in a solved position.
 ///
-/// The motions are found group after group, each as the null space of the constraints of its pairs, so that the work grows
-/// with the number of groups. A group whose own constraints coincide (a change point) adds motions; one that is locked takes
-/// them away.
+/// The motions are found group by group, each as the null space of the constraints of its pairs, so that the work
+/// grows in proportion to the number of groups. A group whose own constraints are dependent (at a change point) adds
+/// motions; a locked group removes them.
 pub fn mobility_in(linkage: &Linkage, position: &Position) -> usize {
     let structure = &linkage.structure;
     let mut bodies: Vec<Velocities> = vec![Vec::new(); structure.links];
@@ -40,10 +39,10 @@ struct Motions<'a> {
 }
 
 impl Motions<'_> {
-    /// Adds links with the pairs that join them to each other and to links before.
+    /// Adds links with the pairs that join them to each other and to links added before.
     fn extend(&mut self, links: &[usize], pairs: &[Pair]) {
         let columns = self.count + 3 * links.len();
-        // Rows of zeros make it square, so that the decomposition gives all of the null space.
+        // Rows of zeros make the matrix square; its decomposition then yields the whole null space.
         let mut matrix = DMatrix::zeros(columns.max(2 * pairs.len()), columns);
         for (k, pair) in pairs.iter().enumerate() {
             for (i, [a, b]) in self.rows(pair).into_iter().flatten().enumerate() {
@@ -51,7 +50,8 @@ impl Motions<'_> {
                 self.add(&mut matrix, 2 * k + i, (pair.b, b, -1.0), links);
             }
         }
-        // A motion that is great in these links counts no more than they do.
+        // Normalized, so that a motion with large velocities in these links has no greater weight than the links
+        // themselves.
         let scales: Vec<_> = (0..self.count).map(|k| 1.0 / matrix.column(k).norm().max(1.0)).collect();
         for (k, scale) in scales.iter().enumerate() {
             matrix.column_mut(k).scale_mut(*scale);
@@ -64,12 +64,12 @@ impl Motions<'_> {
         self.replace(links, &scales, null);
     }
 
-    /// The motions are now those combinations of the former ones, and of the new links' own velocities, that the pairs allow.
+    /// Replaces the motions by the combinations of themselves and of the new links' velocities that the pairs allow.
     fn replace(&mut self, links: &[usize], scales: &[f64], mut null: Vec<Vec<f64>>) {
         for vector in &mut null {
             vector.iter_mut().zip(scales).for_each(|(part, scale)| *part *= scale);
         }
-        // The usual case: one motion goes on as it is, and links before need not be touched.
+        // The usual case: one motion continues unchanged, and links added before keep their values.
         if let ([vector], 1) = (&mut null[..], self.count) {
             let part = vector[0];
             if part.abs() > RANK_LIMIT {
@@ -93,7 +93,7 @@ impl Motions<'_> {
         self.count = null.len();
     }
 
-    /// The constraints of a pair: for each what multiplies the velocities of its two bodies.
+    /// The constraint equations of a pair: the coefficients of the velocities of its two bodies.
     fn rows(&self, pair: &Pair) -> [Option<[[f64; 3]; 2]>; 2] {
         let bodies = &self.position.bodies;
         let arm = |body: usize, at: [f64; 2]| {
@@ -118,7 +118,8 @@ impl Motions<'_> {
         }
     }
 
-    /// Adds what a body contributes to a constraint: in its own columns if it is new, else in those of the motions.
+    /// Adds the coefficients of a body to a constraint: in its own columns if it is new, otherwise in those of the
+    /// motions.
     fn add(
         &self,
         matrix: &mut DMatrix<f64>,

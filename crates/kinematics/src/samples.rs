@@ -5,24 +5,24 @@ use assur_mechanism::GROUND;
 
 use crate::branch::Branch;
 
-/// A local minimum of the determinant above this can't be the foot of a zero between two samples.
+/// A local minimum of the determinant above this can't belong to a zero between two samples.
 const SUSPECT: f64 = 0.2;
 
-/// A squared determinant that stays above this between samples, by the parabola through them, is not zero there.
+/// A squared determinant whose interpolating parabola stays above this has no zero between the samples.
 const CLEAR: f64 = 1e-4;
 
-/// One group, placed at sample after sample in its present way.
+/// One group, placed at successive samples in its present way.
 pub(crate) struct Samples<'a> {
     kernel: &'a dyn AssurGroup<f64>,
-    /// Bodies of other groups that it joins.
+    /// Bodies of other groups that its outer pairs join.
     outer: Vec<usize>,
-    /// All bodies of the mechanism, to place the group among.
+    /// Storage for all bodies of the mechanism.
     scratch: &'a mut [Body<f64>],
     /// The present way.
     pub(crate) way: u8,
-    /// The determinant at each sample, without sign.
+    /// Absolute value of the determinant at each sample.
     pub(crate) health: Vec<f64>,
-    /// Why it can't be placed at the sample behind the last.
+    /// Why it can't be placed at the sample after the last one.
     pub(crate) failure: Option<GroupError>,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Samples<'a> {
         Self { kernel, outer, scratch, way, health: Vec::new(), failure: None }
     }
 
-    /// Places the group from a sample on, until it can't be assembled; at the samples before it stays as it is.
+    /// Places the group at all samples from one on, until it can't be assembled; earlier samples stay unchanged.
     pub(crate) fn place_from(&mut self, first: usize, branch: &mut Branch) {
         let links = &self.kernel.frame().links;
         self.health.truncate(first);
@@ -45,10 +45,10 @@ impl<'a> Samples<'a> {
         }
         for sample in self.health.len()..branch.samples {
             self.outer.iter().for_each(|&body| self.scratch[body] = branch.poses[body][sample]);
-            // A kind that iterates starts from the sample before, which the scratch still holds.
+            // A kind that iterates starts from the previous sample, which the scratch still holds.
             match self.kernel.place(self.scratch, usize::from(self.way)) {
                 Ok(found) => self.health.push(found.abs()),
-                // At a change point itself a group may say "singular": it is passed, not the end.
+                // At a change point itself a group may report "singular": the branch continues beyond it.
                 Err(GroupError::Singular { .. }) => self.health.push(0.0),
                 Err(failure) => {
                     self.failure = Some(failure);
@@ -61,15 +61,15 @@ impl<'a> Samples<'a> {
         }
     }
 
-    /// The least determinant that is not rounding, near a sample.
+    /// Determinant below which, near a sample, nothing but rounding is left.
     pub(crate) fn resolution(&mut self, sample: usize, branch: &Branch) -> f64 {
         let links = self.outer.iter().chain(&self.kernel.frame().links);
         links.for_each(|&body| self.scratch[body] = branch.poses[body][sample]);
         self.kernel.resolution(self.scratch)
     }
 
-    /// Where the squared determinant has a minimum near a sample, in samples from it; `None` where it has none or one that is
-    /// certainly not zero.
+    /// Where the squared determinant has a minimum near a sample, in samples from it; `None` if there is no minimum,
+    /// or one that is certainly not zero.
     pub(crate) fn minimum_near(&self, sample: usize) -> Option<f64> {
         let (health, last) = (&self.health, self.health.len() - 1);
         let before = sample.checked_sub(1).map_or(f64::INFINITY, |before| health[before]);
@@ -88,7 +88,7 @@ impl<'a> Samples<'a> {
             return Some(0.0);
         }
         let least = square(middle) - 0.5 * slope * slope / curvature;
-        // What the parabola leaves out shows in its neighbors.
+        // The neighboring samples show the error of the parabola.
         let is_inside = middle >= 2 && middle + 2 <= last;
         if is_inside {
             let change = [middle - 1, middle + 1].map(|other| (bend(other) - curvature).abs());
@@ -102,7 +102,8 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// The greatest difference between two poses of the same links: of directions, rad, or of places, in parts of the scale.
+/// The greatest difference between two poses of the same links, of directions (rad) or of places (parts of the
+/// scale).
 pub(crate) fn pose_distance(one: &[Body<f64>], other: &[Body<f64>], scale: f64) -> f64 {
     let apart = |(a, b): (&Body<f64>, &Body<f64>)| {
         let place = (a.x - b.x).hypot(a.y - b.y) / scale;

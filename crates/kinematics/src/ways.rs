@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Rounding of an end of a range, in units of the coordinate.
+/// Tolerance for rounding at an end of a range, in units of the coordinate.
 pub(crate) const END_ROUNDING: f64 = 1e-9;
 
 /// Where a mechanism can be assembled around its first position.
@@ -12,12 +12,13 @@ pub struct Range {
     pub low: f64,
     /// Greatest coordinate, rad or m.
     pub high: f64,
-    /// Whether it turns fully: `low` and `high` are then one turn apart and mean nothing else.
+    /// Whether it turns fully; `low` and `high` are then an arbitrary interval of one turn.
     pub full: bool,
 }
 
 impl Range {
-    /// An angle within the turn that begins at the lower end; one that is the lower end but for rounding stays there.
+    /// An angle shifted by full turns into the turn that begins at the lower end; an angle that equals the lower end
+    /// except for rounding stays there.
     pub(crate) fn within_turn(&self, angle: f64) -> f64 {
         if self.high - self.low >= TAU {
             return angle;
@@ -27,16 +28,16 @@ impl Range {
     }
 }
 
-/// A coordinate at which the motion of a group goes on in another of its ways.
+/// A coordinate at which a group passes from one of its ways to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
     /// The coordinate, rad or m.
     pub coordinate: f64,
     /// Index of the group.
     pub group: usize,
-    /// Its way at lesser and at greater coordinates.
+    /// Its ways at smaller and at greater coordinates.
     pub ways: [u8; 2],
-    /// Whether two ways meet there; otherwise the kind of the group numbers its ways anew.
+    /// Whether two ways meet there; otherwise the motion is smooth and only the kind's numbering of its ways changes.
     pub is_change_point: bool,
 }
 
@@ -45,7 +46,7 @@ pub struct Transition {
 pub struct Ways {
     /// Start of the interval that was followed.
     low: f64,
-    /// Its length where the motion is periodic: the ways repeat with it.
+    /// Length of the interval if the motion is periodic: the ways repeat with it.
     period: Option<f64>,
     /// In increasing order from `low`.
     transitions: Vec<Transition>,
@@ -66,7 +67,7 @@ impl Ways {
         Self { low, period, transitions, rows }
     }
 
-    /// The way of each group at a coordinate; at a transition itself that above it.
+    /// The way of each group at a coordinate; at a transition, the way above it.
     #[inline]
     pub fn at(&self, coordinate: f64) -> &[u8] {
         if self.transitions.is_empty() {
@@ -89,13 +90,14 @@ impl Ways {
         self.transitions.iter().filter(|transition| transition.is_change_point)
     }
 
-    /// From one coordinate to another, less the whole periods between them: rad or m.
+    /// Displacement from one coordinate to another, reduced by whole periods, rad or m.
     pub(crate) fn offset(&self, from: f64, to: f64) -> f64 {
         let apart = to - from;
         self.period.map_or(apart, |period| apart - period * (apart / period).round())
     }
 
-    /// The ways of a mechanism that is the same at the coordinate `from`, but in which the ways of some groups don't meet.
+    /// The ways of a mechanism with the same assembly at the coordinate `from`, in which the ways of some groups
+    /// don't meet.
     #[must_use]
     pub fn without(&self, from: f64, gone: impl Fn(usize) -> bool) -> Self {
         let kept: Vec<_> = self.transitions.iter().copied().filter(|one| !gone(one.group)).collect();

@@ -1,7 +1,8 @@
 //! The chain in about 32 digits, for the few questions about an assembly that 16 digits can't answer.
 //!
-//! Near a meeting of two ways the determinant is a square root of what the lengths leave: 16 digits of the lengths are 8
-//! of the determinant, and whether the ways meet, pass beside each other or leave a gap is lost in them.
+//! Near a meeting of two ways the determinant is the square root of a difference of lengths: 16 digits of the lengths
+//! give only 8 digits of the determinant. These don't show whether the ways meet, pass close to each other or leave a
+//! gap.
 
 use std::collections::HashMap;
 
@@ -11,31 +12,31 @@ use assur_number::{Dd, Real};
 use crate::Chain;
 use crate::dependence::Dependence;
 
-/// States of the chain that are kept: the change points of many groups often lie at one coordinate.
+/// Number of states of the chain that are kept: the change points of many groups are often at one coordinate.
 const MOST_STATES: usize = 64;
 
 /// The links of a group and its determinant at one coordinate.
 pub(crate) type Solved = (Vec<Body<Dd>>, Dd);
 
-/// What a solution needs to know of the groups.
+/// The way and the starting pose of each group at a coordinate.
 pub(crate) trait Assembly {
     /// The way of a group at a coordinate.
     fn way(&self, group: usize, coordinate: f64) -> u8;
-    /// Puts the links of groups that iterate where the iteration begins.
+    /// Sets the links of groups that iterate to their starting poses.
     fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]);
 }
 
-/// The chain in double-double, with the states in which it was asked for lately.
+/// The chain in double-double, with its most recently solved states.
 #[derive(Debug)]
 pub(crate) struct Wide<'a> {
     chain: Chain<Dd>,
     dependence: &'a Dependence,
-    /// Up to which order states are solved.
+    /// Highest order of the derivatives in the states.
     order: Order,
     states: HashMap<[u64; 2], State>,
 }
 
-/// All links at one coordinate, as far as they were asked for.
+/// All links at one coordinate, and which groups are already solved there.
 #[derive(Debug)]
 struct State {
     bodies: Vec<Body<Dd>>,
@@ -47,14 +48,14 @@ impl<'a> Wide<'a> {
         Self { chain, dependence, order: Order::Place, states: HashMap::new() }
     }
 
-    /// Forgets all states: the ways of groups are others, or another order is wanted.
+    /// Discards all states, because the ways of groups or the order have changed.
     pub(crate) fn restart(&mut self, order: Order) {
         self.order = order;
         self.states.clear();
     }
 
-    /// Solves a group in a way, and the groups that determine its motion in theirs. No others are solved, so that the numbers
-    /// of a group are the same whatever else is needed.
+    /// Solves a group in the given way, and the groups that determine its motion in their ways. No others are solved,
+    /// so the numbers of a group don't depend on what else is needed.
     pub(crate) fn solve(
         &mut self,
         q: Dd,
