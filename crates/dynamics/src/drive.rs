@@ -29,7 +29,7 @@ pub enum Source {
 pub struct InputDrive {
     /// The torque.
     pub source: Source,
-    /// Sense of the motion: 1 along growing coordinates, -1 along falling ones.
+    /// Direction of the motion: 1 along growing coordinates, -1 along falling ones.
     pub sense: f64,
     /// Moment of inertia of flywheel and rotor, kg m².
     pub inertia: f64,
@@ -40,11 +40,11 @@ pub struct InputDrive {
 pub(crate) struct Moment {
     pub(crate) value: f64,
     pub(crate) by_speed: f64,
-    /// By the ratio u, or by the constant moment.
+    /// With respect to the ratio u, or to the constant moment.
     pub(crate) by_parameter: f64,
 }
 
-/// Interval of the speed in which the losses of the reducer have one direction.
+/// Interval of the speed in which the power of the motor keeps its sign, so that the losses of the reducer do, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Branch {
     /// η while the motor drives, 1/η while it brakes.

@@ -7,7 +7,7 @@ use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum DynamicsError {
-    /// The scene asks for no such motion.
+    /// The scene defines no such motion.
     #[error("the scene has no motion of kind \"{kind}\"")]
     NoMotion {
         /// The kind.
@@ -89,7 +89,7 @@ pub enum DynamicsError {
         /// Kinetic energy at the start, J.
         energy: f64,
     },
-    /// The loads alone fix another mean speed than the wanted one.
+    /// The loads alone determine a mean speed other than the requested one.
     #[error(
         "the wanted mean speed of {wanted:.6} can't be met: without a drive the loads alone fix it, at {found:.6}; give a drive \
          (`torque = \"balance\"` or a motor), or that speed"
@@ -107,7 +107,7 @@ pub enum DynamicsError {
     NotPeriodic {
         /// Cycles.
         cycles: usize,
-        /// What is left.
+        /// Remaining change of the speed over a cycle.
         residual: f64,
     },
     /// No flywheel and ratio are found.
@@ -144,7 +144,7 @@ pub enum DynamicsError {
     /// The integrator failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The motor's data make no characteristic.
+    /// The motor's data define no characteristic.
     #[error("motor: {0}")]
     Rated(#[from] RatedDataError),
     /// No such motor.

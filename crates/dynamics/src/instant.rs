@@ -1,4 +1,5 @@
-//! An instant of a motion with everything that acts in it: of one side of a jump, or what holds the motion at its speed.
+//! An instant of a motion with everything that acts at it: on one side of a jump, or with the load that holds the
+//! speed.
 
 use assur_force::{Side, beside};
 use assur_integrator::{Motion, MotionError, Reduced, Sample, State};
@@ -7,7 +8,7 @@ use serde::Serialize;
 use crate::machine::load_state;
 use crate::{Driven, Machine};
 
-/// Speeds that differ by less than this part are one.
+/// Speeds whose relative difference is below this are equal.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// An instant of a motion: acceleration and loads belong to one side.
@@ -19,19 +20,19 @@ pub struct Instant {
     pub holding: Option<Holding>,
 }
 
-/// The load that holds a motion at rest or at a speed, reduced to the input: what dry resistances (or the two sides of a jump of a
-/// table over the speed) add to the mean of their values above and below the speed.
+/// The load that holds a motion at rest or at a speed, reduced to the input: what dry resistance (or a jump of a table
+/// over the speed) adds to the mean of its values above and below the speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Holding {
     /// Holding moment on the input, N m (force, N), positive along the coordinate.
     pub moment: f64,
-    /// The greatest that is possible: half of the jump.
+    /// The greatest possible size: half of the jump.
     pub bound: f64,
 }
 
 impl Driven<Machine<'_>> {
-    /// Completes a sample of a motion. The rule at a jump: the side after it in the direction of motion; of the last sample
-    /// (`is_end`), the side before.
+    /// Completes a sample of a motion with accelerations and loads. At a jump, the values just after it in the
+    /// direction of motion are taken; for the last sample (`is_end`), those just before.
     ///
     /// # Errors
     ///
@@ -49,7 +50,7 @@ impl Driven<Machine<'_>> {
         let below = self.on_side(&at, side, -1.0)?;
         let [up, down] = [above.acceleration(speed)?, below.acceleration(speed)?];
         if is_end && sample.acceleration != 0.0 {
-            // The motion came to this speed from the side that its acceleration leads away from.
+            // The motion reached this speed from the other side than the one to which its acceleration leads.
             let acceleration = if sample.acceleration > 0.0 { down } else { up };
             return Ok(Instant::free(&at, acceleration, side));
         }

@@ -14,13 +14,13 @@ use crate::{DynamicsError, Regime};
 pub struct DriveMotor {
     /// Designation as the catalogue prints it; `None` for a motor given by its data.
     pub designation: Option<String>,
-    /// What the characteristic is made of.
+    /// The data of which the characteristic is computed.
     pub rated: RatedData,
     /// The mechanical characteristic.
     pub characteristic: Characteristic,
     /// Row of the catalogue, with mass and size.
     pub row: Option<&'static Motor>,
-    /// Other motors that would do, with the ratio that each would need, the best first; only where it was chosen.
+    /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
     pub runners_up: Vec<Candidate<'static>>,
 }
 
@@ -30,8 +30,8 @@ impl DriveMotor {
         self.rated.inertia.unwrap_or(0.0)
     }
 
-    /// The motor that a scene asks for, if its torque is a motor's. `need` gives the power, W, at the motor shaft and the speed
-    /// of the input, rad/s, for choosing one.
+    /// The motor of a scene, if its torque is that of a motor. For choosing one, `need` gives the power at the motor
+    /// shaft, W, and the speed of the input, rad/s.
     pub(crate) fn of(
         torque: &Torque,
         need: impl FnOnce() -> Result<[f64; 2], DynamicsError>,
@@ -79,9 +79,9 @@ pub struct SteadyMotor {
     pub torque: [f64; 2],
     /// Root mean square torque over a cycle, N m.
     pub rms_torque: f64,
-    /// Greatest torque that the load at rest asks for in any position of the cycle, N m.
+    /// Torque of the load at rest on the motor shaft, N m: the greatest of all positions of the cycle.
     pub starting_load: f64,
-    /// What an engineer should know.
+    /// Warnings for the engineer.
     pub warnings: Vec<MotorWarning>,
 }
 

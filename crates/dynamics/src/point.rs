@@ -2,7 +2,7 @@
 
 use assur_mechanism::{InputPair, Mechanism, PointId};
 
-/// A point of the input link at which a force and a mass stand for all loads and all links.
+/// A point of the input link to which all loads are reduced as one force and all links as one mass.
 ///
 /// With PF1 of the point of the size r, vA = r w: F = sum(P v cos α)/vA = Q/r and m = sum(m (vS/vA)² + IS (w/vA)²) = J/r².
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -26,7 +26,8 @@ pub struct Steady {
     pub flywheel_sizes: Vec<FlywheelSize>,
 }
 
-/// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search: then it fails.
+/// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
+/// error.
 ///
 /// # Errors
 ///

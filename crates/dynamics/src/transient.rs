@@ -1,4 +1,4 @@
-//! Motion from an initial state: until a time, a way, or rest.
+//! Motion from an initial state: until a time, a coordinate, or rest.
 
 use assur_force::Loads;
 use assur_integrator::{
@@ -20,7 +20,7 @@ pub struct Transient {
     pub trajectory: Trajectory,
     /// Name of the integrator.
     pub integrator: &'static str,
-    /// Why it, as a sentence.
+    /// The reason for the integrator, as a sentence.
     pub reason: String,
     /// What J and Q depend on, the drive included.
     pub dependence: Dependence,
@@ -28,11 +28,11 @@ pub struct Transient {
     pub instants: Vec<Instant>,
     /// Energies over the samples.
     pub energy: EnergyBalance,
-    /// Why there is no rest for good, where one was asked for and the motion ends at its first turning point instead.
+    /// Why there is no rest for good, if it was requested and the motion ends at its first turning point instead.
     pub unrest: Option<String>,
 }
 
-/// The method of a transient motion, where it is another than the scene's.
+/// The method of a transient motion, where it differs from the scene's.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Method<'a> {
     /// Name of the integrator; `None`: the scene's.
@@ -50,18 +50,18 @@ pub struct EnergyBalance {
     pub potential: Vec<f64>,
     /// Whether nothing but weights and springs acts, so that the sum must be constant.
     pub conservative: bool,
-    /// Largest change of the sum against the first sample over the largest kinetic energy: the drift where the machine is
-    /// conservative, else the work of the other loads.
+    /// Largest change of the sum against the first sample, divided by the largest kinetic energy: the drift of the
+    /// solution where the machine is conservative, else the work of the other loads.
     pub change: f64,
 }
 
-/// Solves the transient motion that a scene asks for. The watcher sees every state that is evaluated and may stop the motion:
-/// then it fails.
+/// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
+/// motion with an error.
 ///
 /// # Errors
 ///
-/// [`DynamicsError`]: no such motion in the scene, no such integrator or none that suits, a failed position, the end is
-/// never reached.
+/// [`DynamicsError`]: no such motion in the scene, no such integrator or none that suits, a failed position, or an end
+/// that is never reached.
 pub fn transient(
     linkage: &Linkage,
     loads: &Loads,
@@ -91,8 +91,8 @@ pub fn transient(
     Ok(Transient { trajectory, integrator: integrator.name, reason, dependence, instants, energy, unrest })
 }
 
-/// Solves the equation. A motion that is to end at rest, and never rests for good, ends at its first turning point; then with
-/// the reason.
+/// Solves the equation. A motion that is to end at rest, but never rests for good, ends at its first turning point; the
+/// reason is returned with it.
 fn solve(
     named: &str,
     motion: &mut dyn Motion,
@@ -141,7 +141,7 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
     Ok(Request { samples: *samples, tolerance: *tolerance, ..Request::new(initial, until) })
 }
 
-/// The sense in which the motion begins: of the speed; from rest, where the moments lead; else the input's.
+/// The direction in which the motion begins: that of the speed; from rest, that of the moments; else the input's.
 fn heading(initial: &State, mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<f64, DynamicsError> {
     if initial.speed != 0.0 {
         return Ok(initial.speed.signum());

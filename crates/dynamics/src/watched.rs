@@ -1,4 +1,4 @@
-//! An equation of motion that reports how far its solution is, and can be stopped.
+//! An equation of motion that reports the progress of its solution, and can be stopped.
 
 use std::ops::ControlFlow;
 

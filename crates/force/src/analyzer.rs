@@ -30,13 +30,13 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         out: &mut Reactions,
     ) -> Result<(), ForceError>;
 
-    /// The construction on paper that this method stands for, at one position; `None` for a method without one.
+    /// The construction on paper that corresponds to the method, at one position; `None` for a method without one.
     ///
-    /// `loads` as in [`solve`](Self::solve).
+    /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame.
     ///
     /// # Errors
     ///
-    /// As [`solve`](Self::solve).
+    /// Those of [`solve`](Self::solve).
     fn construction(
         &self,
         _linkage: &Linkage,
@@ -46,14 +46,14 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         Ok(None)
     }
 
-    /// By how much the method magnifies rounding in this position beyond what the groups themselves do (1 / determinant);
-    /// 1 for a method that has no singular positions of its own. Infinite where it has no solution.
+    /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /
+    /// determinant); 1 for a method without singular positions of its own. Infinite where it has no solution.
     fn condition(&self, _linkage: &Linkage, _position: &Position) -> f64 {
         1.0
     }
 }
 
-/// Why there are no reactions. Says the coordinate; the layer above adds the number of the position.
+/// Why there are no reactions. Names the coordinate; the caller adds the number of the position.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ForceError {
@@ -64,7 +64,7 @@ pub enum ForceError {
         group: String,
         /// The coordinate, rad or m.
         coordinate: f64,
-        /// What the group says.
+        /// The reason, from the group.
         source: GroupError,
     },
     /// The equations of equilibrium of the whole mechanism can't be solved.
@@ -91,7 +91,7 @@ pub enum ForceError {
         /// Its transfer function, dimensionless.
         share: f64,
     },
-    /// Two lines that the method cuts with each other are parallel.
+    /// Two lines that the method intersects are parallel.
     #[error(
         "coordinate {coordinate:.9}: {lines} are parallel (angle between them {angle:.3e} rad), so the pole is at infinity \
          and this form has no solution there; use `{instead}`"
@@ -103,7 +103,7 @@ pub enum ForceError {
         lines: String,
         /// Angle between them, rad.
         angle: f64,
-        /// The method that has a solution there.
+        /// A method that has a solution there.
         instead: &'static str,
     },
     /// The method can't treat this mechanism.

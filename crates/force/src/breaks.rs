@@ -16,21 +16,21 @@ pub(crate) struct Interval {
     pub(crate) ends: [f64; 2],
     /// Its lower end in the cycle of the points.
     pub(crate) start: f64,
-    /// What the whole cycles add: coordinate - shift lies in the cycle of the points.
+    /// Sum of the whole cycles: coordinate - shift is in the cycle of the points.
     pub(crate) shift: f64,
 }
 
 /// Differences of the coordinate below this part of it (or of the cycle) are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// How far a coordinate (or a time) may lie from a place where a formula changes and still be meant to lie on it: rounding. `period`:
-/// length of a cycle of the coordinate, if it has one.
+/// Distance up to which a coordinate (or a time) counts as lying on a place where a formula changes: rounding.
+/// `period`: length of a cycle of the coordinate, if it has one.
 pub fn tolerance(coordinate: f64, period: Option<f64>) -> f64 {
     ROUNDING * coordinate.abs().max(period.unwrap_or(1.0))
 }
 
 impl Breaks {
-    /// Sorts the points; with a period, those a whole period or more after the first are never reached and left out.
+    /// Sorts the points; with a period, points a whole period or more after the first are dropped.
     pub(crate) fn new(mut points: Vec<f64>, period: Option<f64>) -> Self {
         points.sort_by(f64::total_cmp);
         points.dedup();
@@ -48,7 +48,7 @@ impl Breaks {
         }
     }
 
-    /// A place within the interval of this index; where it has no end, beyond the other one.
+    /// A place within the interval of this index; if the interval has only one end, beyond that end.
     pub(crate) fn inside(&self, index: usize) -> f64 {
         let first = if self.period.is_some() { index } else { index.wrapping_sub(1) };
         let after = if self.period.is_some() { index + 1 } else { index };
@@ -62,7 +62,7 @@ impl Breaks {
         }
     }
 
-    /// What whole cycles add to reach this coordinate from the cycle of the points.
+    /// Sum of the whole cycles between the cycle of the points and this coordinate.
     #[inline]
     pub(crate) fn shift(&self, coordinate: f64) -> f64 {
         match (self.period, self.points.first()) {

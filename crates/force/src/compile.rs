@@ -13,7 +13,8 @@ use crate::reversal::rests;
 use crate::stroke::{NoStroke, Span, Stroke};
 use crate::{LoadError, Loads};
 
-/// How far from the first position the search over a cycle starts, as part of the cycle: a good deal less than a cell.
+/// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
+/// grid.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
 /// What compiling needs.
@@ -26,12 +27,12 @@ struct Compiler<'a> {
 impl Loads {
     /// Compiles the loads of a mechanism.
     ///
-    /// A stroke is taken over the cycle; where the scene gives a range of a mechanism that can't turn fully, over the
-    /// range. Its extremes, and where it passes the rows of its tables, are found to rounding.
+    /// A stroke is the one over the cycle; if the mechanism can't turn fully and the scene gives a range, the one over
+    /// the range. Its extremes, and the places where it passes the rows of its tables, are found to rounding.
     ///
     /// # Errors
     ///
-    /// [`LoadError`] for a load that needs a motion, or a stroke, that the scene does not give.
+    /// [`LoadError`] for a load that needs a motion or a stroke which the scene does not define.
     pub fn compile(linkage: &Linkage) -> Result<Self, LoadError> {
         let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;
@@ -189,7 +190,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Rests are wanted for the integration only: a position knows the velocity itself.
+    /// Rests are needed only for the integration: at a single position the velocity itself is known.
     fn rests(&mut self, at: Place) -> Breaks {
         if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
             return Breaks::default();
@@ -198,10 +199,10 @@ impl Compiler<'_> {
         rests(&mut |q| self.body(q, at.link), at.at, &span)
     }
 
-    /// Where to look for a stroke: a cycle and, where the scene gives a range, the range.
+    /// The interval of a stroke: a cycle and, where the scene gives a range, the range.
     fn spans(&self) -> Vec<Span> {
         let input = &self.mechanism.input;
-        // Dead points like round coordinates; a reversal on a grid point would be bracketed by rounding alone.
+        // Dead points are often at round coordinates; a reversal on a grid point would be bracketed by rounding alone.
         let beside = |length: f64| input.from + BESIDE * length;
         let cycle = input.period().map(|length| Span { from: beside(length), length, periodic: true });
         let range = match input.range {

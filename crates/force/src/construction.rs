@@ -13,7 +13,7 @@ pub enum StepKind {
     Part,
     /// The balancing force.
     Balancing,
-    /// The side that closes a polygon.
+    /// The vector that closes a polygon.
     Closing,
     /// A reaction.
     Reaction,
@@ -22,7 +22,7 @@ pub enum StepKind {
 }
 
 impl StepKind {
-    /// One word for reports.
+    /// The word for this kind in reports.
     pub fn word(self) -> &'static str {
         match self {
             Self::Point => "point",
@@ -63,7 +63,7 @@ pub struct Step {
     pub vector: [f64; 2],
     /// Unit of the vector: `N`, `m`, `m/rad`.
     pub unit: &'static str,
-    /// What is done here and why, in a sentence.
+    /// What this step does and why, in a sentence.
     pub note: String,
 }
 

@@ -9,7 +9,7 @@ pub enum LoadError {
     NeedsMotion {
         /// The load.
         name: String,
-        /// What needs it.
+        /// The part of the load that needs a motion.
         what: &'static str,
     },
     /// A moment acts at no point, so it has no stroke.
@@ -47,7 +47,7 @@ pub enum LoadError {
     NoPosition {
         /// The load.
         name: String,
-        /// The coordinate, rad or m.
+        /// The reason, from the position solver.
         coordinate: f64,
         /// What the position solver says.
         reason: String,

@@ -1,15 +1,15 @@
-//! Kinetostatics group by group, in any number: from the last group to the input link (S, stage 9).
+//! Kinetostatics group by group, for any scalar type: from the last group to the input link (S, stage 9).
 
 use assur_group::{AssurGroup, Body, Number, Pair, PairGeometry, Wrench, plane};
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
-/// Finds the reactions of all groups, from the last to the first, and then the equilibrium of the input link; gives back
-/// what the drive must apply at the input: a moment (N m), or a force along the guide (N).
+/// Finds the reactions of all groups, from the last to the first, and then the equilibrium of the input link; returns
+/// the load of the drive at the input: a moment (N m), or a force along the guide (N).
 ///
-/// `loads`: one wrench for each body about the origin of its frame; each group adds what it hands on to the bodies that
-/// carry it. `pairs`: the reaction on body `a` of each pair. `solve` finds the reactions of one group, given its number; it
-/// may leave a group out, whose reactions then stay as they are.
+/// `loads`: one wrench for each body about the origin of its frame; each group adds its reactions on the bodies that
+/// carry it. `pairs`: the reaction on body `a` of each pair. `solve` finds the reactions of one group, given its
+/// number; it may skip a group, whose reactions then stay unchanged.
 ///
 /// # Errors
 ///
@@ -32,7 +32,7 @@ pub fn group_by_group<T: Number, E>(
     Ok(drive)
 }
 
-/// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and what the drive must apply.
+/// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.
 #[inline]
 fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[Wrench<T>]) -> (Wrench<T>, T) {
     let (body, load) = (&bodies[input], &loads[input]);

@@ -11,7 +11,7 @@ use crate::stroke::{Segment, Stroke};
 /// The law of one load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
-    /// Always the same.
+    /// Constant.
     Constant(f64),
     /// A table over the coordinate.
     Coordinate(Table, Breaks),
@@ -23,12 +23,12 @@ pub(crate) enum Law {
     Stroke(Box<Stroke>),
 }
 
-/// Which formula of a law holds.
+/// Which formula of a law is in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Active {
     /// Segment of the table, and which table.
     pub(crate) piece: Segment,
-    /// What whole cycles add to the argument.
+    /// Sum of the whole cycles that are subtracted from the argument.
     pub(crate) shift: f64,
 }
 
@@ -42,13 +42,13 @@ impl Active {
 }
 
 impl Law {
-    /// A table over the coordinate; `period`: it repeats, counted from its first row.
+    /// A table over the coordinate; `period`: the table repeats with it, counted from its first row.
     pub(crate) fn over_coordinate(table: Table, period: Option<f64>) -> Self {
         let breaks = Breaks::new(table.rows.iter().map(|row| row[0]).collect(), period);
         Self::Coordinate(table, breaks)
     }
 
-    /// Whether all rows have one value, so that the law is no dependence.
+    /// Whether all rows have one value, so that the law depends on nothing.
     pub(crate) fn is_constant(&self) -> bool {
         let flat =
             |table: &Table| table.rows.iter().all(|row| row[1].to_bits() == table.rows[0][1].to_bits());
@@ -59,7 +59,7 @@ impl Law {
         }
     }
 
-    /// The formula that holds on a side of a state.
+    /// The formula on a side of a state.
     #[inline]
     pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
         match self {
@@ -73,7 +73,7 @@ impl Law {
         }
     }
 
-    /// The formula that holds on a side of a state, and the box in which it is smooth cut into `bounds`.
+    /// The formula on a side of a state; cuts the `bounds` to those in which it is smooth.
     pub(crate) fn enter(
         &self,
         state: &State,

@@ -1,4 +1,4 @@
-//! What acts on the links, and what the pairs answer.
+//! The loads on the links, and the reactions in the pairs.
 //!
 //! * [`Loads`]: the loads of a mechanism as flat compiled formulas: wrenches on the links, reduction to the input link
 //!   (theory of the project, section 3), energies, smooth pieces for integration.

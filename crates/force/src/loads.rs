@@ -20,7 +20,7 @@ pub struct Loads {
     pub(crate) sense: f64,
     /// Length of a cycle of the input.
     pub(crate) period: Option<f64>,
-    /// PF1 of a point below this is rounding, m/rad (m/m).
+    /// PF1 of a point below this counts as zero, m/rad (m/m).
     pub(crate) standing: f64,
     /// J is the same at every coordinate, by structure.
     pub(crate) inertia_constant: bool,
@@ -45,7 +45,7 @@ pub(crate) struct PointForce {
     pub(crate) id: usize,
     pub(crate) at: Place,
     pub(crate) along: Along,
-    /// Where the point rests, for a force against its motion.
+    /// Where the point rests; needed for a force against its motion.
     pub(crate) rests: Breaks,
 }
 
@@ -83,13 +83,13 @@ pub(crate) struct ArcContact {
     pub(crate) to_contact: [f64; 2],
     /// Force for F = 1, ground.
     pub(crate) force: [f64; 2],
-    /// Where it begins and ends; none: always.
+    /// Interval of contact; `None`: always in contact.
     pub(crate) breaks: Breaks,
     /// Index of the interval of `breaks` in which there is contact.
     pub(crate) touching: usize,
 }
 
-/// What acts: one load of the scene, the weight of a link, or its inertia.
+/// The cause of a load: one load of the scene, the weight of a link, or its inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Cause {
     /// Weight of a link.

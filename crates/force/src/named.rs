@@ -1,11 +1,11 @@
-//! Pair reactions summed to what each pin and slide of the scene exerts.
+//! Pair reactions summed to the reactions of each pin and slide of the scene.
 
 use assur_kinematics::Linkage;
 use assur_mechanism::{LinkId, PairId};
 
 use crate::Reactions;
 
-/// What one pin or slide exerts.
+/// The reactions of one pin or slide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointReaction {
     /// The pin or slide.

@@ -7,12 +7,12 @@ use crate::law::{Active, cut};
 use crate::loads::{Along, Loads};
 use crate::visit::Selections;
 
-/// Which formula of each load holds: segments of tables, strokes and their direction, contacts, turns of the loads against
-/// the motion. Made by [`Loads::phase`], set by [`Loads::enter`].
+/// Which formula of each load is in use: segments of tables, strokes and their direction, contacts, sides of the rests
+/// of loads against the motion. Created by [`Loads::phase`], set by [`Loads::enter`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phase {
     pub(crate) actives: Vec<Active>,
-    /// Of each force: the coordinates between which its point does not turn round.
+    /// For each force: the interval of the coordinate in which its point does not reverse.
     pub(crate) sides: Vec<[f64; 2]>,
     pub(crate) contacts: Vec<bool>,
     pub(crate) sense: f64,
@@ -21,7 +21,7 @@ pub struct Phase {
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 impl Loads {
-    /// A phase of the right size, to be entered.
+    /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
         Phase {
             actives: vec![Active::ONLY; self.laws.len()],
@@ -31,12 +31,12 @@ impl Loads {
         }
     }
 
-    /// Chooses the formulas that hold on the side of `state` (of a held one, above its speed), and returns the box in which they
-    /// do.
+    /// Chooses the formulas of the side of `state` (if the motion is held, of the side above its speed), and returns
+    /// the bounds in which they are valid.
     ///
-    /// The direction along the coordinate is the sign of the speed; of a speed that is exactly zero, that in which the
-    /// acceleration leads, else the sense of the input. At a row of a table over the speed the segment is that to which the
-    /// acceleration leads, else from the row up: ask with a speed beside the row to get the other one. Allocates nothing.
+    /// The direction along the coordinate is the sign of the speed; at zero speed, that of the acceleration, else that
+    /// of the input. At a row of a table over the speed the segment is the one towards which the acceleration leads,
+    /// else the one above the row; for the other one, call this with a speed just beside the row. Allocates nothing.
     pub fn enter(&self, state: &State, phase: &mut Phase) -> Piece {
         let side = match self.selections(state) {
             Selections::One(side) | Selections::Held([_, (_, side)]) => side,

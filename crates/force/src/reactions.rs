@@ -1,4 +1,4 @@
-//! What a force analyzer finds, and where the balancing load acts.
+//! The result of a force analyzer, and the place where the balancing load acts.
 
 use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -6,7 +6,7 @@ use assur_mechanism::{Balance, InputPair, Mechanism};
 
 use crate::ForceError;
 
-/// Reactions in all pairs, and the balancing load: the answer of an analyzer and its scratch.
+/// Reactions in all pairs, and the balancing load: the result of an analyzer, with its scratch memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reactions {
     /// For each pair of the structure: force (N) and moment (N m) on its body `a`, about the pin or about the point of the sliding
@@ -15,8 +15,9 @@ pub struct Reactions {
     /// Moment (N m, counter-clockwise) or force (N, along the slide or along the direction of `[balance]`) that keeps the
     /// mechanism in its motion.
     pub balancing: f64,
-    /// By group: whether its equations are solved. The reactions of the others stay exactly zero: a group that carries no load,
-    /// and a group that is not placed. Respected by methods that go [by groups](crate::AnalyzerPlugin::by_groups).
+    /// For each group, whether its equations are solved. The reactions of the others stay exactly zero: those of a
+    /// group that carries no load, or is not placed. Respected by methods that solve [by
+    /// groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<f64>>,
@@ -25,7 +26,7 @@ pub struct Reactions {
 }
 
 impl Reactions {
-    /// Room for the reactions of a mechanism, of all groups that are placed.
+    /// Memory for the reactions of a mechanism, of all groups that are placed.
     pub fn new(linkage: &Linkage) -> Self {
         let groups = 0..linkage.groups().len();
         let solved = groups.map(|group| linkage.chain.is_needed(group)).collect();
@@ -34,7 +35,7 @@ impl Reactions {
         Self { scratch_pairs: pairs.clone(), pairs, balancing: f64::NAN, solved, scratch_bodies: bodies }
     }
 
-    /// Room for reactions without the groups that carry no load, by index: their reactions stay zero.
+    /// Memory for the reactions, without the groups of these indices, which carry no load: their reactions stay zero.
     #[must_use]
     pub fn without_idle(mut self, carrying: &[bool]) -> Self {
         for (solved, carrying) in self.solved.iter_mut().zip(carrying) {
@@ -82,7 +83,8 @@ impl UnitBalance {
         power(&self.wrench, &bodies[self.link])
     }
 
-    /// The size that makes the drive idle: `others` is what the other loads ask of it, `unit` what this load does.
+    /// The size of the balancing load at which the drive is idle: `others` is the drive's load under all other loads,
+    /// `unit` that under a balancing load of size 1.
     ///
     /// # Errors
     ///

@@ -24,8 +24,8 @@ impl Sink for Power {
 }
 
 impl Loads {
-    /// Coefficients of the equation of motion J e + J' w²/2 = Q, the formulas of the loads chosen by the state: of all moving
-    /// links and loads; without motor, flywheel and balancing load.
+    /// Coefficients of the equation of motion J e + J' w²/2 = Q for all moving links and loads, without motor, flywheel
+    /// and balancing load. The state decides which formulas of the loads apply.
     ///
     /// `bodies` need PF2 where J depends on the coordinate or a force is always against the motion, else PF1. Where J is constant
     /// by structure ([`Mechanism::has_constant_reduced_inertia`](assur_mechanism::Mechanism::has_constant_reduced_inertia)),
@@ -40,8 +40,8 @@ impl Loads {
         }
     }
 
-    /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond its
-    /// bounds. `bodies` need PF2 only where J depends on the coordinate.
+    /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond
+    /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
         self.reduce(phase, state, bodies)
     }

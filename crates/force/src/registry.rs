@@ -14,13 +14,13 @@ pub struct AnalyzerPlugin {
     pub crate_name: &'static str,
     /// One line.
     pub summary: &'static str,
-    /// Where the formulas are from.
+    /// Source of the formulas.
     pub source: &'static str,
     /// The method.
     pub instance: &'static dyn ForceAnalyzer,
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
-    /// Whether it goes group by group, so that a group which is not placed, or carries no load, is left out
+    /// Whether the method solves group by group, so that a group which is not placed or carries no load can be left out
     /// ([`Reactions::solved`](crate::Reactions::solved)). Other methods need all groups placed.
     pub by_groups: bool,
     /// Order of preference: of the methods that give reactions, the one of the lowest rank is used where the user names

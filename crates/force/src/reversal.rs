@@ -1,17 +1,17 @@
-//! Where a point comes to rest while the input moves: there a load against its motion turns round.
+//! Where a point comes to rest while the input moves: there a load against its motion reverses.
 
 use assur_number::search::try_newton_root;
 
 use crate::breaks::Breaks;
 use crate::stroke::{BodyAt, Span};
 
-/// Over how many places of the cycle a rest is bracketed.
+/// Number of places of the cycle between which a rest is bracketed.
 const GRID: u32 = 720;
 
-/// A velocity below this part of its greatest over the cycle is a rest, if it is a minimum.
+/// A minimum of the velocity below this part of its greatest value over the cycle counts as a rest.
 const REST: f64 = 1e-9;
 
-/// The rests of a point; places that the mechanism can't take are passed over.
+/// The rests of a point; coordinates without a position of the mechanism are skipped.
 pub(crate) fn rests(body: &mut BodyAt<'_>, at: [f64; 2], span: &Span) -> Breaks {
     let mut slope = |q: f64| -> Result<[f64; 2], String> {
         let body = body(q)?;
@@ -36,7 +36,7 @@ pub(crate) fn rests(body: &mut BodyAt<'_>, at: [f64; 2], span: &Span) -> Breaks 
     }
     let mut rests = Vec::new();
     for [low, high] in minima {
-        // No derivative at hand: a slope of 0 makes the root finder bisect.
+        // The derivative is not available: with a slope of 0 the root finder bisects.
         let Ok(q) = try_newton_root(low, high, |q| slope(q).map(|s| (s[1], 0.0))) else { continue };
         if slope(q).is_ok_and(|s| s[0] <= REST * greatest) {
             rests.push(q);

@@ -11,29 +11,29 @@ pub(crate) struct Selection {
     pub(crate) sense: f64,
     /// 1: just after the state in the direction of motion; -1: just before.
     pub(crate) ahead: f64,
-    /// Side of the speed: 1 above, -1 below, 0 as the tables have it.
+    /// Side of the speed: 1 above, -1 below, 0 as the tables define it.
     pub(crate) speed_side: f64,
     /// The input moves, so that a force against the motion has a direction.
     pub(crate) moves: bool,
-    /// Both ends of a contact belong to it.
+    /// Whether a contact includes both of its ends.
     pub(crate) closed: bool,
 }
 
 impl Selection {
-    /// The coordinate from which the formulas of a law are taken.
+    /// The coordinate at which the formula of a law is chosen.
     #[inline]
     pub(crate) fn coordinate(&self, state: &State, period: Option<f64>) -> f64 {
         // A position that should lie on a row may miss it by rounding.
         state.coordinate + self.ahead * self.sense * tolerance(state.coordinate, period)
     }
 
-    /// The time from which the formulas of a law are taken.
+    /// The time at which the formula of a law is chosen.
     #[inline]
     pub(crate) fn time(&self, state: &State) -> f64 {
         state.time + self.ahead * tolerance(state.time, None)
     }
 
-    /// The speed from which the formulas of a law are taken.
+    /// The speed at which the formula of a law is chosen.
     #[inline]
     pub(crate) fn speed(&self, state: &State) -> f64 {
         if self.speed_side == 0.0 { state.speed } else { beside(state.speed, self.speed_side) }

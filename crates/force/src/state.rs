@@ -13,24 +13,24 @@ pub struct State {
     pub acceleration: f64,
     /// Time, s.
     pub time: f64,
-    /// Which formulas hold where the state lies on a jump.
+    /// Which formulas apply if the state is on a jump.
     pub side: Side,
 }
 
-/// Which formulas of the loads hold at a state that lies on a jump. All loads follow one rule, and the acceleration of the state
-/// is that of the same side.
+/// Which formulas of the loads apply at a state on a jump. The choice is common to all loads, and the acceleration of
+/// the state belongs to that side, too.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Side {
-    /// A position of a prescribed motion, or of none: the formulas after the jump in the direction of motion. Both ends of a
-    /// contact belong to it.
+    /// A position of a prescribed motion, or of none: the formulas after the jump in the direction of motion. A contact
+    /// includes both of its ends.
     #[default]
     Prescribed,
     /// Just after the state in the direction of motion.
     After,
     /// Just before the state: the end of a motion.
     Before,
-    /// The motion is held at its speed, which the formulas of either side would bring it back to: at rest by dry friction, at a
-    /// speed by a jump of a table. What jumps takes on the value that holds it.
+    /// The motion is held at its speed, because the formulas of either side drive it back: at rest by dry friction, at
+    /// a speed by a jump of a table. The load takes the value between both sides that holds the speed.
     Held {
         /// Share of the formulas just above the speed, 0 to 1; the rest is of those just below.
         upper: f64,
@@ -44,9 +44,9 @@ pub fn beside(speed: f64, side: f64) -> f64 {
 }
 
 impl State {
-    /// The state of a prescribed motion; at rest, at time 0, for any other and without a motion.
+    /// The state of a prescribed motion; for any other motion, or none, the state of rest at time 0.
     ///
-    /// The time is counted from the first position with the constant speed that is prescribed for every position.
+    /// The time is counted from the first position, at the constant prescribed speed.
     pub fn prescribed(mechanism: &Mechanism, coordinate: f64) -> Self {
         match mechanism.motion {
             Some(Motion::Prescribed { speed, acceleration }) => {

@@ -1,4 +1,5 @@
-//! The stroke of a point along an axis: its extremes over the cycle, and where its place passes the rows of a table.
+//! The stroke of a point along an axis: its extremes over the cycle, and the coordinates at which the point passes the
+//! rows of a table.
 
 use assur_group::Body;
 use assur_mechanism::Table;
@@ -9,7 +10,7 @@ use crate::breaks::Breaks;
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
 
-/// Over how many places of the cycle a reversal is bracketed.
+/// Number of places of the cycle between which a reversal is bracketed.
 const GRID: u32 = 720;
 
 /// A stroke, compiled.
@@ -27,7 +28,7 @@ pub(crate) struct Stroke {
     senses: [Pieces; 2],
 }
 
-/// Which formula holds between two coordinates.
+/// The formula in use between two coordinates.
 #[derive(Debug, Clone, PartialEq)]
 struct Pieces {
     breaks: Breaks,
@@ -37,21 +38,21 @@ struct Pieces {
 /// A segment of one of the two tables.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Segment {
-    /// Whether the point returns, so that the table `back` holds.
+    /// Whether the point returns, so that the table `back` applies.
     pub(crate) back: bool,
     /// Segment of the table.
     pub(crate) segment: usize,
 }
 
-/// A travel beyond this many sizes of the mechanism is that of a point which runs through infinity.
+/// A displacement beyond this many sizes of the mechanism means that the point runs through infinity.
 const GREATEST_TRAVEL: f64 = 1e9;
 
 /// Why a point has no stroke.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoStroke {
-    /// It moves only so far along the axis, m.
+    /// Its displacement is too small: this distance along the axis, m.
     Stands(f64),
-    /// It runs through infinity: so far along the axis, m.
+    /// It runs through infinity: a displacement of this many meters was found.
     Infinite(f64),
     /// There is no position at this coordinate.
     NoPosition(f64, String),
@@ -64,7 +65,7 @@ pub(crate) struct Span {
     pub(crate) from: f64,
     /// Length, positive.
     pub(crate) length: f64,
-    /// Whether everything repeats with the length.
+    /// Whether the motion repeats with the length.
     pub(crate) periodic: bool,
 }
 
@@ -118,7 +119,7 @@ impl Along<'_, '_> {
         try_newton_root(low, high, |q| self.place(q).map(|s| (s[1], s[2])))
     }
 
-    /// Two reversals in one cell of the grid: PF1 turns back inside, beyond zero.
+    /// Two reversals in one cell of the grid: PF1 changes its sign twice inside.
     fn close_pair(&mut self, low: f64, high: f64, velocity: f64) -> Result<Vec<f64>, NoStroke> {
         let step = 1e-3 * (high - low);
         let turn = try_newton_root(low, high, |q| {
@@ -193,7 +194,7 @@ impl Stroke {
             }
         }
         if !span.periodic {
-            // The ends of a range are no change of a formula: what holds at them holds beyond.
+            // No formula changes at the ends of a range: that of the end continues beyond.
             points.remove(0);
         }
         let breaks = Breaks::new(points, span.period());
@@ -209,7 +210,7 @@ impl Stroke {
         Ok(Pieces { breaks, chosen })
     }
 
-    /// The formula that holds at a coordinate for this sense of the input, and the coordinates between which it holds.
+    /// The formula at a coordinate for this direction of the input, and the coordinates between which it is valid.
     #[inline]
     pub(crate) fn piece(&self, coordinate: f64, sense: f64) -> (Segment, [f64; 2]) {
         let pieces = &self.senses[usize::from(sense < 0.0)];
@@ -217,7 +218,7 @@ impl Stroke {
         (pieces.chosen[interval.index], interval.ends)
     }
 
-    /// The load at a place of the ground by one formula.
+    /// The load at a position in the ground's frame by one formula.
     #[inline]
     pub(crate) fn value(&self, piece: Segment, point: [f64; 2]) -> f64 {
         let along = self.axis[0] * point[0] + self.axis[1] * point[1];

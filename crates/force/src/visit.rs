@@ -1,4 +1,4 @@
-//! One walk over the applied loads, for whoever collects them: as wrenches, as power, by cause.
+//! One pass over the applied loads, with a collector: of wrenches, of power, by cause.
 
 use assur_group::Body;
 
@@ -10,7 +10,7 @@ use crate::{Phase, State};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
 pub(crate) trait Sink {
-    /// What the next calls belong to.
+    /// The cause of the following calls.
     #[inline]
     fn cause(&mut self, _cause: Cause) {}
     /// A force, N.
@@ -19,17 +19,17 @@ pub(crate) trait Sink {
     fn moment(&mut self, link: usize, body: &Body<f64>, moment: f64);
 }
 
-/// Says which formula of each load holds.
+/// Says which formula of each load is in use.
 pub(crate) trait Choice {
     /// Of a law.
     fn active(&self, loads: &Loads, law: usize, state: &State) -> Active;
     /// Whether a contact touches.
     fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool;
-    /// By what a force against the motion multiplies the unit vector of PF1; 0 where the point stands.
+    /// Factor of the unit vector of PF1 for a force against the motion; 0 where the point is at rest.
     fn against(&self, loads: &Loads, force: usize, state: &State, pf: [[f64; 2]; 2]) -> f64;
 }
 
-/// The formulas that hold at a state.
+/// The formulas in use at a state.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Selections {
     /// Of one side.
@@ -66,7 +66,7 @@ impl Choice for Selection {
 
     #[inline]
     fn against(&self, loads: &Loads, _force: usize, _state: &State, [first, second]: [[f64; 2]; 2]) -> f64 {
-        /// A rest nearer than this, in the coordinate, is one: the difference is rounding.
+        /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
         const AT_REST: f64 = 1e-12;
         let (v, a) = (first[0].hypot(first[1]), second[0].hypot(second[1]));
         if !self.moves || v <= loads.standing.max(AT_REST * a) { 0.0 } else { -self.sense }
@@ -87,14 +87,14 @@ impl Choice for Phase {
     #[inline]
     fn against(&self, _loads: &Loads, force: usize, state: &State, _pf: [[f64; 2]; 2]) -> f64 {
         let [low, high] = self.sides[force];
-        // Beyond a rest PF1 has turned round; the formula of the piece has not.
+        // Beyond a rest PF1 has reversed; the formula of the piece has not.
         let within = state.coordinate >= low && state.coordinate <= high;
         if within { -self.sense } else { self.sense }
     }
 }
 
 impl Loads {
-    /// The formulas that hold at a state, with their shares: those of one side, or both where the motion is held.
+    /// The formulas in use at a state, with their shares: those of one side, or both where the motion is held.
     #[inline]
     pub(crate) fn selections(&self, state: &State) -> Selections {
         let (speed, acceleration) = (state.speed, state.acceleration);
@@ -219,7 +219,7 @@ impl SpringDamper {
         let d = [two.x + arms[1][0] - one.x - arms[0][0], two.y + arms[1][1] - one.y - arms[0][1]];
         let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
         if length == 0.0 {
-            // Without a direction a free length pushes nowhere, and a damper has no line to act along.
+            // A spring without length has no direction: neither its free length nor its damper gives a force.
             return [0.0, 0.0];
         }
         let mut tension = self.stiffness * (length - self.length);

@@ -9,7 +9,7 @@ use crate::visit::Sink;
 /// Adds up loads about the origins of the bodies.
 struct Sum<'a> {
     wrenches: &'a mut [Wrench<f64>],
-    /// By what each load counts.
+    /// The factor of each load.
     share: f64,
 }
 
@@ -25,10 +25,10 @@ impl Sink for Sum<'_> {
     }
 }
 
-/// Hands on each load with what causes it.
+/// Passes on each load with its cause.
 struct Each<'a> {
     cause: Option<Cause>,
-    /// By what each load counts.
+    /// The factor of each load.
     share: f64,
     hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<f64>),
 }
@@ -62,7 +62,7 @@ impl Sink for Each<'_> {
 impl Loads {
     /// Writes the applied loads and weights: one wrench for each link, about the origin of its frame.
     ///
-    /// What acts on the ground is there only where a spring is fixed to it.
+    /// Of loads on the ground, only those of springs fixed to it are included.
     pub fn apply(&self, state: &State, bodies: &[Body<f64>], wrenches: &mut [Wrench<f64>]) {
         wrenches.fill(Wrench::ZERO);
         let mut sum = Sum { wrenches, share: 1.0 };
@@ -86,8 +86,9 @@ impl Loads {
         wrenches
     }
 
-    /// Each load apart: what causes it, its link, and its wrench about the origin of the link's frame. A cause comes once for
-    /// every link that it loads (a spring twice), or with two shares where the motion is held; inertia loads come last.
+    /// Each load by itself: its cause, its link, and its wrench about the origin of the link's frame. A cause occurs
+    /// once for every link that it loads (a spring twice), or as two shares where the motion is held; inertia loads are
+    /// last.
     pub fn by_cause(
         &self,
         state: &State,

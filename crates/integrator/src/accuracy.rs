@@ -1,30 +1,31 @@
-//! Control of the error of a whole motion, which the control of each step can't promise: what a step loses may grow, and
-//! the motion of a stiff or unstable equation may follow a wrong branch at a loose tolerance.
+//! Control of the global error of a motion, which the control of the local error of each step can't ensure: local
+//! errors may grow, and the motion of a stiff or unstable equation may follow a wrong branch at a loose tolerance.
 
 use crate::{IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory};
 
-/// Each run is compared with one to this part of its tolerance.
+/// Each run is compared with one at this fraction of its tolerance.
 const FINER: f64 = 0.1;
 
-/// Estimated errors up to so many tolerances are accepted: the true one is at most ten.
+/// Estimated errors up to so many tolerances are accepted: then the true one is at most ten tolerances.
 const ACCEPTED: f64 = 3.0;
 
 /// Refinements after which the motion counts as too sensitive for its tolerance.
 const MOST_REFINEMENTS: usize = 6;
 
-/// Most steps of a finer run: so many times those of the run before (a method of order 5 needs 1.6 times), and some.
+/// Most steps of a finer run: this multiple of the steps of the run before (a method of order 5 needs 1.6), and a
+/// constant.
 const MOST_GROWTH: usize = 6;
 const FEW_STEPS: usize = 1000;
 
-/// Tolerance below which nothing but roundings is left to refine.
+/// Tolerance below which only rounding errors remain.
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-/// Solves the equation so that the motion as a whole keeps the tolerance: with finer and finer steps, until a still finer run
-/// gives the same motion. What the result may be off is its [`Statistics::error`](crate::Statistics::error).
+/// Solves the equation to the tolerance for the motion as a whole: with finer and finer steps, until a still finer run
+/// gives the same motion. The estimated error is in [`Statistics::error`](crate::Statistics::error).
 ///
 /// # Errors
 ///
-/// [`IntegrationError`] of the first run. Where a finer one fails, the result is that of the run before.
+/// [`IntegrationError`] of the first run. If a finer run fails, the result is that of the run before it.
 pub(crate) fn solve(
     plugin: &IntegratorPlugin,
     motion: &mut dyn Motion,
@@ -56,8 +57,8 @@ pub(crate) fn solve(
 }
 
 impl Trajectory {
-    /// Largest difference between the samples of two solutions of the same request: of the speeds as a part of the largest
-    /// speed, of the coordinates as a part of the travel, of the times as a part of the duration.
+    /// Largest difference between the samples of two solutions of one request: speeds relative to the largest speed,
+    /// coordinates to the largest displacement, times to the duration.
     pub fn deviation(&self, other: &Self) -> f64 {
         let Some((first, last)) = self.samples.first().zip(self.samples.last()) else { return 0.0 };
         let duration = last.time - first.time;

@@ -1,4 +1,5 @@
-//! Chebyshev polynomials on [-1, 1]: fit, value, integral; for methods that go in panels of the coordinate or of the speed.
+//! Chebyshev polynomials on [-1, 1]: fit, value, integral; for methods that advance in panels of the coordinate or of
+//! the speed.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -20,10 +21,10 @@ pub struct Basis {
     table: [[f64; NODES]; NODES],
 }
 
-/// The basis whose nodes have both ends, made once: its cosines cost as much as a short motion.
+/// The basis whose nodes include both ends, computed once: its cosines cost as much as a short motion.
 pub static WITH_ENDS: LazyLock<Basis> = LazyLock::new(Basis::with_ends);
 
-/// The basis whose nodes all lie inside, made once.
+/// The basis whose nodes are all inside, computed once.
 pub static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
 
 impl Basis {
@@ -62,9 +63,9 @@ impl Basis {
     }
 }
 
-/// Value at `x`, by Clenshaw's recurrence for the even and for the odd terms, side by side: each is a chain of operations
-/// that wait for one another, and half as long. `T_2k(x) = T_k(u)` and `T_2k+1(x) = x V_k(u)` with `u = 2 x² - 1` and the
-/// polynomials of the third kind, `V_0 = 1`, `V_1 = 2 u - 1`.
+/// Value at `x`, by Clenshaw's recurrence, with the even and the odd terms in two chains. In each chain every operation
+/// waits for the one before; two chains of half the length run in parallel. `T_2k(x) = T_k(u)` and `T_2k+1(x) = x
+/// V_k(u)` with `u = 2 x² - 1` and the polynomials of the third kind, `V_0 = 1`, `V_1 = 2 u - 1`.
 #[inline]
 pub fn value(series: &Series, x: f64) -> f64 {
     let twice = 2.0 * (2.0 * x * x - 1.0);
@@ -104,7 +105,7 @@ pub fn divided(p: &Series, r: f64) -> Series {
     h
 }
 
-/// How much the last coefficients still matter: an upper estimate of what was left out.
+/// The contribution of the last coefficients: an upper estimate of the truncation error.
 #[inline]
 pub fn tail(series: &Series) -> f64 {
     series[NODES - 1].abs() + series[NODES - 2].abs()
@@ -116,9 +117,9 @@ pub fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }
 
-/// The argument between `low` and `high` at which a growing function (given with its derivative) has a value: Newton's method
-/// from `start` on, kept between bounds by bisection, until a correction is at most `enough`. Near the root a correction d
-/// leaves an error of about d².
+/// The argument between `low` and `high` at which a growing function (given with its derivative) has a value: Newton's
+/// method from `start`, kept within the bounds by bisection, until a correction is at most `enough`. Near the root a
+/// correction d leaves an error of about d².
 pub fn inverse(
     wanted: f64,
     [mut low, mut high]: [f64; 2],

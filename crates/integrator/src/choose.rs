@@ -1,4 +1,4 @@
-//! Which method solves an equation, and which ones follow where it can't: ranked by what the methods declare.
+//! Which method solves an equation, and which methods follow if it fails: ranked by what the methods declare.
 
 use crate::accuracy;
 use crate::error::SUSPICIOUS;
@@ -7,12 +7,12 @@ use crate::{Dependence, IntegrationError, IntegratorPlugin, Motion, Request, Tra
 /// The name that leaves the choice of the method to the program.
 pub const AUTO: &str = "auto";
 
-/// A method for an equation, and why it.
+/// A method for an equation, and the reason for it.
 #[derive(Debug, Clone)]
 pub struct Candidate {
     /// The method.
     pub integrator: &'static IntegratorPlugin,
-    /// Why, for a person.
+    /// The reason for it, for a person.
     pub reason: String,
 }
 
@@ -21,9 +21,9 @@ pub struct Candidate {
 pub struct Choice {
     /// The method to take.
     pub first: Candidate,
-    /// Those that follow where a method finds on the way that it can't treat the equation.
+    /// The methods that follow if one finds during the motion that it can't treat the equation.
     pub others: Vec<Candidate>,
-    /// The method to go on with where an explicit one finds the equation stiff.
+    /// The method to continue with if an explicit one finds the equation stiff.
     pub stiff: Option<&'static IntegratorPlugin>,
 }
 
@@ -34,7 +34,7 @@ pub struct Solution {
     pub trajectory: Trajectory,
     /// The method.
     pub integrator: &'static IntegratorPlugin,
-    /// Why it, for a person.
+    /// The reason for the method, for a person.
     pub reason: String,
 }
 
@@ -42,7 +42,7 @@ pub struct Solution {
 ///
 /// # Errors
 ///
-/// As [`choose`] and [`Choice::solve`].
+/// Those of [`choose`] and [`Choice::solve`].
 pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
     choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)
 }
@@ -88,7 +88,7 @@ fn ranked(
 }
 
 impl Choice {
-    /// Solves the equation by the first method that can treat it, so that the whole motion keeps the tolerance.
+    /// Solves the equation by the first method that can treat it, keeping the tolerance for the motion as a whole.
     ///
     /// # Errors
     ///

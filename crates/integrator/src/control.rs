@@ -1,4 +1,4 @@
-//! Size of steps: the norm of an error and the proportional-integral controller.
+//! Control of the step size: the norm of an error, and the proportional-integral controller.
 
 use crate::State;
 
@@ -8,9 +8,10 @@ use crate::State;
 pub struct Control {
     /// Exponent of the present error.
     pub proportional: f64,
-    /// Exponent of the error before: damps the alternation of too long and too short steps. 0: plain control.
+    /// Exponent of the error of the step before: damps the alternation of too long and too short steps. 0: plain
+    /// control.
     pub integral: f64,
-    /// Part of the wanted step that is really tried.
+    /// Safety factor: the part of the computed step that is tried.
     pub safety: f64,
     /// Least factor between steps.
     pub shrink: f64,
@@ -39,11 +40,11 @@ impl Control {
     }
 }
 
-/// What an error is compared with: the tolerance times the largest speed and the largest travel so far, because it is the
-/// motion as a whole that must be right, not a passage through zero.
+/// The scale of errors: the tolerance times the largest speed and the largest displacement since the start, because the
+/// motion as a whole must be right, not a passage through zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
-    /// Wanted relative accuracy.
+    /// Requested relative accuracy.
     pub tolerance: f64,
     origin: f64,
     travel: f64,
@@ -56,20 +57,21 @@ impl Scale {
         Self { tolerance, origin: state.coordinate, travel: 0.0, speed: state.speed.abs() }
     }
 
-    /// The same motion with another tolerance, for a method whose estimate is of lower order than its solution.
+    /// The scale of this motion with another tolerance, for a method whose estimate is of lower order than its
+    /// solution.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// Remembers how far and how fast the motion was.
+    /// Updates the largest displacement and speed.
     #[inline]
     pub fn extend(&mut self, state: &State) {
         self.travel = self.travel.max((state.coordinate - self.origin).abs());
         self.speed = self.speed.max(state.speed.abs());
     }
 
-    /// Largest speed so far, rad/s (m/s).
+    /// Largest speed since the start, rad/s (m/s).
     pub fn fastest(&self) -> f64 {
         self.speed
     }
@@ -77,7 +79,7 @@ impl Scale {
     /// Allowed errors of coordinate and speed at the end of a step.
     #[inline]
     pub fn allowed(&self, end: &State) -> [f64; 2] {
-        /// Roundings of the coordinate that no step can avoid.
+        /// Unit roundings of the coordinate that no step can avoid.
         const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
         let travel = self.travel.max((end.coordinate - self.origin).abs());
         let speed = self.speed.max(end.speed.abs());

@@ -13,13 +13,13 @@ mod stability;
 mod sticking;
 
 /// A cut this near to the end of a step takes its state from the dense output, whose error falls to zero there as
-/// (θ(1-θ))²; a cut further inside has its step made anew.
+/// (θ(1-θ))²; for a cut further inside, the step is repeated with the shorter length.
 const NEAR_END: f64 = 0.95;
 
-/// A predicted crossing is aimed this much too far, so that it is met inside the step.
+/// A step aimed at a predicted crossing is lengthened by this factor, so that the crossing is inside the step.
 const OVERSHOOT: f64 = 1.02;
 
-/// The integrator that goes by the steps of the method `S`.
+/// The integrator that advances by the steps of the method `S`.
 pub struct Steps<S>(PhantomData<fn() -> S>);
 
 impl<S> Steps<S> {
@@ -43,12 +43,12 @@ struct Drive<'a, S> {
     run: Run<'a, Dense>,
     stepper: S,
     pace: Pace,
-    /// The box of the present piece, narrowed by the end.
+    /// The bounds of the present piece, narrowed by the end.
     bounds: Bounds,
     scale: Scale,
     /// Proposed step, s.
     step: f64,
-    /// Step to redo, and the bound that it shall meet.
+    /// A step to repeat, and the bound that it is to meet.
     redo: Option<(f64, Side)>,
     error_before: f64,
     after_rejection: bool,
@@ -95,7 +95,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.check_stability()
     }
 
-    /// In a new piece, from rest or after sticking: no step is known.
+    /// In a new piece, from rest or after sticking, no step size is known.
     fn start_steps(&mut self) {
         self.update_bounds();
         self.step = match self.pace {
@@ -148,7 +148,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         Ok((attempt, None))
     }
 
-    /// A bound so near that uniformly accelerated motion meets it without a step.
+    /// A bound so near that uniformly accelerated motion meets it without a step of the method.
     fn touching(&self) -> Option<(Side, f64)> {
         /// Part of a step below which the error of a parabola is far below rounding.
         const NEGLIGIBLE: f64 = 1e-9;
@@ -194,12 +194,13 @@ impl<'a, S: Stepper> Drive<'a, S> {
         };
         self.step = plan.h * factor;
         let least = 4.0 * f64::EPSILON * self.run.node.state.time.abs().max(1e-12);
-        // At a fixed step nothing is retried: the step is the user's word.
+        // At a fixed step nothing is retried: the user has decided.
         let retried = matches!(self.pace, Pace::Adaptive(_)) || source.is_none();
         if retried && self.step > least { Ok(()) } else { Err(self.run.stuck(self.step, source)) }
     }
 
-    /// Decides about a step that is exact enough: all of it, up to an event, or anew up to an event.
+    /// Decides what to do with a step that is exact enough: accept it whole or up to an event, or repeat it up to an
+    /// event.
     fn judge(&mut self, plan: Plan, error: f64, to: Node) -> Result<(), IntegrationError> {
         if self.bounds.may_leave(&self.run.node, &to) {
             let dense = self.dense(&to)?;
@@ -254,7 +255,8 @@ impl<'a, S: Stepper> Drive<'a, S> {
         }
     }
 
-    /// Next step from the error of this one. A step that was shortened for an event says only that more would do.
+    /// Next step from the error of this one. A step shortened for an event only shows that a longer one would be
+    /// possible.
     fn propose(&mut self, plan: &Plan, error: f64) {
         let Pace::Adaptive(control) = self.pace else { return };
         let factor = control.after_accepted(error, self.error_before);

@@ -1,4 +1,4 @@
-//! The equation with a counter in front of it: every evaluation of every method goes through here.
+//! The equation with a counter: every evaluation of every method is counted here.
 
 use crate::{Motion, MotionError, Partials, Piece, State, Statistics};
 
@@ -102,8 +102,8 @@ impl<'a> Equation<'a> {
     }
 }
 
-/// Increment of a forward difference: half of the digits of the value, which keeps both errors alike. It is made exact
-/// in binary by adding and subtracting.
+/// Increment of a forward difference: half of the digits of the value, which balances truncation and rounding error.
+/// Adding and subtracting makes it exact in binary.
 fn increment(value: f64) -> f64 {
     /// Below this size a value counts as this size.
     const SMALL: f64 = 1e-4;

@@ -1,4 +1,4 @@
-//! Why an integration failed, and where it was then.
+//! Why an integration failed, and at which state.
 
 use assur_plugin::RegistryError;
 
@@ -31,7 +31,7 @@ pub enum IntegrationError {
     /// There is no such method, or the registry is faulty.
     #[error(transparent)]
     Registry(#[from] RegistryError),
-    /// The accuracy would need steps below what the numbers resolve.
+    /// The accuracy would need steps too small for floating-point numbers.
     #[error(
         "the motion can't be followed beyond {at}: the tolerance asks for steps below {step:.1e} s; loosen it, or look for a load \
          or an inertia that grows without limit there"
@@ -42,7 +42,7 @@ pub enum IntegrationError {
         /// The step, s.
         step: f64,
     },
-    /// The steps that were allowed are used up.
+    /// The allowed number of steps is used up.
     #[error("the motion got to {at} in {steps} steps, which is the most, the last of {step:.1e} s{}", stiffness_words(*stiffness))]
     TooManySteps {
         /// Place reached.
@@ -88,10 +88,10 @@ pub enum IntegrationError {
         /// What failed.
         source: MotionError,
     },
-    /// The end that was asked for doesn't come.
+    /// The requested end isn't reached.
     #[error("{goal} is never reached: the motion got to {at} and {why}")]
     NotReached {
-        /// The end asked for, in words.
+        /// The requested end, in words.
         goal: String,
         /// Place reached.
         at: State,
@@ -107,7 +107,7 @@ pub enum IntegrationError {
 }
 
 impl IntegrationError {
-    /// The end that was asked for does not come, or did not within the steps.
+    /// The requested end is not reached, or was not within the allowed steps.
     pub fn is_unreached(&self) -> bool {
         matches!(self, Self::NotReached { .. } | Self::TooManySteps { .. })
     }
@@ -120,7 +120,7 @@ impl IntegrationError {
         }
     }
 
-    /// The end that `request` asks for doesn't come: the motion got to `at`, and why it goes no further.
+    /// The end that `request` asks for isn't reached: `at` is the last state; the rest says why.
     pub fn not_reached(request: &Request, at: State, why: &'static str) -> Self {
         let goal = match request.until {
             Until::Time(end) => format!("time {end} s"),
@@ -132,8 +132,8 @@ impl IntegrationError {
     }
 }
 
-/// Above this product of step and eigenvalue an explicit method is held by stability, not by accuracy: the
-/// bound of the real axis is 3.3 for dopri5 and 6.1 for dop853, 2.8 for rk4.
+/// Above this product of step and eigenvalue the step of an explicit method is limited by stability, not by accuracy:
+/// the bound on the negative real axis is 3.3 for dopri5, 6.1 for dop853 and 2.8 for rk4.
 pub(crate) const SUSPICIOUS: f64 = 1.5;
 
 fn stiffness_words(stiffness: Option<f64>) -> String {

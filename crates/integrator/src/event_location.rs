@@ -1,4 +1,4 @@
-//! Event location: where a step leaves the box of states of its piece, or meets the end that was asked for.
+//! Event location: where a step leaves the bounds of its smooth piece, or meets the requested end.
 
 use assur_number::search::root;
 
@@ -16,7 +16,7 @@ pub(crate) enum Side {
 pub(crate) const SIDES: [Side; 4] =
     [Side::CoordinateLow, Side::CoordinateHigh, Side::SpeedLow, Side::SpeedHigh];
 
-/// The box of the piece, narrowed by the end that was asked for.
+/// The bounds of the smooth piece, narrowed by the requested end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     value: [f64; 4],
@@ -34,7 +34,7 @@ impl Bounds {
             Until::Coordinate(target) if target < node.state.coordinate => bounds.aim(0, target),
             Until::Coordinate(target) => bounds.aim(1, target),
             Until::Turn => {
-                // At rest itself the acceleration tells the side.
+                // At rest the acceleration decides on which side the state is.
                 let forward = node.state.speed > 0.0 || (node.state.speed == 0.0 && node.acceleration > 0.0);
                 bounds.aim(if forward { 2 } else { 3 }, 0.0);
             }
@@ -94,7 +94,8 @@ impl Bounds {
         state
     }
 
-    /// Whether the step from `from` to `to` may have left the box: cheap, errs to the side of yes.
+    /// Whether the step from `from` to `to` may have left the bounds: a cheap test that may say yes without cause, but
+    /// never no.
     #[inline]
     pub(crate) fn may_leave(&self, from: &Node, to: &Node) -> bool {
         let outside = |state: &State| SIDES.iter().any(|side| self.inside(*side, state) < 0.0);
@@ -107,7 +108,7 @@ impl Bounds {
             least - reach < low || most + reach > high
         };
         let h = to.state.time - from.state.time;
-        // An extremum inside the step lies no further out than the slopes at its ends lead.
+        // An extremum inside the step is no further out than the tangents at its ends reach.
         let reach_w = h * from.acceleration.abs().max(to.acceleration.abs());
         let reach_q = h * from.state.speed.abs().max(to.state.speed.abs()) + h * reach_w;
         let span = |a: f64, b: f64| (a.min(b), a.max(b));
@@ -117,8 +118,8 @@ impl Bounds {
             || (swung && near(self.value[2], self.value[3], w0, w1, reach_w))
     }
 
-    /// The bound that a step which was aimed at it has passed by a rounding: its dense output then ends on the bound itself and
-    /// shows no exit.
+    /// The bound that a step aimed at it has passed only by rounding: its dense output then ends on the bound itself
+    /// and shows no exit.
     pub(crate) fn passed_by_rounding(&self, from: &State, to: &State) -> Option<Side> {
         const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
         SIDES.into_iter().find(|&side| {
@@ -128,7 +129,7 @@ impl Bounds {
         })
     }
 
-    /// First instant at which the step leaves the box, as θ, and through which bound.
+    /// First instant at which the step leaves the bounds, as θ, and the bound that it crosses.
     pub(crate) fn first_exit(&self, dense: &Dense) -> Option<(f64, Side)> {
         let mut first: Option<(f64, Side)> = None;
         for side in SIDES {

@@ -2,18 +2,18 @@
 
 use crate::{Equation, Node, Request, Until};
 
-/// Steps of a motion at a fixed step, where the request doesn't say.
+/// Number of steps of a motion at a fixed step, where the request gives no step.
 const FIXED_STEPS: f64 = 1000.0;
 
-/// Time in which a motion goes about as far as `distance`.
+/// Time in which uniformly accelerated motion covers about `distance`.
 fn time_for(distance: f64, node: &Node) -> f64 {
     let (w, a) = (node.state.speed.abs(), node.acceleration.abs());
     // w x + a x²/2 = d, without cancellation.
     2.0 * distance / (w + (w * w + 2.0 * a * distance).sqrt())
 }
 
-/// The fixed step: as asked, else a thousandth of the duration, which for an end by coordinate or rest is what
-/// uniformly accelerated motion would take.
+/// The fixed step: the requested one, else a thousandth of the duration; for an end by coordinate or rest, of the
+/// duration of uniformly accelerated motion.
 pub(crate) fn fixed(request: &Request, node: &Node) -> f64 {
     if let Some(step) = request.fixed_step {
         return step;
@@ -29,8 +29,8 @@ pub(crate) fn fixed(request: &Request, node: &Node) -> f64 {
     if duration.is_finite() { duration / FIXED_STEPS } else { time_for(1.0, node) / FIXED_STEPS }
 }
 
-/// First step of an adaptive method whose error estimate has that order: from the change of the acceleration along a
-/// short trial, so that the local error comes near to the tolerance.
+/// First step of an adaptive method whose error estimate has that order: chosen from the change of the acceleration
+/// along a short trial step, for a local error near the tolerance.
 pub(crate) fn adaptive(
     equation: &mut Equation<'_>,
     node: &Node,
@@ -38,12 +38,12 @@ pub(crate) fn adaptive(
     order: f64,
     longest: f64,
 ) -> f64 {
-    /// Coordinate that a mechanism goes without changing much, rad (m).
+    /// Displacement over which a mechanism changes little, rad (m).
     const SHORT: f64 = 0.02;
     let trial = time_for(SHORT, node).min(0.1 * longest);
     let there = node.advanced(trial);
     let there = equation.acceleration(&there);
-    // Out of reach of the mechanism: a short step then.
+    // The trial state has no position: a short step then.
     let Ok(there) = there else { return 1e-3 * trial };
     let change = (there - node.acceleration).abs() / trial;
     let size = node.acceleration.abs().max(there.abs()).max(node.state.speed.abs() / trial * 0.1);

@@ -4,11 +4,11 @@
 //! The equation is that of a mechanism with one degree of freedom, J(q) w' + J'(q) w²/2 = Q(q, w, t), q' = w (D 3.11).
 //! This crate knows no mechanism, no scene and no concrete method. SI units.
 //!
-//! A method that goes in time steps implements [`Stepper`]: one step, its error and its dense output. [`Steps`] does
-//! everything else. A method that goes otherwise, in panels of the coordinate or of the speed, implements [`Integrator`] and
-//! keeps a [`Run`] itself.
+//! A method that advances in time steps implements [`Stepper`]: one step, its error and its dense output. [`Steps`]
+//! does everything else. A method that advances in panels of the coordinate or of the speed implements [`Integrator`]
+//! and keeps a [`Run`] itself.
 //!
-//! # Existing crates, weighed before this one was written (2026-11)
+//! # Existing crates, considered before this one was written (2026-11)
 //!
 //! | crate | version | license | dense output | events | two states without allocation | verdict |
 //! | --- | --- | --- | --- | --- | --- | --- |
@@ -16,12 +16,13 @@
 //! | `diffsol` | 0.18.0 | MIT | yes | root functions, the solver stops there | no: heap vectors and matrices (nalgebra, faer) | no: made for large stiff systems (BDF, SDIRK), brings faer, petgraph and serde; a yardstick |
 //! | `differential-equations` | 0.7.0 | Apache-2.0 | yes | yes, by sign change over accepted steps | explicit methods yes, radau5 allocates at start | the nearest; no: an event is found after a step whose stages have already crossed the jump, and the equation can't fail |
 //!
-//! Known from the published sources and manifests; `ode_solvers` was also run.
+//! Judged from the published sources and manifests; `ode_solvers` was also run.
 //!
-//! What decides is not the formulas but the steps: a mechanism's equation consists of smooth pieces (rows of tables, stroke
-//! direction, dry friction), no step may have a jump inside, the speed zero asks which side accepts the motion, and a
-//! position may not exist. None of the three has a notion of a piece that a trial step may leave smoothly. So the
-//! methods are ours, with the published coefficients, and the order conditions are tests.
+//! What decides is not the formulas but the steps: a mechanism's equation consists of smooth pieces (rows of tables,
+//! stroke direction, dry friction), no step may contain a jump, at zero speed the side on which the motion continues
+//! must be found, and a position may not exist. None of the three has a notion of a piece that a trial step may leave
+//! smoothly. So the methods are implemented here, with the published coefficients, and the tests check the order
+//! conditions.
 
 mod accuracy;
 pub mod chebyshev;

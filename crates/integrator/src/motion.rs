@@ -97,7 +97,7 @@ impl Reduced {
     ///
     /// # Errors
     ///
-    /// [`MotionError::Inertia`] if J is not positive; [`MotionError::NotFinite`] if the result is no number.
+    /// [`MotionError::Inertia`] if J is not positive; [`MotionError::NotFinite`] if the result is not a number.
     #[inline]
     pub fn acceleration(&self, speed: f64) -> Result<f64, MotionError> {
         if self.inertia <= 0.0 {
@@ -120,7 +120,7 @@ pub struct Partials {
     pub by_speed: f64,
 }
 
-/// The box of states in which the equation is one smooth formula: between the rows of tables, while the stroke
+/// The bounds of the states in which the equation is one smooth formula: between the rows of tables, while the stroke
 /// keeps its direction, inside or outside a contact. Infinite where unbounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
@@ -152,10 +152,10 @@ pub trait Motion {
     /// its bounds. Later calls of [`reduced`](Self::reduced) use the formulas of that piece, continued
     /// smoothly beyond its bounds (a step tries states outside), until the next `enter`.
     ///
-    /// The direction along the coordinate is the sign of the speed. The driver never asks at rest: it asks on
-    /// both sides, with the least positive and negative speed, and takes the side whose acceleration points
-    /// that way; neither means that the mechanism stays where it is (dry friction). The same at
-    /// a bound of speed. A bound that is a jump must be given as a bound of the piece; a mere kink should be.
+    /// The direction along the coordinate is the sign of the speed. The driver never enters a piece at rest, but tries
+    /// both sides, with the least positive and the least negative speed, and takes the side whose acceleration points
+    /// to that side; if neither does, the mechanism stays at rest (dry friction). A bound of the speed is treated
+    /// alike. A bound at which the formula jumps must be given as a bound of the piece; a mere kink should be.
     ///
     /// # Errors
     ///
@@ -169,22 +169,22 @@ pub trait Motion {
     /// [`MotionError`] if the mechanism has no such position.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
 
-    /// Acceleration e at `state`, rad/s² (m/s²). Follows from [`reduced`](Self::reduced).
+    /// Acceleration e at `state`, rad/s² (m/s²), computed from [`reduced`](Self::reduced).
     ///
     /// # Errors
     ///
-    /// As [`reduced`](Self::reduced) and [`Reduced::acceleration`].
+    /// Those of [`reduced`](Self::reduced) and [`Reduced::acceleration`].
     #[inline]
     fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.reduced(state)?.acceleration(state.speed)
     }
 
-    /// Partial derivatives of the acceleration where the equation knows them; `None` (the default): an implicit method takes
-    /// differences.
+    /// Partial derivatives of the acceleration, where the equation knows them; with `None` (the default) an implicit
+    /// method uses finite differences.
     ///
     /// # Errors
     ///
-    /// As [`reduced`](Self::reduced).
+    /// Those of [`reduced`](Self::reduced).
     fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {
         let _ = state;
         Ok(None)

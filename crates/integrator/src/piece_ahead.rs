@@ -1,12 +1,12 @@
-//! Which smooth piece comes next, and whether the motion goes on at all.
+//! Which smooth piece comes next, and whether the motion continues at all.
 
 use crate::{Equation, IntegrationError, Piece, State};
 
-/// Enters the piece after `state`, and gives the acceleration in it; `at_speed_bound` if the speed lies on a bound of the
-/// piece before.
+/// Enters the piece after `state`, and returns the acceleration in it; `at_speed_bound` if the speed is on a bound of
+/// the previous piece.
 ///
-/// At rest and at a bound of speed both sides are asked: a side is right if its own acceleration leads into it. `None`: each
-/// side drives the motion back, so that it sticks at this speed (dry friction at rest, a governor).
+/// At rest and at a bound of the speed both sides are tried: a side is right if its own acceleration leads into it.
+/// `None`: each side drives the motion back, so that the speed is held (dry friction at rest, a governor).
 ///
 /// # Errors
 ///
@@ -34,8 +34,8 @@ fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, Integ
     equation.acceleration(state).map_err(|source| IntegrationError::equation(state, source))
 }
 
-/// Asks for the piece, each time a little further ahead, until it has states ahead of `state`: a table that counts its
-/// cycles may find a row a rounding before or after the place where it said that the row is.
+/// Enters the piece, each time a little further ahead, until it contains states ahead of `state`: a table that repeats
+/// with the cycle may place a row a rounding before or after the bound that it reported.
 fn piece_ahead(equation: &mut Equation<'_>, state: &State, side: f64) -> Result<Piece, IntegrationError> {
     /// Up to 2^24 roundings, 4e-9: more is not a rounding.
     const TRIALS: i32 = 12;

@@ -6,8 +6,8 @@ use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 
 /// A method for the equation of motion.
 ///
-/// A method that goes in steps of time implements [`Stepper`](crate::Stepper) instead, and [`Steps`](crate::Steps) makes an
-/// integrator of it.
+/// A method that advances in steps of time implements [`Stepper`](crate::Stepper) instead, and [`Steps`](crate::Steps)
+/// makes it an integrator.
 pub trait Integrator: Sync {
     /// Solves the equation from the initial state to the end. Called through [`IntegratorPlugin::solve`], which makes sure
     /// that the method suits the equation.
@@ -29,13 +29,14 @@ pub struct IntegratorPlugin {
     pub summary: &'static str,
     /// Where the method is described.
     pub source: &'static str,
-    /// Order of accuracy; 0 for a method without error of discretization in time.
+    /// Order of accuracy; 0 for a method without discretization error in time.
     pub order: u8,
-    /// What of a [`Request`] sets the accuracy.
+    /// Which field of a [`Request`] sets the accuracy.
     pub knob: Knob,
-    /// The method stays efficient on stiff equations: `auto` goes on with it where an explicit method finds one.
+    /// The method stays efficient on stiff equations: `auto` continues with it where an explicit method finds
+    /// stiffness.
     pub stiff: bool,
-    /// How well the method suits such an equation at a tolerance; the error is why it can't treat it, as a sentence.
+    /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it can't treat it.
     pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, String>,
     /// The method itself.
     pub method: &'static dyn Integrator,
@@ -47,7 +48,7 @@ impl std::fmt::Debug for IntegratorPlugin {
     }
 }
 
-/// What of a request sets the accuracy of a method.
+/// Which field of a request sets the accuracy of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Knob {
     /// Nothing: the method is exact.
@@ -58,7 +59,7 @@ pub enum Knob {
     Step,
 }
 
-/// The place of a method among those that can treat an equation, and its reason.
+/// The rank of a method among those that can treat an equation, and the reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Suitability {
     /// What the method costs here.
@@ -76,9 +77,9 @@ pub enum Cost {
     Quadrature,
     /// Steps in time, of an order that fits the tolerance.
     Steps,
-    /// Steps in time, of an order made for other tolerances.
+    /// Steps in time, of an order meant for other tolerances.
     OtherSteps,
-    /// Taken only where no other method is linked.
+    /// Chosen only if no other method is linked.
     LastResort,
 }
 
@@ -103,7 +104,7 @@ impl IntegratorPlugin {
     ///
     /// [`IntegrationError::Unsupported`] with the reason.
     pub fn supports(&self, dependence: &Dependence) -> Result<(), IntegrationError> {
-        // What a method can do does not depend on the tolerance, only how well it does it.
+        // Whether a method can treat an equation does not depend on the tolerance, only how well it does.
         match (self.suitability)(dependence, f64::EPSILON) {
             Ok(_) => Ok(()),
             Err(reason) => Err(IntegrationError::Unsupported { integrator: self.name, reason }),

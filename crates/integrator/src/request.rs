@@ -1,4 +1,4 @@
-//! What is asked of an integrator, and what it answers.
+//! The request to an integrator, and its result.
 
 use serde::Serialize;
 
@@ -13,11 +13,11 @@ pub enum Until {
     Coordinate(f64),
     /// At the first instant of zero speed after the start: a turning point, or rest.
     Turn,
-    /// At rest for good: turning points are passed. Where the moment depends on time, at the first rest.
+    /// At rest for good: passes turning points. Where the moment depends on time, at the first rest.
     Rest,
 }
 
-/// What is asked: from where, until when, how exactly.
+/// What is requested: initial state, end, accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
     /// Initial state.
@@ -26,17 +26,19 @@ pub struct Request {
     pub until: Until,
     /// Equally spaced output instants after the first. At least 1.
     pub samples: usize,
-    /// Wanted relative accuracy of speed and travelled coordinate; methods at a fixed step ignore it.
+    /// Requested relative accuracy of speed and displacement; methods at a fixed step ignore it.
     pub tolerance: f64,
     /// Most steps, accepted and rejected.
     pub max_steps: usize,
     /// Step of `uniform` and `rk4`, s. `None`: a thousandth of the (estimated) duration.
     pub fixed_step: Option<f64>,
-    /// Latest time, s, for an end by coordinate or rest: past it the answer is an error. May be infinite.
+    /// Latest time, s, for an end by coordinate or rest: if it is reached first, the result is an error. May be
+    /// infinite.
     pub time_limit: f64,
 }
 
-/// Least way that a motion can be asked for, as a part of the coordinate or of a thousandth of its unit: some roundings.
+/// Least displacement that can be requested, as a part of the coordinate or of a thousandth of its unit: some unit
+/// roundings.
 const RESOLUTION: f64 = 64.0 * f64::EPSILON;
 
 impl Request {
@@ -53,7 +55,7 @@ impl Request {
         }
     }
 
-    /// Refuses what no method could answer.
+    /// Rejects requests that no method can fulfill.
     ///
     /// # Errors
     ///
@@ -94,7 +96,7 @@ impl Request {
         }
     }
 
-    /// The time that no step may pass: the end, where it is a time, else the limit.
+    /// The time that no step may pass: the end if it is a time, else the limit.
     pub fn latest(&self) -> f64 {
         match self.until {
             Until::Time(end) => end,
@@ -145,14 +147,14 @@ pub enum EventKind {
     Reversal,
     /// The speed became zero and stays zero: nothing can restart the motion, or not yet.
     Rest,
-    /// The speed stays at a jump of the moment over speed: each side drives it back to it.
+    /// The speed is held at a jump of the moment over the speed: each side drives it back.
     Held,
-    /// A motion that rested or was held goes on.
+    /// A motion that rested or was held continues.
     Release,
 }
 
 impl EventKind {
-    /// The word that results use.
+    /// The word for this event in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Coordinate => "coordinate",
@@ -189,13 +191,13 @@ pub struct Statistics {
     pub jacobians: usize,
     /// Smooth pieces entered, those for samples included.
     pub pieces: usize,
-    /// Step times the largest eigenvalue of the equation, at the end of a run that took more than a thousand
-    /// steps; an explicit method is slow by stiffness where it lies near 3 or above.
+    /// Step times the largest eigenvalue of the equation, at the end of a run of more than a thousand steps; near 3 or
+    /// above, stiffness limits the steps of an explicit method.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
-    /// Estimated error of the motion, as [`Trajectory::deviation`] from a run to a tenth of the tolerance; none for a method
-    /// without error of discretization in time, for a fixed step, and where the finer run failed. Where it is far above the
-    /// tolerance the motion is too sensitive for it.
+    /// Estimated error of the motion: [`Trajectory::deviation`] from a run at a tenth of the tolerance. `None` for a
+    /// method without discretization error in time, for a fixed step, and if the finer run failed. If it is far above
+    /// the tolerance, the motion is too sensitive for it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! A solution in progress: what every method keeps while it goes from piece to piece, to the end.
+//! A solution in progress: what every method keeps from piece to piece, up to the end.
 
 use crate::segment::{Segment, instant, samples};
 use crate::{
@@ -6,7 +6,7 @@ use crate::{
     Statistics, Trajectory, Until, enter,
 };
 
-/// Why a speed that decays without end brings no end.
+/// The reason where the speed only decays, so that the requested end is never reached.
 pub(crate) const CREEPS: &str = "creeps to rest without end";
 
 /// The motion so far. `C` is how the method describes the motion inside a segment.
@@ -14,7 +14,7 @@ pub(crate) const CREEPS: &str = "creeps to rest without end";
 pub struct Run<'a, C> {
     /// The equation of motion.
     pub equation: Equation<'a>,
-    /// What is asked.
+    /// What is requested.
     pub request: &'a Request,
     /// Present state, with its acceleration by the formulas of the present piece.
     pub node: Node,
@@ -22,7 +22,7 @@ pub struct Run<'a, C> {
     pub piece: Piece,
     /// Cost so far; the counts of the equation are added at the end.
     pub statistics: Statistics,
-    /// The end that was asked for is reached.
+    /// The requested end is reached.
     pub finished: bool,
     first: Node,
     segments: Vec<Segment<C>>,
@@ -52,24 +52,24 @@ impl<'a, C: Curve> Run<'a, C> {
         }
     }
 
-    /// Enters the first piece. `false`: the speed stays, as in [`Run::enter`].
+    /// Enters the first piece. `false`: the speed is held, see [`Run::enter`].
     ///
     /// # Errors
     ///
-    /// As [`enter`].
+    /// Those of [`enter`].
     pub fn begin(&mut self) -> Result<bool, IntegrationError> {
         let moving = self.enter(false)?;
         self.first = self.node;
         Ok(moving)
     }
 
-    /// Enters the piece ahead; `at_speed_bound` if the speed lies on a bound of the piece before.
+    /// Enters the piece ahead; `at_speed_bound` if the speed is on a bound of the previous piece.
     ///
     /// `false`: the motion sticks at its speed, each side of which drives it back; the acceleration is zero then.
     ///
     /// # Errors
     ///
-    /// As [`enter`].
+    /// Those of [`enter`].
     pub fn enter(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
         let entered = enter(&mut self.equation, &self.node.state, at_speed_bound)?;
         if let Some((piece, acceleration)) = entered {
@@ -82,13 +82,13 @@ impl<'a, C: Curve> Run<'a, C> {
         Ok(entered.is_some())
     }
 
-    /// Enters the piece after a bound of the present one. As [`Run::enter`], but a motion that would stop again within the
-    /// roundings of its coordinate stops here: between two pieces that drive it back and forth it has come to rest, after
-    /// turning points without number in a finite time.
+    /// Enters the piece after a bound of the present one, like [`Run::enter`], but a motion that would stop again
+    /// within the rounding of its coordinate stops here: between two pieces that drive it back and forth it comes to
+    /// rest after infinitely many turning points in a finite time.
     ///
     /// # Errors
     ///
-    /// As [`enter`].
+    /// Those of [`enter`].
     pub fn enter_next(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
         /// Roundings of the coordinate.
         const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
@@ -112,7 +112,8 @@ impl<'a, C: Curve> Run<'a, C> {
         self.events.push(Event { kind, state });
     }
 
-    /// Whether a sample may lie in a step to `time`, s, which belongs to the next step. Where the end is not a time, its instants are not known yet.
+    /// Whether there may be a sample in a step to `time`, s, which itself belongs to the next step. Where the end is
+    /// not a time, the sampling instants are not known yet.
     pub fn wants(&self, time: f64) -> bool {
         let (next, count) = (self.next_sample, self.request.samples);
         next < count
@@ -126,9 +127,10 @@ impl<'a, C: Curve> Run<'a, C> {
     ///
     /// # Errors
     ///
-    /// [`IntegrationError::NotReached`] where the motion swings between two turning points, and does not end in time.
+    /// [`IntegrationError::NotReached`] where the motion oscillates between two turning points, and does not end in
+    /// time.
     pub fn reversal(&mut self, state: State, before: f64) -> Result<(), IntegrationError> {
-        /// Least part of the swing by which successive turning points must differ.
+        /// Least part of the amplitude by which successive turning points must differ.
         const RESOLUTION: f64 = 1e-12;
         self.event_at(state, EventKind::Reversal);
         let side = usize::from(before > 0.0);
@@ -138,7 +140,7 @@ impl<'a, C: Curve> Run<'a, C> {
         let swing = (state.coordinate - other).abs();
         let same = (state.coordinate - last).abs() <= RESOLUTION.max(self.request.tolerance) * swing;
         if endless && same && !self.equation.depends_on_time() {
-            // A swing within the errors of the motion is none.
+            // An oscillation smaller than the errors of the motion doesn't count.
             let way = (state.coordinate - self.request.initial.coordinate).abs();
             let creeps = swing <= self.request.tolerance * way;
             let why = if creeps { CREEPS } else { "swings between two turning points without end" };
@@ -147,7 +149,8 @@ impl<'a, C: Curve> Run<'a, C> {
         Ok(())
     }
 
-    /// The motion went so far that its coordinate has few digits left, and does not end in time.
+    /// An error where the coordinate has grown so large that few of its digits are significant, and the motion does not
+    /// end in time.
     ///
     /// # Errors
     ///
@@ -160,7 +163,7 @@ impl<'a, C: Curve> Run<'a, C> {
         if endless && far { Err(self.not_reached("goes on without end")) } else { Ok(()) }
     }
 
-    /// Remembers the motion from the present state to the time `end`, s, for its samples.
+    /// Stores the motion from the present state to the time `end`, s, for its samples.
     pub fn record(&mut self, curve: C, end: f64) {
         self.push(Some(curve), end);
     }
@@ -180,11 +183,11 @@ impl<'a, C: Curve> Run<'a, C> {
         self.node = Node { state: self.node.state.coasting_until(end), acceleration: 0.0 };
     }
 
-    /// Keeps the present speed to the end, since nothing will ever change it.
+    /// Keeps the present speed to the end, since nothing will change it.
     ///
     /// # Errors
     ///
-    /// [`IntegrationError::NotReached`] where the end does not come at that speed.
+    /// [`IntegrationError::NotReached`] if the end is not reached at that speed.
     pub fn coast_to_end(&mut self) -> Result<(), IntegrationError> {
         let State { time, coordinate, speed } = self.node.state;
         self.finished = true;
@@ -209,7 +212,8 @@ impl<'a, C: Curve> Run<'a, C> {
         Ok(())
     }
 
-    /// The coordinate ahead in that direction at which the motion ends (then `true`), or else its piece; may be infinite.
+    /// The coordinate ahead in that direction at which the motion ends (then `true`), or else the piece ends; may be
+    /// infinite.
     pub fn coordinate_ahead(&self, direction: f64) -> (f64, bool) {
         let bound = self.piece.coordinate[usize::from(direction > 0.0)];
         match self.request.until {
@@ -235,7 +239,7 @@ impl<'a, C: Curve> Run<'a, C> {
         Ok(())
     }
 
-    /// The time is over: an error unless the end that was asked for is a time.
+    /// The time limit is reached: an error unless the requested end is a time.
     ///
     /// # Errors
     ///
@@ -247,7 +251,7 @@ impl<'a, C: Curve> Run<'a, C> {
         }
     }
 
-    /// All steps that were allowed are taken.
+    /// All allowed steps are used.
     pub fn is_exhausted(&self) -> bool {
         self.statistics.steps + self.statistics.rejected >= self.request.max_steps
     }
@@ -264,7 +268,7 @@ impl<'a, C: Curve> Run<'a, C> {
         IntegrationError::equation(&self.node.state, source)
     }
 
-    /// No step is short enough: the equation fails (`source`, or just ahead), or changes too fast.
+    /// No step is short enough: the equation has no value (`source`, or just ahead), or changes too fast.
     pub fn stuck(&mut self, step: f64, source: Option<MotionError>) -> IntegrationError {
         /// Part of the coordinate, rad (m), by which to look ahead.
         const AHEAD: f64 = 1e-6;
@@ -278,7 +282,7 @@ impl<'a, C: Curve> Run<'a, C> {
         }
     }
 
-    /// The end does not come, and why.
+    /// The error that the end isn't reached, with the reason.
     pub fn not_reached(&self, why: &'static str) -> IntegrationError {
         IntegrationError::not_reached(self.request, self.node.state, why)
     }

@@ -15,7 +15,7 @@ pub(crate) struct Segment<C> {
     pub(crate) from: State,
     /// Time at its end, s.
     pub(crate) end: f64,
-    /// The motion in it; none where the speed stays, whatever the equation says.
+    /// The motion in it; `None` where the speed is held constant regardless of the equation.
     pub(crate) curve: Option<C>,
 }
 
@@ -38,7 +38,7 @@ impl<C: Curve> Segment<C> {
         Ok(Node { state, acceleration })
     }
 
-    /// Enters the piece of the segment, by a state well inside.
+    /// Enters the smooth piece of the equation that holds the segment, by a state well inside.
     fn enter(&self, equation: &mut Equation<'_>) -> Result<(), IntegrationError> {
         if self.curve.is_some() {
             let middle = self.at(0.5 * (self.from.time + self.end));
@@ -50,7 +50,7 @@ impl<C: Curve> Segment<C> {
 
 /// The samples of a motion from `first` to `last`: `count` equally spaced ones after the first, the last at the end.
 ///
-/// Segments in which no sample lies may be missing.
+/// Segments that contain no sample may be missing.
 ///
 /// # Errors
 ///

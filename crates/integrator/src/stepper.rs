@@ -1,8 +1,8 @@
-//! What a one-step method must give to the driver.
+//! What a one-step method must provide to the driver.
 
 use crate::{Control, Dense, Equation, MotionError, Scale, State};
 
-/// A state and the acceleration there.
+/// A state and its acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Node {
     /// State.
@@ -12,7 +12,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// Where uniformly accelerated motion leads in `step` seconds.
+    /// The state that uniformly accelerated motion reaches in `step` seconds.
     pub fn advanced(&self, step: f64) -> State {
         let State { time, coordinate, speed } = self.state;
         State {
@@ -23,14 +23,14 @@ impl Node {
     }
 }
 
-/// Who decides the length of a step.
+/// What sets the length of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pace {
     /// The request: a fixed step.
     Fixed,
     /// The error estimate.
     Adaptive(Control),
-    /// Nobody: a step is exact however long.
+    /// Nothing: a step is exact at any length.
     Unlimited,
 }
 
@@ -43,7 +43,7 @@ pub struct Step<'a, 'm> {
     pub from: Node,
     /// Its length, s.
     pub length: f64,
-    /// What an error is compared with.
+    /// Scale of the errors.
     pub scale: Scale,
 }
 
@@ -52,7 +52,7 @@ pub struct Step<'a, 'm> {
 pub struct Attempt {
     /// State at the end of the step.
     pub end: State,
-    /// Estimated error over the tolerance (1 is just right); infinite if the step could not be made.
+    /// Estimated error divided by the tolerance (accepted up to 1); infinite if the step could not be computed.
     pub error: f64,
 }
 
@@ -64,13 +64,14 @@ pub trait Stepper: Default {
     /// A step is a parabola in time, and its dense output is exact at each instant.
     const PARABOLIC: bool = false;
 
-    /// The method is implicit: stiffness does not slow it down.
+    /// The method is implicit: stiffness does not force short steps.
     const IMPLICIT: bool = false;
 
-    /// Step times eigenvalue above which the method itself grows what the equation damps: checked at a fixed step.
+    /// Bound of step times eigenvalue beyond which the method is unstable where the equation is damped: checked at a
+    /// fixed step.
     const STABLE: f64 = f64::INFINITY;
 
-    /// Who decides the length of a step.
+    /// What sets the length of a step.
     fn pace(&self) -> Pace;
 
     /// Tries a step.

@@ -22,11 +22,11 @@ pub struct CataloguePlugin {
 inventory::collect!(CataloguePlugin);
 
 impl CataloguePlugin {
-    /// All rows, in the order of the source; read once, then kept.
+    /// All rows, in the order of the source; read once, then cached.
     ///
     /// # Errors
     ///
-    /// As [`parse_table`](crate::parse_table).
+    /// Those of [`parse_table`](crate::parse_table).
     pub fn rows(&self) -> Result<&[Motor], CatalogueError> {
         self.table.rows(self.name)
     }
@@ -66,7 +66,7 @@ pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, CatalogueError> {
 ///
 /// # Errors
 ///
-/// As [`catalogues`], and [`CatalogueError::UnknownName`].
+/// Those of [`catalogues`], and [`CatalogueError::UnknownName`].
 pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, CatalogueError> {
     named(&catalogues()?, name)
 }
@@ -75,7 +75,7 @@ pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, CatalogueE
 ///
 /// # Errors
 ///
-/// As [`find_catalogue`] and [`find_designation`]; a designation that stands in several catalogues is ambiguous.
+/// Those of [`find_catalogue`] and [`find_designation`]; a designation that occurs in several catalogues is ambiguous.
 pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static Motor, LookupError> {
     if let Some(name) = catalogue {
         return find_catalogue(name)?.find(designation);

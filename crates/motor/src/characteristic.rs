@@ -5,10 +5,10 @@ use crate::{CharacteristicKind, RatedData, RatedDataError};
 
 /// Torque of an asynchronous motor, N·m, over its speed, rad/s. The motor drives towards positive speed.
 ///
-/// * Kloss's formula M = 2 Mmax / (s/sk + sk/s), s = 1 - w/ws: the whole characteristic. It fits a motor without current
-///   displacement in the rotor bars; the real starting torque of a cage motor is higher and stands in the catalogue.
-/// * The straight line M = Mn (ws - w) / (ws - wn): the working section only. It has no breakdown, so that far from the
-///   working section its torque is too great.
+/// * Kloss's formula M = 2 Mmax / (s/sk + sk/s), s = 1 - w/ws: the whole characteristic. It fits a motor without
+///   current displacement in the rotor bars; the real starting torque of a cage motor is higher and is in the catalogue.
+/// * The straight line M = Mn (ws - w) / (ws - wn): the working section only. It has no breakdown, so its torque is too
+///   great far from the working section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {
     /// Synchronous speed, rad/s.
@@ -17,7 +17,7 @@ pub struct Characteristic {
     pub rated_speed: f64,
     /// Rated torque, N·m.
     pub rated_torque: f64,
-    /// Breakdown torque, N·m; `None` for a straight line whose motor does not print it.
+    /// Breakdown torque, N·m; `None` for a straight line without this value in the catalogue.
     pub breakdown_torque: Option<f64>,
     kloss: Option<Kloss>,
 }

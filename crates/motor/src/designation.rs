@@ -1,7 +1,7 @@
-//! Designations that are written alike name the same motor.
+//! Comparison of motor designations, regardless of spelling.
 //!
-//! The series 4А and АИР are printed with Cyrillic letters, people type them with Latin ones, by look (`АИР`
-//! as `AИP`) or by sound (`AIR`). Two forms of a designation serve the comparison: by look and by sound.
+//! The series 4А and АИР are printed with Cyrillic letters; people type them with Latin ones, by look (`АИР` as `AИP`)
+//! or by sound (`AIR`). So two forms of a designation are compared: by look and by sound.
 
 /// Designation by look: upper case, without spaces, every Cyrillic letter that looks like a Latin one
 /// replaced by it. `4а 100l4` and `4A100L4` become `4A100L4`.

@@ -1,4 +1,4 @@
-//! What can be wrong with a catalogue, and with a designation that someone asks for.
+//! What can be wrong with a catalogue, and with a requested designation.
 
 use assur_plugin::RegistryError;
 
@@ -38,7 +38,7 @@ pub enum CatalogueError {
     /// There is no catalogue of that name.
     #[error("no motor catalogue `{name}`; there are: {}", known.join(", "))]
     UnknownName {
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// All registered names, the nearest first.
         known: Vec<String>,
@@ -49,7 +49,7 @@ pub enum CatalogueError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RowFault {
-    /// A value outside of what is possible.
+    /// A value outside the possible range.
     #[error("{column} = {value}, must be above {above} and at most {most}")]
     OutOfRange {
         /// Column of the table.
@@ -87,7 +87,7 @@ pub enum LookupError {
     /// No such motor.
     #[error("no motor `{designation}` in {catalogue}{}", nearest_hint(nearest))]
     NotFound {
-        /// What was asked for.
+        /// The requested designation.
         designation: String,
         /// Where: a catalogue in words.
         catalogue: String,
@@ -98,7 +98,7 @@ pub enum LookupError {
     #[error("`{designation}` names {count} motors in {catalogue}: {}{}; give the whole designation",
         candidates.join(", "), if *count > candidates.len() { ", ..." } else { "" })]
     Ambiguous {
-        /// What was asked for.
+        /// The requested designation.
         designation: String,
         /// Where: a catalogue in words.
         catalogue: String,

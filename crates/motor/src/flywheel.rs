@@ -12,7 +12,7 @@ use serde::Serialize;
 
 /// Density of steel, kg/m³.
 const DENSITY: f64 = 7850.0;
-/// Rim speed that steel wheels customarily keep, m/s: hoop stress ρ v² = 79 N/mm² in a thin ring.
+/// Customary limit of the rim speed of steel wheels, m/s: hoop stress ρ v² = 79 N/mm² in a thin ring.
 const ADMISSIBLE_RIM_SPEED: f64 = 100.0;
 /// Width / diameter.
 const WIDTH_RATIO: f64 = 0.1;

@@ -2,8 +2,8 @@
 //! the mechanical characteristic, selection, and flywheel sizes.
 //!
 //! Knows no catalogue, no scene file and no terminal. SI units: W, rad/s, N·m, kg·m², m, kg.
-//! The formulas are those of the working section and of Kloss (theory of the asynchronous machine); each
-//! stands at the function that uses it.
+//! The formulas are those of the working section and of Kloss (theory of the asynchronous machine), each documented at
+//! the function that uses it.
 //!
 //! ```
 //! use assur_motor::{Characteristic, CharacteristicKind, RatedData, rad_per_s};

@@ -14,7 +14,7 @@ const SUGGESTED: usize = 3;
 /// 2. without the climatic version on either side (`4A100L4` finds `4А100L4У3`);
 /// 3. the leading words of a designation that consists of several (`LSES 250 MZ` finds `LSES 250 MZ 2p 55 kW`).
 ///
-/// `place` says in words where the rows are from; errors name it.
+/// `place` names the origin of the rows in words, for errors.
 ///
 /// # Errors
 ///
@@ -65,16 +65,16 @@ fn ambiguous(found: &[&Motor], designation: &str, place: &str) -> LookupError {
     }
 }
 
-/// The rows whose designations need the fewest edits to become the one asked for.
+/// The rows whose designations need the fewest edits to become the requested one.
 fn nearest<'a>(rows: impl IntoIterator<Item = &'a Motor>, designation: &str) -> Vec<String> {
     let asked = normalize_latin(designation);
     let asked = without_climate(&asked);
-    // Further away than that nothing is alike.
+    // Designations further away than that are not similar.
     let most = asked.chars().count() / 2;
     let distance = |m: &Motor| {
         let key = normalize_latin(&m.designation);
         let row = without_climate(&key);
-        // The difference of the lengths is a lower bound, and a cheap one.
+        // The difference of the lengths is a lower bound, and cheap to compute.
         let near = row.len().abs_diff(asked.len()) <= most;
         near.then(|| strsim::osa_distance(row, asked)).filter(|&d| d <= most)
     };

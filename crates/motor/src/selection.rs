@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::units::rpm;
 use crate::{CharacteristicKind, Motor};
 
-/// Relative slack of the comparisons with a rated value, so that the rounding of a unit does not decide.
+/// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.
 const SLACK: f64 = 1e-9;
 
 /// What the motor has to do.
@@ -17,11 +17,11 @@ pub struct SelectionRequest {
     pub input_speed: f64,
     /// Highest admissible synchronous speed, rad/s; `None`: no limit.
     pub max_motor_speed: Option<f64>,
-    /// The characteristic that the motor must have the data for.
+    /// The characteristic; the motor must have the data for it.
     pub characteristic: CharacteristicKind,
 }
 
-/// A motor that would do.
+/// A suitable motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate<'a> {
     /// The catalogue row.
@@ -35,7 +35,7 @@ pub struct Candidate<'a> {
 pub struct Selection<'a> {
     /// The choice.
     pub chosen: Candidate<'a>,
-    /// The others that would do, the best first.
+    /// The other suitable motors, the best first.
     pub runners_up: Vec<Candidate<'a>>,
 }
 

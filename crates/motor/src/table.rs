@@ -9,10 +9,10 @@ use crate::designation::normalize_latin;
 use crate::units::rad_per_s;
 use crate::{CatalogueError, Motor, RowFault};
 
-/// Highest breakdown or starting torque ratio, or current ratio, that is taken for a real one.
+/// Highest breakdown or starting torque ratio, or current ratio, that is accepted.
 const MOST_RATIO: f64 = 20.0;
 
-/// The text of a table of motors, which is read when it is first asked for, once.
+/// The text of a table of motors, which is parsed once, at its first use.
 #[derive(Debug)]
 pub struct CatalogueTable {
     text: &'static str,
@@ -25,7 +25,7 @@ impl CatalogueTable {
         Self { text, rows: OnceLock::new() }
     }
 
-    /// All rows as those of the catalogue `name`, in the order of the table.
+    /// All rows, as those of the catalogue `name`, in the order of the table.
     pub(crate) fn rows(&self, name: &str) -> Result<&[Motor], CatalogueError> {
         let rows = self.rows.get_or_init(|| parse_table(name, self.text));
         rows.as_deref().map_err(Clone::clone)
@@ -43,7 +43,7 @@ impl CatalogueTable {
 /// # Errors
 ///
 /// [`CatalogueError::Table`] for what is not such a table, [`CatalogueError::Row`] for an impossible value or a
-/// designation that stands there twice, [`CatalogueError::Empty`] without rows.
+/// designation that occurs twice, [`CatalogueError::Empty`] without rows.
 pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueError> {
     let unreadable =
         |e: csv::Error| CatalogueError::Table { catalogue: catalogue.into(), reason: e.to_string() };
@@ -70,7 +70,7 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
     if motors.is_empty() { Err(CatalogueError::Empty { catalogue: catalogue.into() }) } else { Ok(motors) }
 }
 
-/// One row, in the units of the table. Columns that a [`Motor`] does not hold are judged and left.
+/// One row, in the units of the table. Columns that a [`Motor`] does not hold are checked only.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Row {
@@ -101,7 +101,7 @@ struct Row {
 }
 
 impl Row {
-    /// The first thing that cannot be, if any.
+    /// The first impossible value, if any.
     fn fault(&self) -> Option<RowFault> {
         if self.poles == 0 || !self.poles.is_multiple_of(2) {
             return Some(RowFault::Poles { poles: self.poles });
@@ -113,13 +113,13 @@ impl Row {
         }
         self.ranges().into_iter().find_map(|(column, value, above, most)| {
             let value = value?;
-            // Written so that nan is a fault, too.
+            // Written so that NaN is a fault, too.
             let fits = value > above && value <= most && value.is_finite();
             (!fits).then_some(RowFault::OutOfRange { column, value, above, most })
         })
     }
 
-    /// Column, value, what it must exceed, what it must not exceed.
+    /// Column, value, exclusive lower limit, inclusive upper limit.
     fn ranges(&self) -> [(&'static str, Option<f64>, f64, f64); 18] {
         let any = f64::MAX;
         [

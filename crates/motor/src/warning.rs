@@ -1,4 +1,4 @@
-//! What an engineer should know about a motor that is otherwise used without complaint.
+//! Warnings about a motor that can be used nevertheless.
 
 use crate::units::rpm;
 use crate::{Characteristic, Motor};
@@ -69,8 +69,7 @@ pub fn check_breakdown(
     beyond.then_some(MotorWarning::BeyondBreakdown { speed, torque, breakdown_torque })
 }
 
-/// Torque at rest, N·m: from the ratio that the catalogue prints, else from the characteristic; `None` if
-/// neither knows it.
+/// Torque at rest, N·m: from the ratio in the catalogue, else from the characteristic; `None` if neither gives it.
 ///
 /// The printed ratio comes first: in a cage rotor the current displacement raises the starting torque above
 /// Kloss's value.
@@ -89,7 +88,7 @@ pub fn check_starting(
     (required > available).then_some(MotorWarning::StartingTorque { available, required })
 }
 
-/// Root mean square of torques, N·m, each with the time that it lasts, s; zero if no time passes.
+/// Root mean square of torques, N·m, each with its duration, s; zero if no time passes.
 pub fn rms_torque(samples: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let (heat, time) = samples.into_iter().fold((0.0, 0.0), |(heat, time), (torque, duration)| {
         (heat + torque * torque * duration, time + duration)

@@ -1,5 +1,6 @@
-//! Group by group (S, stage 9): the groups from the last to the first, each with the loads on its own links and what the
-//! groups after it hand on; then the input link, which gives the reaction at the ground and the balancing load.
+//! Group by group (S, stage 9): the groups from the last to the first, each with the loads on its own links and the
+//! reactions of the groups after it; then the input link, which gives the reaction at the ground and the balancing
+//! load.
 //!
 //! ```text
 //!   loads --> group n --> ... --> group 1 --> input link --> balancing moment M, or force F along the slide
@@ -51,7 +52,7 @@ impl ForceAnalyzer for Groups {
     }
 }
 
-/// All reactions under these loads, and the moment or force of the drive. A group that carries no load hands none on.
+/// All reactions under these loads, and the moment or force of the drive. A group without load passes none on.
 #[inline]
 fn pass(
     linkage: &Linkage,

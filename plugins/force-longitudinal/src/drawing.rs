@@ -12,7 +12,7 @@ use crate::setting::{Setting, Unknowns};
 /// Sines below this count as parallel in the drawing.
 const PARALLEL: f64 = 1e-12;
 
-/// Everything that the drawing needs beside [`Setting`] and [`Unknowns`].
+/// What the drawing needs besides [`Setting`] and [`Unknowns`].
 #[derive(Debug)]
 pub(crate) struct Scene<'a> {
     coupler: &'a str,
@@ -21,9 +21,9 @@ pub(crate) struct Scene<'a> {
     b: &'a str,
     o: &'a str,
     end: &'a str,
-    /// Places where loads of the coupler act, m: K is one of them where it can.
+    /// Points of action of the coupler's loads, m: K is one of them where possible.
     places: Vec<[f64; 2]>,
-    /// What goes to the ground directly, N.
+    /// Force directly on the ground, N.
     crank_load: [f64; 2],
     third_load: [f64; 2],
 }
@@ -90,7 +90,7 @@ impl Pole {
     }
 }
 
-/// Steps of one kind in one drawing; each: name, start, vector, note.
+/// Steps of one kind in one drawing; for each: name, start, vector, note.
 type Steps<'s, const N: usize> = [(&'s str, [f64; 2], [f64; 2], String); N];
 
 struct Draft {
@@ -130,7 +130,7 @@ pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Constru
     Construction { title, corner, steps: draft.steps }
 }
 
-/// F and what it is made of.
+/// F and its components.
 fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
     let (third, b) = (scene.third, scene.b);
     if at.known != [0.0, 0.0] {
@@ -155,7 +155,7 @@ fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
     draft.push(Drawing::Mechanism, StepKind::Load, [("F", k, at.force, what)]);
 }
 
-/// K: where a load really acts, if that lies on the line of F and off the line KP; and the couple that stays.
+/// K: a point of action of a load, if it is on the line of F and off the line KP; and the remaining couple.
 fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
     let action = at.action();
     if action.couple != 0.0 || at.force == [0.0, 0.0] {
@@ -232,7 +232,7 @@ fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknow
     draft.push(Drawing::Mechanism, StepKind::Balancing, [("Fb", at.a, found.fb, what)]);
 }
 
-/// F + Fb + RP = 0, RP = R1 + R3, laid end to end.
+/// F + Fb + RP = 0, RP = R1 + R3, drawn head to tail.
 fn polygon(draft: &mut Draft, at: &Setting, found: &Unknowns) {
     let after = plus(at.force, found.fb);
     let last = plus(after, found.r1);

@@ -1,4 +1,4 @@
-//! Which link is the crank, the coupler, the slider or rocker; and why another mechanism has none.
+//! Which link is the crank, the coupler, the slider or rocker; and why another mechanism has no such links.
 
 use assur_group::plane::minus;
 use assur_group::{Pair, PinJoint, SlideJoint};

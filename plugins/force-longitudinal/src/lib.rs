@@ -16,10 +16,10 @@
 //!   crank is parallel to line 3 (a slider-crank with the crank across the guide), and loses digits around.
 //! * `longitudinal`: R3 from moments about A, then the components of the force at A. As stable as the group itself.
 //!
-//! What L leaves out is reduced to its case first. A slider's load along the guide acts on the coupler at B, the rest of
-//! it goes to the guide. A rocker's loads give the tangential reaction at B by moments about C. Loads on the crank change
-//! the balancing moment and the reaction at O only. The tests have the
-//! equations as printed, for the press of L.
+//! Other cases are first reduced to that of L. The component of a slider's load along the guide acts on the coupler at
+//! B, the other component on the guide. A rocker's loads give the tangential reaction at B by moments about C. Loads on
+//! the crank change the balancing moment and the reaction at O only. The tests contain the equations as printed, for
+//! the press of L.
 
 mod deliver;
 mod drawing;
@@ -66,7 +66,7 @@ assur_force::inventory::submit! {
 /// How the three unknowns are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// Moments about A, which stays finite.
+    /// Moments about A, which is always finite.
     Stable,
     /// Moments about the pole P (L eqs. 5-11).
     Published,
@@ -84,7 +84,7 @@ impl Form {
 /// The method.
 #[derive(Debug, Clone, Copy)]
 pub struct Longitudinal {
-    /// Which of its forms.
+    /// Which of the two forms.
     pub form: Form,
 }
 

@@ -1,9 +1,9 @@
 //! The published form: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
 //!
-//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here always
-//! counter-clockwise. In L eqs. (3), (4), (10), (11) it is so; (8), (9) of the print count it towards x, so that here the
-//! abscissa of P has the opposite sign. K and B are taken from the position, not from (8), (9), which
-//! hold for the press alone.
+//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here
+//! always counter-clockwise. L eqs. (3), (4), (10), (11) also count it so; the printed (8), (9) count it towards x, so
+//! the abscissa of P has the opposite sign here. K and B are taken from the position, not from (8), (9), which apply to
+//! the press alone.
 
 use assur_force::ForceError;
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
@@ -14,10 +14,11 @@ use crate::Form;
 use crate::layout::{End, Layout};
 use crate::setting::{Setting, Unknowns};
 
-/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four digits at most.
+/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four significant digits at
+/// most.
 const PARALLEL: f64 = 1e-12;
 
-/// What the equations give.
+/// Solution of the equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Published {
     /// Pole P, m, in the ground's frame.
@@ -25,7 +26,7 @@ pub(crate) struct Published {
     pub(crate) unknowns: Unknowns,
 }
 
-/// Why they give nothing.
+/// Why the equations have no solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Failure {
     /// The crank is parallel to line 3 up to this angle, rad.
@@ -66,7 +67,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let r1 = (fy - fb * sin) / cos; // L eq. (10), from (1), (3): Fy - Fb sin f1 - R1 cos f1 = 0
     let r3 = fx - fb * cos + r1 * sin; // L eq. (11), from (1), (4): Fx - Fb cos f1 + R1 sin f1 - R3 = 0
     let vector = |u: f64, v: f64| plus(scaled(u, x), scaled(v, y));
-    // L eq. (12), RA = |Fb + R1| and RB = R3, is what delivery makes of these.
+    // RA = |Fb + R1| and RB = R3 of L eq. (12) follow where the reactions in the pairs are stored.
     let unknowns =
         Unknowns { fb: vector(-fb * cos, -fb * sin), r1: vector(r1 * sin, -r1 * cos), r3: vector(-r3, 0.0) };
     Ok(Published { pole: plus(at.o, vector(xp, yp)), unknowns })

@@ -23,9 +23,9 @@ pub(crate) struct Setting {
     pub(crate) slider: bool,
     /// Force of the coupler's own loads, N.
     pub(crate) own: [f64; 2],
-    /// What the loads of the third link put on the coupler at B, N: a slider's along the guide, a rocker's across it.
+    /// Force of the third link's loads on the coupler at B, N: of a slider along the guide, of a rocker across it.
     pub(crate) known: [f64; 2],
-    /// F: both together, N.
+    /// F: the sum of both, N.
     pub(crate) force: [f64; 2],
     /// Moment of F with all moments on the coupler about A, N m.
     pub(crate) moment_a: f64,
@@ -33,7 +33,7 @@ pub(crate) struct Setting {
     pub(crate) moment_o: f64,
 }
 
-/// The answer: what keeps the coupler in equilibrium.
+/// The unknown forces: what keeps the coupler in equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unknowns {
     /// Fb, the balancing force at A, across the crank, N.
@@ -49,7 +49,7 @@ pub(crate) struct Unknowns {
 pub(crate) struct Action {
     /// K, m.
     pub(crate) at: [f64; 2],
-    /// N m; zero where the force alone does it.
+    /// Couple, N m; zero where the force alone is equivalent to the load.
     pub(crate) couple: f64,
 }
 
@@ -96,9 +96,9 @@ impl Setting {
         (scaled(1.0 / length, crank), length)
     }
 
-    /// The loads of the coupler as F through a point K, the one of its line that is nearest to A.
+    /// The loads of the coupler as F through a point K: the point of its line of action that is nearest to A.
     ///
-    /// A couple without a force, or nearly so, stays a couple at A.
+    /// A couple without a force, or with a very small one, stays a couple at A.
     pub(crate) fn action(&self) -> Action {
         let rod = minus(self.b, self.a);
         let square = dot(self.force, self.force);

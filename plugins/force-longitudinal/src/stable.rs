@@ -7,8 +7,8 @@ use crate::setting::{Setting, Unknowns};
 
 /// Solves for the unknowns.
 ///
-/// With P in homogeneous coordinates this is the same system: only the ratio of the moments about A enters, so the weight
-/// of P, which is zero for a pole at infinity, cancels.
+/// This is the published system with P in homogeneous coordinates: only the ratio of the moments about A enters, so the
+/// weight of P, which is zero for a pole at infinity, cancels.
 ///
 /// # Errors
 ///
@@ -21,7 +21,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Unknowns, f64> {
         return Err(health);
     }
     let r3 = scaled(-at.moment_a / arm, at.line);
-    // What is left for the pin A, in components across and along the crank.
+    // The remaining force at the pin A, in components across and along the crank.
     let at_a = opposite(plus(at.force, r3));
     let (along, _) = at.crank();
     let across = perp(along);

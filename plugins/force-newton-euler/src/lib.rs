@@ -1,8 +1,9 @@
 //! Newton-Euler: equilibrium of every moving link at once, one linear system for the whole mechanism.
 //!
-//! Three equations a link; unknown are two components for each membership of a link in a pin but one, force and moment of each
-//! slide, and the balancing load. Assembled from points and slides of the mechanism and from the poses of its links alone:
-//! it knows no groups, so that it checks every method that does.
+//! Three equations for each link. The unknowns are: for each pin, two force components for every link in it but the
+//! first; for each slide, a force and a moment; and the balancing load. The system is assembled from points and slides
+//! of the mechanism and from the poses of its links alone, without its groups, so it is a check on every method that
+//! uses them.
 
 mod system;
 
@@ -26,7 +27,7 @@ assur_force::inventory::submit! {
     }
 }
 
-/// The method. It allocates: it is there to check, and for mechanisms that no other method takes.
+/// The method. It allocates memory: it is meant for checks, and for mechanisms that no other method can treat.
 #[derive(Debug, Clone, Copy)]
 pub struct NewtonEuler;
 
@@ -58,7 +59,7 @@ impl ForceAnalyzer for NewtonEuler {
     }
 }
 
-/// From the forces on members of pins to the forces in pairs.
+/// Converts the forces on the links of each pin to the forces in pairs.
 ///
 /// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all bodies further out in the tree.
 fn to_pairs(linkage: &Linkage, system: &System<'_>, solution: &Solution, pairs: &mut [Wrench<f64>]) {

@@ -4,23 +4,23 @@ use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PointId, SlideId};
 use rsparse::data::{Nmrc, Sprs};
 
-/// A matrix whose pivots differ more than this is singular: rounding alone gives some 1e-16.
+/// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
 
-/// Column ordering of the factorization for little fill: by the minimum degree of the product of the transposed matrix and
+/// Column ordering of the factorization for little fill-in: minimum degree of the product of the transposed matrix and
 /// the matrix, dense rows left out.
 const ORDERING: i8 = 1;
 
-/// What is unknown; each takes two columns, the balancing load the last one.
+/// An unknown; each has two columns, the balancing load the last one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Unknown {
-    /// Force of a pin on its member of this index (not the first member, which takes the opposite of all others).
+    /// Force of a pin on its link of this index (not the first one, which takes the opposite of the sum of all others).
     Member(PointId, usize),
     /// Force across the guide and moment of a slide on the sliding link.
     Slide(SlideId),
 }
 
-/// Which equations there are, for which unknowns.
+/// The numbering of equations and unknowns.
 #[derive(Debug)]
 pub(crate) struct System<'a> {
     mechanism: &'a Mechanism,
@@ -31,7 +31,7 @@ pub(crate) struct System<'a> {
     scale: f64,
 }
 
-/// The answer in terms of pins and slides.
+/// The solution for pins and slides.
 #[derive(Debug)]
 pub(crate) struct Solution {
     columns: Vec<f64>,
@@ -63,7 +63,7 @@ impl<'a> System<'a> {
     ///
     /// # Errors
     ///
-    /// The health (least over greatest pivot) of a system that can't be solved.
+    /// The ratio of least to greatest pivot of a system that can't be solved.
     pub(crate) fn solve(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>]) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
         if rows != columns {

@@ -51,7 +51,8 @@ fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
         .collect()
 }
 
-/// The load of a link as a force in the image of a point of its line of action, and a couple where there is no such point.
+/// The load of a link as a force in the image of a point of its line of action, or as a couple if there is no such
+/// point.
 fn on_lever(
     linkage: &Linkage,
     body: &Body<f64>,
@@ -81,7 +82,7 @@ fn on_lever(
         steps.push(step(name.to_owned(), turned(body.first(arm)), force, note));
     }
     if couple != 0.0 && body.w1 != 0.0 {
-        // A couple of two forces across a unit vector of the link: their images lie w1 apart.
+        // A couple of two forces across a unit vector of the link: their images are w1 apart.
         let [start, end] = [[0.0; 2], [1.0, 0.0]].map(|arm| turned(body.first(arm)));
         let note = |end: &str| format!("moment {couple:.6e} N m of {what}, {end} of two forces 1 m apart");
         steps.push(step(format!("{name} couple 1"), start, [0.0, -couple], note("the first")));

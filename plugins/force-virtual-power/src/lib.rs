@@ -4,9 +4,9 @@
 //!   sum(F v cos(F, v)) + sum(M w) + Mb = 0     for dq = 1: v = PF1 of the point, w = PF1 of the link
 //! ```
 //!
-//! As a lever: turn the velocity plan by a right angle (here clockwise) and put every force into the image of its point;
-//! the moment of a force about the pole is then its power, and the plan is a lever that the balancing force holds. Reactions do
-//! no work, so they do not enter, and the method does not find them.
+//! As a lever: turn the velocity plan by a right angle (here clockwise) and apply every force at the image of its
+//! point. The moment of a force about the pole is then its power, and the balancing force holds the plan, as a lever,
+//! in equilibrium. Reactions do no work, so they do not enter, and the method does not find them.
 
 mod lever;
 

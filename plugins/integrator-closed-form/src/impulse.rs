@@ -1,21 +1,22 @@
-//! J constant and M(t) (D's case 2): w = w0 + (1/J) ∫ M dt, and the way by a second integral, without stages
-//! that depend on each other. Exact where M is a polynomial of degree 4 or less, as between the rows of a table over time.
+//! J constant and M(t) (D's case 2): w = w0 + (1/J) ∫ M dt, and the displacement by a second integral, without stages
+//! that depend on each other. Exact where M is a polynomial of degree 4 or less, as between the rows of a table over
+//! time.
 
 use assur_integrator::{
     Attempt, COEFFICIENTS, Control, Dense, Equation, MotionError, Node, Pace, State, Step, Stepper,
 };
 
-/// Nodes of a step from 0 to 1: Lobatto's, which hold both ends.
+/// Nodes of a step from 0 to 1: those of Lobatto, which include both ends.
 const NODES: [f64; 5] = [0.0, 0.172_673_164_646_011_42, 0.5, 0.827_326_835_353_988_6, 1.0];
 
-/// Places between them at which the polynomial is held against the equation: near its largest deviations.
+/// Places between them at which the polynomial is compared with the equation: near its largest deviations.
 const TRIALS: [f64; 3] = [0.07, 0.33, 0.67];
 
-/// Steps grow as fast as they can: a table leaves nothing to be estimated.
+/// Step sizes grow without limit: with a table over time there is no error to estimate.
 const CONTROL: Control =
     Control { proportional: 0.2, integral: 0.0, safety: 0.9, shrink: 0.2, grow: 1e3, order: 5.0 };
 
-/// The last step: speed and way inside it, by powers of its part of the step.
+/// The last step: speed and displacement inside it, as powers of the relative time in the step.
 #[derive(Debug, Default)]
 pub(crate) struct Impulse {
     speed: [f64; COEFFICIENTS],
@@ -91,7 +92,7 @@ fn polynomial(power: &[f64; COEFFICIENTS], x: f64) -> f64 {
     power.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// Integral over a step of `h`, from a first value; the degree must leave room for one more.
+/// Integral over a step of `h`, with a first value; the degree must leave room for one more power.
 fn integrated(power: &[f64; COEFFICIENTS], h: f64, first: f64) -> [f64; COEFFICIENTS] {
     std::array::from_fn(|k| if k == 0 { first } else { h * power[k - 1] / k as f64 })
 }

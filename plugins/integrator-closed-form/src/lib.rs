@@ -1,5 +1,5 @@
-//! `closed-form`: J and M constant (D's case 1), so that the motion is uniformly accelerated (D 3.12, 3.13), exactly,
-//! over a whole piece of the equation in one step. Beside it `quadrature`, for M(t) and M(w).
+//! `closed-form`: J and M constant (D's case 1), so the motion is uniformly accelerated (D 3.12, 3.13), exactly, over a
+//! whole piece of the equation in one step. Also `quadrature`, for M(t) and M(w).
 
 use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,

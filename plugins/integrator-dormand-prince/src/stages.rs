@@ -39,7 +39,7 @@ impl<const N: usize> Stages<N> {
         sum
     }
 
-    /// The state after the part `c` of the step with the slopes so weighted.
+    /// The state after the part `c` of the step, with the weighted sum of the slopes.
     #[inline]
     pub(crate) fn state<const M: usize>(&self, c: f64, weights: &[f64; M]) -> State {
         let [dq, dw] = self.weighted(weights);
@@ -50,7 +50,7 @@ impl<const N: usize> Stages<N> {
         }
     }
 
-    /// Makes the stage after those that `weights` uses, at the part `c` of the step.
+    /// Computes the stage that follows those which `weights` uses, at the part `c` of the step.
     #[inline]
     pub(crate) fn stage<const M: usize>(
         &mut self,

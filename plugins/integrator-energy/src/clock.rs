@@ -1,4 +1,4 @@
-//! Time along a panel: t = ∫ dq/w, and back from a time to a place.
+//! Time along a panel: t = ∫ dq/w, and the inverse, the place at a time.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,17 +6,17 @@ use assur_integrator::chebyshev::{INSIDE, NODES, Series, integral, inverse, swin
 
 use crate::panel::Panel;
 
-/// Halvings after which the time is called infinite: the motion creeps into an equilibrium.
+/// Number of halvings after which the time counts as infinite: the motion creeps into an equilibrium.
 const DEPTH: u32 = 40;
 
-/// Parts of a panel after which its time counts as infinite, too.
+/// Number of parts of a panel after which its time counts as infinite, too.
 const MOST_LEAVES: usize = 4096;
 
-/// Largest part of the time of a panel that may be lost to roundings; beyond it the energy left is not known, and the
-/// motion creeps.
+/// Largest part of the time of a panel that may be lost to rounding; beyond it the remaining energy is not known, and
+/// the motion creeps.
 const NOISE: f64 = 1e-8;
 
-/// Part of the way along a panel on which the time is one polynomial.
+/// Part of a panel on which the time is one polynomial.
 #[derive(Debug, Clone, Copy)]
 struct Leaf {
     /// Bounds of the parameter.
@@ -40,18 +40,18 @@ pub(crate) struct Clock {
     /// The energy without its zeros.
     energy: Series,
     leaves: Vec<Leaf>,
-    /// How exactly a place is found from its time, in parts of a leaf.
+    /// Accuracy of finding a place from its time, in parts of a leaf.
     fineness: f64,
 }
 
-/// At which ends of the way the mechanism rests.
+/// At which ends of the panel the mechanism is at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rests {
     pub(crate) at_start: bool,
     pub(crate) at_end: bool,
 }
 
-/// A place on the way.
+/// A place in the panel.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     x: f64,
@@ -66,7 +66,8 @@ struct Place {
 pub(crate) struct Endless;
 
 impl Clock {
-    /// Measures the time, to `tolerance` of the time of the panel, from `begin` on, up to x = `until` or to the time `latest`, whichever comes first.
+    /// Computes the time, to `tolerance` of the time of the panel, from `begin` up to x = `until` or to the time
+    /// `latest`, whichever is reached first.
     pub(crate) fn measure(
         panel: &Panel,
         (until, rests): (f64, Rests),
@@ -76,7 +77,7 @@ impl Clock {
         let energy = panel.energy_without_zeros(rests.at_start, rests.at_end.then_some(until));
         let fineness = (1e-3 * tolerance).max(4.0 * f64::EPSILON);
         let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1), fineness };
-        // Parameters from 0 to 1; the stack holds what is still to be measured, the nearest on top.
+        // Parameters from 0 to 1; the stack holds the intervals still to be computed, the nearest on top.
         let mut waiting = vec![(0.0, 1.0, 0)];
         let (mut now, mut whole) = (begin, 0.0);
         while let Some((from, to, depth)) = waiting.pop() {
@@ -104,8 +105,8 @@ impl Clock {
         Ok(clock)
     }
 
-    /// Relative roundings of dt between two parameters: where little of the energy is left, it is a difference of
-    /// works, and no halving makes it more exact.
+    /// Relative rounding error of dt between two parameters: where little energy remains, it is a difference of works,
+    /// and halving does not make it more exact.
     fn roundings(&self, from: f64, to: f64) -> f64 {
         let left = |p: f64| value(&self.energy, self.place(p).x).abs();
         16.0 * f64::EPSILON * swing(&self.energy) / left(from).min(left(to)).max(f64::MIN_POSITIVE)
@@ -128,7 +129,7 @@ impl Clock {
         let half = 0.5 * (to - from);
         let values: [f64; NODES] = std::array::from_fn(|j| {
             let Place { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
-            // A root below zero is a rounding of a way that creeps; the tail of the fit then tells.
+            // A negative radicand is rounding on a motion that creeps; the last coefficients of the fit then show it.
             panel.slowness(x) * slope / value(&self.energy, x).max(f64::MIN_POSITIVE).sqrt()
         });
         let fit = INSIDE.fit(&values);
@@ -158,7 +159,7 @@ impl Clock {
 }
 
 impl Leaf {
-    /// Place in [-1, 1] at a time since the start: the time grows all along.
+    /// Place in [-1, 1] at a time since the start; the time is a growing function of the place.
     fn when(&self, time: f64, fineness: f64) -> f64 {
         let duration = self.end - self.begin;
         if time >= duration {

@@ -8,11 +8,12 @@ use assur_integrator::{
 use crate::clock::{Clock, Rests};
 use crate::panel::{Panel, Values, factor};
 
-/// A turning point nearer than this part of the panel to its start has the panel fitted anew, as short as that.
+/// If a turning point is nearer to the start than this part of the panel, the panel is fitted again with that length.
 const TOO_NEAR: f64 = 0.2;
 
-/// The kinetic energy may grow so much over a panel: of a start that is slower the speed would be lost in the roundings of
-/// the work, and the time, in which 1/w is nearly singular there, with it. What is lost is eps times its root.
+/// Largest growth of the kinetic energy over a panel. With a slower start its speed would be lost in the rounding of
+/// the work, and with it the time, since 1/w is nearly singular there. The relative loss is eps times the root of this
+/// factor.
 const RISE: f64 = 1e6;
 
 /// First panel, rad (m), where nothing else limits it.
@@ -40,13 +41,13 @@ impl Curve for Passage {
 enum Ending {
     /// At the end of the panel.
     Panel,
-    /// At a bound of the piece, or at the coordinate asked for (`true`).
+    /// At a bound of the piece, or at the requested coordinate (`true`).
     Bound(f64, bool),
     /// At x = the turning point.
     Turning(f64),
 }
 
-/// The motion so far.
+/// The solution in progress.
 pub(crate) struct March<'a> {
     run: Run<'a, Passage>,
     /// Kinetic energy here, and the largest so far, N m.
@@ -54,11 +55,11 @@ pub(crate) struct March<'a> {
     largest: f64,
     /// Next panel, without sign, rad (m).
     length: f64,
-    /// J and Q here, where they are known.
+    /// J and Q here, if known.
     known: Option<Values>,
 }
 
-/// Goes in panels of the coordinate.
+/// Advances in panels of the coordinate.
 pub(crate) struct Energy;
 
 impl Integrator for Energy {
@@ -87,7 +88,8 @@ impl March<'_> {
         if moving { Ok(()) } else { self.run.coast_to_end() }
     }
 
-    /// Tolerance of a fit: half of what is asked, since speed and time add up, and no finer than roundings allow.
+    /// Tolerance of a fit: half of the requested one, since errors of speed and time add up, but no less than rounding
+    /// allows.
     fn tolerance(&self) -> f64 {
         (0.5 * self.run.request.tolerance).max(1e-14)
     }
@@ -97,7 +99,7 @@ impl March<'_> {
         self.length / self.run.node.state.speed.abs().max(f64::MIN_POSITIVE)
     }
 
-    /// Enters the piece ahead, or rests.
+    /// Enters the piece ahead, or stays at rest.
     fn enter_next(&mut self) -> Result<(), IntegrationError> {
         self.known = None;
         let moving = self.run.enter_next(false)?;
@@ -107,7 +109,7 @@ impl March<'_> {
         if moving { Ok(()) } else { self.run.coast_to_end() }
     }
 
-    /// Starts anew from rest, where what is left of the speed is swallowed by roundings.
+    /// Starts again from rest, if the remaining speed is lost in rounding.
     fn restart(&mut self) -> Result<(), IntegrationError> {
         self.run.statistics.rejected += 1;
         self.run.node.state.speed = 0.0;
@@ -164,13 +166,13 @@ impl March<'_> {
         self.pass(&panel, ending)
     }
 
-    /// Length that the roundings of the coordinate swallow.
+    /// Length that is lost in the rounding of the coordinate.
     fn least(&self) -> f64 {
         16.0 * f64::EPSILON * self.run.node.state.coordinate.abs().max(1e-12)
     }
 
-    /// A panel that is too long for its slow start. The start is one from rest where the way that its speed stands for is
-    /// swallowed by roundings.
+    /// A panel that is too long for its slow start. The start counts as rest if the displacement that corresponds to
+    /// its speed is lost in rounding.
     fn shorten_or_restart(&mut self, length: f64, by: f64) -> Result<(), IntegrationError> {
         if length * by > self.least() { self.shorten(length, by, None) } else { self.restart() }
     }
@@ -185,7 +187,7 @@ impl March<'_> {
         Err(self.run.stuck(step, source))
     }
 
-    /// Goes through a fitted panel to its end, to the turning point in it, or to the end of time.
+    /// Advances through a fitted panel to its end, to the turning point in it, or to the latest time.
     fn pass(&mut self, panel: &Panel, ending: Ending) -> Result<(), IntegrationError> {
         let latest = self.run.request.latest();
         let turning = if let Ending::Turning(x) = ending { Some(x) } else { None };

@@ -57,13 +57,13 @@ impl Panel {
         self.start + 0.5 * self.length * (1.0 + x)
     }
 
-    /// T at `x`.
+    /// T at x.
     pub(crate) fn energy(&self, x: f64) -> f64 {
         value(&self.energy, x)
     }
 
-    /// The energy without its zeros: divided by (x + 1) if the motion starts from rest, and by (until - x) if it ends in
-    /// rest there.
+    /// The energy without its zeros: divided by (x + 1) if the motion starts from rest, and by (until - x) if it ends
+    /// at rest there.
     pub(crate) fn energy_without_zeros(&self, starts: bool, ends: Option<f64>) -> Series {
         let mut series = self.energy;
         if starts {
@@ -85,7 +85,7 @@ impl Panel {
         (2.0 * energy.max(0.0) / value(&self.inertia, x)).sqrt().copysign(self.length)
     }
 
-    /// Largest T in the panel, from above.
+    /// An upper bound of T in the panel.
     pub(crate) fn most_energy(&self) -> f64 {
         self.energy[0] + swing(&self.energy)
     }

@@ -11,7 +11,7 @@ use crate::table::{A, C, E, GAMMA};
 /// Most iterations of Newton's method.
 const ITERATIONS: usize = 8;
 
-/// Error of an attempt whose Newton iteration did not converge: as if much too long.
+/// Error of an attempt whose Newton iteration did not converge: treated like a step that is much too long.
 const DIVERGED: Attempt =
     Attempt { end: State { time: 0.0, coordinate: 0.0, speed: 0.0 }, error: f64::INFINITY };
 
@@ -98,7 +98,7 @@ impl Collocation {
                     return Ok(None);
                 }
             }
-            // What is left of a geometric series; before its rate is known, only a vanishing change will do.
+            // The remainder of a geometric series; before its rate is known, only a vanishing correction is accepted.
             let left = if iteration > 0 { rate / (1.0 - rate) * size } else { size };
             if left <= stop || size == 0.0 {
                 return Ok(Some(()));
@@ -141,7 +141,7 @@ impl Collocation {
     }
 
     fn partials_at(&mut self, equation: &mut Equation<'_>, from: &Node) -> Result<Partials, MotionError> {
-        // Anew for each step, kept for its repetitions: two evaluations are less than a slow iteration.
+        // Computed for each step and kept for its repetitions: two evaluations cost less than a slow iteration.
         if let Some((_, partials)) = self.partials.filter(|(state, _)| *state == from.state) {
             return Ok(partials);
         }
@@ -157,7 +157,8 @@ fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
     (Matrix3::identity() - matrix).try_inverse()
 }
 
-/// The tolerance of the error of order 3 that makes the solution of order 5 as exact as asked (Hairer's code RADAU5).
+/// The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code
+/// RADAU5).
 fn inner(scale: &Scale) -> Scale {
     scale.with_tolerance(0.1 * scale.tolerance.powf(2.0 / 3.0))
 }

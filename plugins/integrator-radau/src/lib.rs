@@ -1,8 +1,8 @@
 //! `radau5`: Radau IIA of order 5, implicit and L-stable, for stiff motors (Hairer, Wanner, Solving Ordinary Differential
 //! Equations II, IV.5 and IV.8).
 //!
-//! Since q' = w, the coordinates of the three stages follow from their speeds; what Newton's method solves are three
-//! equations in the three speeds, whatever the mechanism.
+//! Since q' = w, the coordinates of the three stages follow from their speeds: Newton's method solves three equations
+//! for the three speeds, whatever the mechanism.
 //!
 //! Steps end with order 5, but their inside is the collocation polynomial, of order 3: at a tight tolerance samples between steps are
 //! less exact than the end (on a pendulum at 1e-9, 7e-8 of the energy against 5e-10 of the coordinate). Where the

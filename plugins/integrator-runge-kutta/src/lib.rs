@@ -22,7 +22,7 @@ pub const RK4: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { RK4 }
 
-/// The method has nothing to keep between steps.
+/// The method stores nothing between steps.
 #[derive(Debug, Default)]
 struct Classical;
 
@@ -37,7 +37,7 @@ impl Stepper for Classical {
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let Step { equation, from, length: h, .. } = step;
         let start = from.state;
-        // The state that slopes at a stage lead to.
+        // The state to which the slopes at a stage lead.
         let after = |h: f64, w: f64, a: f64| State {
             time: start.time + h,
             coordinate: start.coordinate + h * w,

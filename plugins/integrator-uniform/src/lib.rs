@@ -1,5 +1,5 @@
-//! D's own method, `uniform`: in each small interval J and M are held, and the motion is uniformly accelerated (D 3.23,
-//! with D 3.12 and 3.13). Order 1, a fixed step.
+//! D's own method, `uniform`: in each small interval J and M are constant, and the motion is uniformly accelerated (D
+//! 3.23, with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper, Steps,
@@ -26,7 +26,7 @@ pub const UNIFORM: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { UNIFORM }
 
-/// The method has nothing to keep between intervals.
+/// The method stores nothing between intervals.
 #[derive(Debug, Default)]
 struct Interval;
 

@@ -33,7 +33,7 @@ pub(crate) struct Rule {
     weights: Values,
 }
 
-/// The rule, made once.
+/// The rule, computed once.
 pub(crate) static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
 
 /// Legendre polynomials P0 to P(S) at `x`.

@@ -5,7 +5,8 @@ use super::newton::Start;
 use super::path::Coefficients;
 use super::segment::{Segment, Setup};
 
-/// Where the speed first leaves the `bounds` of its formulas on a segment: part of the segment, and 1 above or -1 below.
+/// Where the speed first leaves the `bounds` of its formulas on a segment: the part of the segment, and 1 for a
+/// crossing upward or -1 downward.
 pub(crate) fn first_crossing(segment: &Segment, setup: &Setup, [low, high]: [f64; 2]) -> Option<(f64, f64)> {
     const SLACK: f64 = 1e-13;
     if low <= 0.0 && high == f64::INFINITY {
@@ -14,7 +15,7 @@ pub(crate) fn first_crossing(segment: &Segment, setup: &Setup, [low, high]: [f64
     let nodes = &segment.coefficients.nodes;
     let mut places: [(f64, f64, &Coefficients); S + 1] =
         std::array::from_fn(|i| (RULE.c[i], segment.energy[i], &nodes[i]));
-    // The start lies on the bound that was crossed last; the middle is looked at in its stead.
+    // The start is on the bound that was crossed last; the middle is examined instead.
     places[0] = (RULE.middle, segment.middle_energy(), &segment.coefficients.middle);
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut inside = 0.0;
@@ -34,8 +35,9 @@ pub(crate) fn first_crossing(segment: &Segment, setup: &Setup, [low, high]: [f64
 }
 
 impl Start {
-    /// Carries the derivatives over a crossing at the place `at`, where the moment jumps: the crossing itself moves with the
-    /// parameters. `moments`: before and after; `side`: 1 upwards, -1 downwards. `false` where the speed does not get across.
+    /// Carries the derivatives over a crossing at the place `at`, where the moment jumps: the crossing itself moves
+    /// with the parameters. `moments`: before and after; `side`: 1 upward, -1 downward. `false` if the moment after
+    /// drives the speed back.
     pub(crate) fn carry_over(
         &mut self,
         setup: &Setup,

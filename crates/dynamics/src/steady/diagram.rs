@@ -4,24 +4,24 @@
 //!
 //! ```text
 //! excess work         J = (max ΔA - min ΔA)/(w² δ)                                   E eq. 10
-//! less inertia        the same less constant and mean variable inertia               E eq. 9
+//! less inertia        excess work, minus constant and mean variable inertia          E eq. 9
 //! Mertsalov           J = range of (ΔA - Jv w²/2)/(w² δ), less the constant inertia
 //! Wittenbauer         J = (max(ΔA - J w₁²/2) - min(ΔA - J w₀²/2))/(w² δ), w₁,₀ = w (1 ± δ/2)
 //! ```
 //!
-//! The last one is exact where the moments depend on the coordinate alone: of all places the straight line of the
-//! greatest speed touches the energy-mass diagram from one side, that of the least from the other.
+//! The last one is exact where the moments depend on the coordinate alone: the straight line of the greatest speed and
+//! that of the least touch the energy-mass diagram from either side.
 
 use super::collocation::{RULE, S, Values};
 use super::extremes::{Piece, extremes};
 use super::path::{Coefficients, Panel};
 use super::report::FlywheelByMethod;
 
-/// What the methods need of a cycle: the work of all moments over the path, at the mean speed.
+/// The data of a cycle that the methods need: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]
 pub(crate) struct WorkDiagram {
     panels: Vec<Panel>,
-    /// Mean speed, at which moments over speed are taken, rad/s.
+    /// Mean speed, at which moments that depend on the speed are evaluated, rad/s.
     pub(crate) speed: f64,
     /// Moment of the drive that makes the work of a cycle zero, N m.
     pub(crate) mean_moment: f64,
@@ -33,7 +33,7 @@ pub(crate) struct WorkDiagram {
     pub(crate) resistance: f64,
 }
 
-/// What the flywheel is to do, and what else is on its shaft.
+/// The requirements on the flywheel, and the other inertia on its shaft.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FlywheelTask {
     /// Mean speed w, rad/s.
@@ -43,7 +43,7 @@ pub(crate) struct FlywheelTask {
     pub(crate) constant_inertia: f64,
     /// Rotor reduced to the input, kg m².
     pub(crate) rotor: f64,
-    /// What an inertia reduced to the input is multiplied by for the flywheel's own shaft.
+    /// Factor from inertia reduced to the input to inertia on the flywheel's own shaft.
     pub(crate) to_own_shaft: f64,
     /// The flywheel of the exact method on its own shaft, kg m².
     pub(crate) exact: f64,

@@ -13,7 +13,7 @@ pub(crate) struct Piece {
     pub(crate) h: f64,
     /// Values at the start and at the nodes.
     pub(crate) values: Values,
-    /// Derivative by x at the start and at the nodes.
+    /// Derivative with respect to x at the start and at the nodes.
     pub(crate) slopes: Values,
 }
 
@@ -66,7 +66,7 @@ fn note(found: &mut Option<[Extreme; 2]>, new: Extreme) {
 }
 
 impl Piece {
-    /// Zero of the derivative between two parts of the panel; `sign`: of the derivative at the first.
+    /// Zero of the derivative between two parts of the panel; `sign`: sign of the derivative at the first.
     fn turning_point(&self, [low, high]: [f64; 2], sign: f64) -> f64 {
         let keeps_sign = |theta: f64| RULE.interpolate(&self.slopes, theta) * sign > 0.0;
         let [low, high] = bisect(low, high, 2.0 * f64::EPSILON, keeps_sign);

@@ -1,4 +1,5 @@
-//! The steady regime: the periodic speed over a cycle, and the ratio and flywheel that give it what is wanted.
+//! The steady regime: the periodic speed over a cycle, and the ratio and flywheel for a requested mean speed and
+//! unevenness.
 //!
 //! [`RegimeSolver`] evaluates the machine over one cycle: J, J' and Q at the nodes of panels between all jumps of the loads.
 //! Everything after that (shooting, ratio, flywheel) reuses them, unless a load depends on the speed.

@@ -21,7 +21,7 @@ pub(crate) struct Failure {
 pub(crate) struct Start {
     /// T, J.
     pub(crate) energy: f64,
-    /// Derivatives of T by each parameter.
+    /// Derivatives of T with respect to each parameter.
     pub(crate) derivatives: [f64; PARAMETERS],
     /// η or 1/η.
     pub(crate) factor: f64,
@@ -32,7 +32,7 @@ pub(crate) struct Start {
 pub(crate) struct Moment {
     pub(crate) value: f64,
     by_energy: f64,
-    /// By the drive's parameter, by the flywheel.
+    /// With respect to the drive's parameter, to the flywheel.
     by_parameter: [f64; 2],
 }
 
@@ -88,7 +88,7 @@ pub(crate) fn solve(
         }
         steps += 1;
         let most = energy.iter().copied().fold(0.0, f64::max);
-        // The step is made already: what is left is its square.
+        // The step has already been taken: the remaining error is its square.
         if largest <= 1e-11 * most {
             break lu;
         }

@@ -6,7 +6,7 @@ use assur_integrator::{Motion, MotionError, Piece, State};
 use super::collocation::{RULE, S, Values};
 use crate::DynamicsError;
 
-/// Part of the cycle below which a piece is rounding.
+/// Part of the cycle below which a length is rounding.
 const NARROW: f64 = 1e-11;
 
 /// Coefficients of the equation at one place of the path, of the machine without its drive.
@@ -18,7 +18,7 @@ pub(crate) struct Coefficients {
     pub(crate) slope: f64,
     /// Moment of the loads along the path, the part that does not depend on the speed.
     pub(crate) moment: f64,
-    /// Its derivative by the speed: on a smooth piece loads are linear in it (dampers, rows of tables).
+    /// Its derivative with respect to the speed: on a smooth piece loads are linear in it (dampers, rows of tables).
     pub(crate) by_speed: f64,
 }
 
@@ -36,7 +36,7 @@ pub(crate) struct NodalCoefficients {
     /// At the start and at the nodes.
     pub(crate) nodes: [Coefficients; S + 1],
     pub(crate) middle: Coefficients,
-    /// Speeds v between which the moments hold.
+    /// Interval of the speed v in which the moments are valid.
     pub(crate) speed: [f64; 2],
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Panel {
     pub(crate) coefficients: NodalCoefficients,
 }
 
-/// Where the cycle begins, its sense of motion (1 or -1), and how long it is.
+/// Where the cycle begins, the direction of the motion (1 or -1), and the length of the cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cycle {
     pub(crate) start: f64,
@@ -74,8 +74,8 @@ impl Cycle {
         if x < self.length { x } else { 0.0 }
     }
 
-    /// The path coordinates of a coordinate and of the place just after it in the direction of motion, beyond rounding. The first
-    /// may lie a rounding before 0, never after the second.
+    /// The path coordinates of a coordinate and of the place just after it in the direction of motion, further than
+    /// rounding. The first may be a rounding before 0, never after the second.
     pub(crate) fn place(&self, coordinate: f64) -> [f64; 2] {
         let beyond = tolerance(coordinate, Some(self.length));
         let after = self.path_coordinate(coordinate + self.sense * beyond);
@@ -90,7 +90,7 @@ pub(crate) struct Path<'a> {
     pub(crate) cycle: Cycle,
     /// The moment of the loads depends on the speed.
     pub(crate) by_speed: bool,
-    /// Evaluations of the machine so far.
+    /// Number of evaluations of the machine.
     pub(crate) evaluations: usize,
 }
 
@@ -114,7 +114,7 @@ impl<'a> Path<'a> {
         DynamicsError::Equation { coordinate: self.cycle.coordinate(x), source }
     }
 
-    /// Chooses the formulas that hold just after `x` at a speed beside `v`, and returns their bounds in x and v.
+    /// Chooses the formulas that are valid just after `x` at a speed near `v`, and returns their bounds in x and v.
     pub(crate) fn enter(&mut self, x: f64, v: f64) -> Result<[[f64; 2]; 2], DynamicsError> {
         let state = self.state(x, v);
         let Piece { coordinate: [a, b], speed: [c, d], .. } =
@@ -139,7 +139,7 @@ impl<'a> Path<'a> {
         Err(self.failed(x, MotionError::NotFinite { inertia: found.inertia, moment }))
     }
 
-    /// Coefficients at `x` by the formulas entered last; `v` is a speed near which they are wanted.
+    /// Coefficients at `x` by the formulas entered last; `v` is a speed near which they are needed.
     fn at(&mut self, x: f64, v: f64) -> Result<Coefficients, DynamicsError> {
         let mut found = self.reduced(x, v)?;
         if self.by_speed {
@@ -150,7 +150,7 @@ impl<'a> Path<'a> {
         Ok(found)
     }
 
-    /// Coefficients over a stretch of the path whose formulas hold near the speed `v`.
+    /// Coefficients over a stretch of the path whose formulas are valid near the speed `v`.
     pub(crate) fn coefficients(
         &mut self,
         x: f64,
@@ -231,7 +231,7 @@ impl<'a> Path<'a> {
         scale: &mut Coefficients,
         panels: &mut Vec<Panel>,
     ) -> Result<(), DynamicsError> {
-        /// A panel is not cut below this part of the cycle: there the coefficients are not smooth, or noise.
+        /// A panel is not cut below this part of the cycle: the coefficients are not smooth there, or noise.
         const LEAST: f64 = 1.0 / 16384.0;
         let coefficients = self.coefficients(x, h, v)?;
         for node in &coefficients.nodes[1..] {
@@ -241,7 +241,8 @@ impl<'a> Path<'a> {
         let miss = |field: &dyn Fn(&Coefficients) -> f64| {
             RULE.interpolate(&coefficients.values(field), RULE.middle) - field(&coefficients.middle)
         };
-        // What a moment does is measured by the kinetic energy: one that vanishes but for rounding is resolved.
+        // The scale of the moment's error is the kinetic energy: a moment that vanishes but for rounding counts as
+        // resolved.
         let moment = scale.moment.max(scale.inertia * v * v / self.cycle.length);
         let good = miss(&|d| d.inertia).abs() <= tolerance * scale.inertia
             && miss(&|d| d.moment_at(v)).abs() <= tolerance * moment;

@@ -1,4 +1,4 @@
-//! A periodic regime and what follows from it.
+//! A periodic regime and the quantities that follow from it.
 
 use super::collocation::Values;
 use super::extremes::Extreme;
@@ -41,8 +41,8 @@ pub struct Regime {
     pub torque: Option<f64>,
     /// Time of a cycle, s.
     pub cycle_time: f64,
-    /// What a small change of the speed is multiplied by over a cycle: the regime is stable below 1; 1 where nothing
-    /// restores the speed.
+    /// The factor by which a small change of the speed is multiplied over a cycle: the regime is stable below 1; 1 if
+    /// nothing restores the speed.
     pub multiplier: f64,
     /// The flywheel by the methods of the textbooks, and exactly.
     pub flywheel_by_method: Vec<FlywheelByMethod>,
@@ -50,7 +50,7 @@ pub struct Regime {
     pub trials: Vec<Trial>,
     /// Iteration to the periodic regime from the mean speed (S fig. 10); empty if the machine stalls in its first cycle.
     pub iterations: Vec<Iteration>,
-    /// What it cost, and how exact it is.
+    /// Cost of the solution, and its accuracy.
     pub effort: Effort,
     solution: CycleSolution,
     /// The first cycle from the mean speed; `None` if the machine stalls in it.
@@ -58,7 +58,7 @@ pub struct Regime {
     times: Vec<Values>,
 }
 
-/// What is known of a regime beside its solution.
+/// What is known of a regime besides its solution.
 pub(crate) struct Context {
     /// The unevenness was to be met by a flywheel.
     pub(crate) flywheel_wanted: bool,
@@ -76,7 +76,7 @@ impl Regime {
         let (low, high) = (range.least, range.greatest);
         let energy = |at: &Extreme| solution.segments[at.piece].energy_at(at.theta);
         let angle = (high.at.x - low.at.x).rem_euclid(cycle.length);
-        // Past the end of the cycle the energy begins anew, with what little a cycle may gain.
+        // Past the end of the cycle the energy starts again, with the small change that a cycle may leave.
         let excess_work = energy(&high.at) - energy(&low.at);
         let (times, cycle_time) = solution.times();
         Self {
@@ -119,8 +119,8 @@ impl Regime {
         self.solution.setup.drive
     }
 
-    /// Time, speed, acceleration, moments and inertia at a coordinate, from the polynomials of the solution; at a jump of a load,
-    /// those just after it in the direction of motion.
+    /// Time, speed, acceleration, moments and inertia at a coordinate, from the polynomials of the solution; at a jump
+    /// of a load, the values just after it in the direction of motion.
     pub fn state(&self, coordinate: f64) -> RegimeState {
         self.solution.state(&self.times, coordinate)
     }

@@ -15,7 +15,7 @@ pub struct Iteration {
     pub residual: f64,
 }
 
-/// One trial of ratio and flywheel, with the periodic regime that it has (S stage 6).
+/// One trial of ratio and flywheel, with its periodic regime (S stage 6).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Trial {
     /// Number of the trial, from 1.
@@ -46,7 +46,7 @@ pub struct FlywheelByMethod {
     pub difference: Option<f64>,
 }
 
-/// How the regime was found and what it cost.
+/// How the regime was found, and the cost.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Effort {
     /// Cycles run.
@@ -55,7 +55,7 @@ pub struct Effort {
     pub evaluations: usize,
     /// Panels of order 15 over the cycle.
     pub panels: usize,
-    /// Largest miss of the equation between the nodes, part of the kinetic energy.
+    /// Largest residual of the equation between the nodes, part of the kinetic energy.
     pub residual: f64,
 }
 
@@ -74,6 +74,6 @@ pub struct RegimeState {
     pub load: f64,
     /// Reduced inertia of the machine, without flywheel and rotor, kg m².
     pub inertia: f64,
-    /// Its derivative by the coordinate, kg m²/rad.
+    /// Its derivative with respect to the coordinate, kg m²/rad.
     pub inertia_derivative: f64,
 }

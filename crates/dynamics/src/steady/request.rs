@@ -1,21 +1,21 @@
-//! What is asked of a steady regime: the cycle, the drive, and which of its quantities are wanted.
+//! The request for a steady regime: the cycle, the drive, and which of its quantities are to be found.
 
 use assur_motor::Characteristic;
 
-/// The cycle that is looked for.
+/// The cycle of the regime.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CycleRequest {
     /// Coordinate at which a cycle begins, rad.
     pub start: f64,
     /// Its length, rad, positive.
     pub length: f64,
-    /// Wanted mean speed with its sign, rad/s: (max + min)/2.
+    /// Requested mean speed with its sign, rad/s: (max + min)/2.
     pub mean_speed: f64,
     /// The part of J(q) that does not vary, kg m²: the input link about its pin. For the methods of the textbooks.
     pub constant_inertia: f64,
 }
 
-/// What drives, and what of it is wanted.
+/// What drives, and which of its quantities are to be found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DriveRequest {
     /// The torque.
@@ -24,7 +24,7 @@ pub struct DriveRequest {
     pub flywheel: Option<f64>,
     /// The flywheel sits on the motor shaft.
     pub flywheel_on_motor: bool,
-    /// Wanted unevenness; needed where the flywheel is.
+    /// Requested unevenness; needed if the flywheel is to be found.
     pub unevenness: Option<f64>,
 }
 

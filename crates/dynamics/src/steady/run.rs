@@ -1,5 +1,5 @@
 //! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
-//! energy by its initial value, by the drive and by the flywheel (variational equation).
+//! energy with respect to its initial value, the drive and the flywheel (variational equation).
 
 use super::collocation::{S, Values};
 use super::crossing::first_crossing;
@@ -9,7 +9,7 @@ use super::segment::{Segment, Setup};
 use super::solution::CycleSolution;
 use crate::DynamicsError;
 
-/// Panels are halved so often where Newton's method fails.
+/// How often a panel may be halved where Newton's method fails.
 const MOST_HALVINGS: usize = 12;
 
 /// A run along the path.
@@ -19,9 +19,9 @@ struct Run<'r, 'a> {
     setup: Setup,
     /// The state at the place reached.
     state: Start,
-    /// Speeds between which the present formulas hold.
+    /// Interval of the speed in which the present formulas are valid.
     bounds: [f64; 2],
-    /// At a crossing of such a bound: 1 if upwards, -1 if downwards; else 0.
+    /// At a crossing of such a bound: 1 if upward, -1 if downward; else 0.
     side: f64,
     crossings: usize,
     segments: Vec<Segment>,
@@ -69,7 +69,7 @@ impl Run<'_, '_> {
         speed * (1.0 + self.side * BESIDE)
     }
 
-    /// Chooses the branch of the drive, and the formulas of the loads if the given ones don't hold at the speed.
+    /// Chooses the branch of the drive, and the formulas of the loads if the given ones aren't valid at the speed.
     fn choose(
         &mut self,
         x: f64,
@@ -91,7 +91,7 @@ impl Run<'_, '_> {
         self.path.coefficients(x, h, v)
     }
 
-    /// Solves a stretch of the path and goes to its end; where the formulas change inside, in several segments.
+    /// Solves a stretch of the path and advances to its end; if the formulas change inside, in several segments.
     fn advance(
         &mut self,
         x: f64,
@@ -133,7 +133,7 @@ impl Run<'_, '_> {
         self.segments.push(*segment);
     }
 
-    /// Goes to a crossing of the speed's bounds by the old formulas, and on by the new ones.
+    /// Advances to a crossing of the speed's bounds by the old formulas, and beyond it by the new ones.
     fn cross(
         &mut self,
         segment: &Segment,
@@ -141,9 +141,9 @@ impl Run<'_, '_> {
         side: f64,
         halvings: usize,
     ) -> Result<(), DynamicsError> {
-        /// More in one cycle is no motion but chatter.
+        /// More crossings in one cycle are chatter, not motion.
         const MOST: usize = 1000;
-        /// A crossing so near to the start is at the start.
+        /// A crossing so near to the start is taken to be at the start.
         const AT_START: f64 = 1e-9;
         let (x, h) = (segment.x + theta * segment.h, (1.0 - theta) * segment.h);
         let coordinate = self.path.cycle.coordinate(x);

@@ -1,4 +1,5 @@
-//! A solved stretch of the path: the kinetic energy on it as a polynomial, with its derivatives by the unknowns.
+//! A solved stretch of the path: the kinetic energy on it as a polynomial, with its derivatives with respect to the
+//! unknowns.
 
 use assur_number::search::bisect;
 
@@ -6,7 +7,7 @@ use super::collocation::{RULE, Values};
 use super::path::NodalCoefficients;
 use crate::InputDrive;
 
-/// Number of quantities by which the energy is differentiated.
+/// Number of quantities with respect to which the energy is differentiated.
 pub(crate) const PARAMETERS: usize = 3;
 
 /// Initial energy.
@@ -20,7 +21,7 @@ pub(crate) const BY_FLYWHEEL: usize = 2;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Setup {
     pub(crate) drive: InputDrive,
-    /// Derivatives of the drive's inertia by ratio and by flywheel.
+    /// Derivatives of the drive's inertia with respect to ratio and flywheel.
     pub(crate) inertia_by: [f64; 2],
 }
 
@@ -34,7 +35,7 @@ pub(crate) struct Segment {
     pub(crate) energy: Values,
     /// dT/dx at the start and at the nodes, N m.
     pub(crate) moment: Values,
-    /// Derivatives of T by each parameter.
+    /// Derivatives of T with respect to each parameter.
     pub(crate) derivatives: [Values; PARAMETERS],
     /// η or 1/η, see [`Branch`](crate::drive::Branch).
     pub(crate) factor: f64,
@@ -72,7 +73,7 @@ impl Segment {
         })
     }
 
-    /// Where the speed passes `level` between a part where it does not yet (`inside`) and one where it does.
+    /// Where the speed passes `level`, between a part where it has not yet (`inside`) and one where it has.
     pub(crate) fn crossing(&self, level: f64, drive: &InputDrive, [inside, outside]: [f64; 2]) -> f64 {
         let excess = |theta: f64| {
             2.0 * self.energy_at(theta) - (self.inertia_at(theta) + drive.inertia) * level * level
@@ -81,7 +82,7 @@ impl Segment {
         bisect(outside, inside, 0.0, |theta| excess(theta) * sign > 0.0)[0]
     }
 
-    /// How much the polynomial misses the equation between the nodes, as part of the energy.
+    /// The residual of the equation between the nodes, as part of the energy.
     pub(crate) fn residual(&self, drive: &InputDrive) -> f64 {
         let middle = &self.coefficients.middle;
         let v = (2.0 * self.middle_energy() / (middle.inertia + drive.inertia)).sqrt();

@@ -12,7 +12,7 @@ use crate::drive::Source;
 /// Newton steps towards a periodic cycle.
 const MOST_ITERATIONS: usize = 60;
 
-/// A multiplier this near to 1 means that no speed restores itself.
+/// A multiplier this near to 1 means that nothing restores the speed.
 const NEUTRAL: f64 = 1e-9;
 
 /// Finds periodic cycles of one machine.
@@ -24,10 +24,10 @@ pub(crate) struct Shooting<'a> {
     pub(crate) cycles: usize,
 }
 
-/// Newton's step of the initial energy. Where the motion flees from its present speed instead (a motor beyond its
-/// breakdown), Newton's method would lead to the unstable regime: there the step goes where the motion goes.
+/// Newton's step of the initial energy. Where the motion departs from its present speed (a motor beyond its breakdown),
+/// Newton's method would lead to the unstable regime: there the step follows the motion.
 fn restoring_step(found: &CycleSolution, number: usize) -> Result<f64, DynamicsError> {
-    /// Cycles that one step makes in the direction of the motion.
+    /// Number of cycles of the motion that one such step covers.
     const AHEAD: f64 = 4.0;
     let (gap, energy, left) = (found.end - found.start, found.start, 1.0 - found.multiplier());
     if number == 1 && left.abs() < NEUTRAL {
@@ -40,9 +40,9 @@ fn restoring_step(found: &CycleSolution, number: usize) -> Result<f64, DynamicsE
 }
 
 impl Shooting<'_> {
-    /// Refuses a machine without inertia somewhere, between the nodes too.
+    /// Rejects a machine that has no inertia somewhere, between the nodes too.
     pub(crate) fn check_inertia(&self, setup: &Setup) -> Result<(), DynamicsError> {
-        /// Less than this part of the greatest inertia is none: polynomials resolve it to 1e-9.
+        /// Inertia below this part of the greatest counts as none: polynomials resolve it to 1e-9.
         const NOTHING: f64 = 1e-8;
         let piece = |panel: &Panel| Piece {
             x: panel.x,
@@ -71,7 +71,7 @@ impl Shooting<'_> {
         run_cycle(&mut self.path, setup, &self.panels, energy, guess)
     }
 
-    /// The periodic cycle nearest to a start, by Newton's method; `iterations` takes what each cycle did.
+    /// The periodic cycle nearest to a start, by Newton's method; `iterations` receives each cycle.
     pub(crate) fn close(
         &mut self,
         mut setup: Setup,
@@ -111,14 +111,14 @@ impl Shooting<'_> {
         Err(DynamicsError::NotPeriodic { cycles: MOST_ITERATIONS, residual: before })
     }
 
-    /// Halves the panels on which the solution misses the equation by more than `tolerance` of the energy; the
-    /// worst miss and whether there was anything to halve.
+    /// Halves the panels on which the residual of the equation exceeds `tolerance` of the energy; returns the greatest
+    /// residual and whether any panel was halved.
     pub(crate) fn refine(
         &mut self,
         found: &CycleSolution,
         tolerance: f64,
     ) -> Result<(f64, bool), DynamicsError> {
-        /// Not below this part of the cycle.
+        /// Shortest panel, as part of the cycle.
         const LEAST: f64 = 1.0 / 65536.0;
         let mut worst: f64 = 0.0;
         let mut marked = vec![false; self.panels.len()];

@@ -1,4 +1,5 @@
-//! A solved cycle: its extreme speeds, its times, the state at any place, and what its parameters change.
+//! A solved cycle: its extreme speeds, its times, the state at any place, and its derivatives with respect to the
+//! parameters.
 
 use super::collocation::{RULE, S, Values};
 use super::extremes::{Extreme, Piece, extremes};
@@ -43,7 +44,7 @@ pub(crate) struct ExtremeSpeed {
     pub(crate) at: Extreme,
     /// v, rad/s.
     pub(crate) value: f64,
-    /// Its derivatives at a fixed place.
+    /// Its derivatives with respect to the parameters at a fixed place.
     derivatives: [f64; PARAMETERS],
 }
 
@@ -95,8 +96,8 @@ impl CycleSolution {
         ExtremeSpeed { at, value, derivatives }
     }
 
-    /// How the parameters change together so that the cycle stays closed: per unit of the level (ratio or initial energy),
-    /// and per unit of the flywheel.
+    /// The changes of the parameters that keep the cycle closed: per unit of the level (ratio or initial energy), and
+    /// per unit of the flywheel.
     pub(crate) fn directions(&self, closing: Closing) -> [[f64; PARAMETERS]; 2] {
         let [m, d, f] = [BY_ENERGY, BY_DRIVE, BY_FLYWHEEL].map(|p| self.derivatives[p]);
         match closing {
@@ -106,12 +107,12 @@ impl CycleSolution {
         }
     }
 
-    /// dT(end)/dT(start): below 1, the regime is stable.
+    /// dT(end)/dT(start): the regime is stable below 1.
     pub(crate) fn multiplier(&self) -> f64 {
         self.derivatives[BY_ENERGY]
     }
 
-    /// What this cycle was as the iteration of that number.
+    /// This cycle as a step of the iteration, with that number.
     pub(crate) fn iteration(&self, number: usize) -> Iteration {
         let speed = |energy: f64, segment: Option<&Segment>, node: usize| {
             let inertia = segment.map_or(0.0, |segment| segment.coefficients.nodes[node].inertia);
@@ -134,7 +135,7 @@ impl CycleSolution {
         })
     }
 
-    /// Speeds at the nodes, rad/s, with the time that each stands for, s.
+    /// Speeds at the nodes, rad/s, each with its share of the time, s.
     pub(crate) fn weighted_speeds(&self) -> Vec<(f64, f64)> {
         let of = |segment: &Segment| {
             let (h, weights) = (segment.h, RULE.a[S - 1]);
@@ -157,7 +158,8 @@ impl CycleSolution {
         (times, now)
     }
 
-    /// Time, speed, acceleration, moments and inertia at a coordinate, at a jump just after it; `times` are those of [`times`](Self::times).
+    /// Time, speed, acceleration, moments and inertia at a coordinate, at a jump just after it; `times` are those of
+    /// [`times`](Self::times).
     pub(crate) fn state(&self, times: &[Values], coordinate: f64) -> RegimeState {
         let [x, after] = self.cycle.place(coordinate);
         let index = self.index(after);

@@ -18,7 +18,7 @@ use crate::drive::Source;
 /// Accuracy to which polynomials resolve the machine before the regime is known.
 const RESOLVE: f64 = 1e-9;
 
-/// The regime may miss the equation between the nodes by this part of the energy.
+/// Allowed residual of the equation between the nodes, as part of the energy.
 const ACCURACY: f64 = 2e-13;
 
 /// Rounds of refinement.
@@ -53,8 +53,9 @@ impl<'a> RegimeSolver<'a> {
         Ok(Self { shooting: Shooting { path, panels, cycles: 0 }, diagram, request })
     }
 
-    /// Mean of the reduced resisting moment over the cycle, N m, against the motion. Moments over the speed are taken at the
-    /// wanted mean speed, after [`solve`](Self::solve) at that of the regime; so are the work and the power.
+    /// Mean of the reduced resisting moment over the cycle, N m, against the motion. Moments that depend on the speed
+    /// are evaluated at the requested mean speed, and after [`solve`](Self::solve) at that of the regime; this also
+    /// holds for work and power.
     pub fn mean_resistance(&self) -> f64 {
         self.diagram.mean_moment
     }
@@ -84,7 +85,8 @@ impl<'a> RegimeSolver<'a> {
 
     /// Finds the periodic regime, with ratio and flywheel where they are wanted.
     ///
-    /// # Errors
+    /// [`DynamicsError`], with the place where the machine stalls, or the requirement that can't be met and by how
+    /// much.
     ///
     /// [`DynamicsError`], with the place where the machine stalls, or what can't be met and by how much.
     pub fn solve(&mut self, drive: &DriveRequest) -> Result<Regime, DynamicsError> {
@@ -124,7 +126,7 @@ impl<'a> RegimeSolver<'a> {
         Ok(Regime::new(tuned, context))
     }
 
-    /// Without a drive the loads alone fix the mean speed, and nothing can be adapted to the wish.
+    /// Without a drive the loads alone determine the mean speed, and no parameter is free to change it.
     fn check_speed(&self, drive: &DriveRequest, tuned: &Tuned) -> Result<(), DynamicsError> {
         /// Mean speeds are given to two or three digits.
         const NEAR: f64 = 0.01;
@@ -148,12 +150,12 @@ impl<'a> RegimeSolver<'a> {
         }
     }
 
-    /// Runs cycle after cycle from the mean speed until the speed at the start changes by less than `tolerance`
-    /// (relative): the slow method, for comparison with [`solve`](Self::solve).
+    /// Runs cycle after cycle from the mean speed until the relative change of the speed at the start is below
+    /// `tolerance`: the slow method, for comparison with [`solve`](Self::solve).
     ///
     /// # Errors
     ///
-    /// [`DynamicsError::NotPeriodic`] after `most` cycles, and as [`solve`](Self::solve).
+    /// [`DynamicsError::NotPeriodic`] after `most` cycles, and the errors of [`solve`](Self::solve).
     pub fn settle(
         &mut self,
         regime: &Regime,
@@ -217,7 +219,7 @@ impl<'a> RegimeSolver<'a> {
         })
     }
 
-    /// A machine whose speed nothing restores needs a cycle without work.
+    /// A machine whose speed nothing restores needs a cycle whose work is zero.
     fn check_work(&self, torque: TorqueRequest) -> Result<(), DynamicsError> {
         /// Rounding of the quadrature.
         const ZERO: f64 = 1e-9;

@@ -1,8 +1,8 @@
-//! Flywheel and gear ratio together (S stage 6): such that the periodic speed has the wanted mean and unevenness.
+//! Flywheel and gear ratio together (S stage 6), for a periodic speed with the wanted mean and unevenness.
 //!
-//! The unknowns are the level (the ratio of the motor; without a motor the energy at the start of the cycle) and the
-//! flywheel. Each trial is a closed cycle; Newton's method takes the derivatives of its least and greatest speed from the
-//! variational equation and keeps within a factor of the last trial.
+//! The unknowns are the level (with a motor the gear ratio; without one the energy at the start of the cycle) and the
+//! flywheel. Each trial is a closed cycle; Newton's method takes the derivatives of its least and greatest speed from
+//! the variational equation and stays within a factor of the last trial.
 
 use super::report::Trial;
 use super::segment::Setup;
@@ -14,13 +14,13 @@ use crate::drive::{InputDrive, Source};
 /// Trials of ratio and flywheel.
 const MOST_TRIALS: usize = 60;
 
-/// Relative misses below this are rounding.
+/// Relative deviations below this are rounding.
 const ROUNDING: f64 = 2e-12;
 
 /// What is given and what is wanted. Speeds are positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Target {
-    /// Mean speed that the level is to give; `None`: whatever comes out.
+    /// Mean speed that the level is to give; `None`: any.
     pub(crate) mean: Option<f64>,
     /// Unevenness that the flywheel is to give; `None`: the flywheel is given.
     pub(crate) unevenness: Option<f64>,
@@ -63,8 +63,8 @@ impl Target {
         Setup { drive, inertia_by: [by_ratio, by_flywheel] }
     }
 
-    /// How far a cycle is from what is wanted: mean (relative), unevenness (its inverse, relative: that is nearly linear
-    /// in the flywheel).
+    /// Deviation of a cycle from the requested mean (relative) and unevenness (of its inverse, relative, which is
+    /// nearly linear in the flywheel).
     fn misses(&self, range: &SpeedRange) -> [f64; 2] {
         let mean = self.mean.map_or(0.0, |wanted| range.mean() / wanted - 1.0);
         [mean, self.unevenness.map_or(0.0, |wanted| wanted / range.unevenness() - 1.0)]
@@ -90,7 +90,7 @@ impl Unknowns {
     }
 }
 
-/// The search for one machine and one wish.
+/// The search for one machine and one request.
 #[derive(Debug)]
 pub(crate) struct Tuner<'s, 'a> {
     pub(crate) shooting: &'s mut Shooting<'a>,
@@ -174,7 +174,7 @@ impl Tuner<'_, '_> {
         }
     }
 
-    /// Makes the step, shorter where the trial fails or is worse.
+    /// Takes the step, shorter where the trial fails or is worse.
     fn damped(
         &mut self,
         from: &Unknowns,

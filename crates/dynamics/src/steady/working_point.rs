@@ -29,7 +29,7 @@ pub(crate) fn working_ratio(
     let power = |motor: f64| motor * characteristic.torque(motor);
     let wanted = if needed > 0.0 { needed * speed / efficiency } else { needed * speed * efficiency };
     let (mut slow, fast) = stable_branch(characteristic);
-    // Of the power, the greatest lies above the breakdown speed.
+    // The greatest power is above the breakdown speed.
     let synchronous = characteristic.synchronous_speed;
     for k in 0..200 {
         let trial = slow + (synchronous - slow) * f64::from(k) / 200.0;

@@ -5,13 +5,13 @@ use crate::event_location::Side;
 use crate::run::CREEPS;
 use crate::{EventKind, IntegrationError, Node, State, Stepper, Until};
 
-/// Events without progress of time after which the pieces are contradictory.
+/// Events without progress of time after which the pieces count as contradictory.
 const MAX_STALLS: usize = 50;
 
 impl<S: Stepper> Drive<'_, S> {
-    /// A step aimed at a bound that ended a little before it: the rest is uniformly accelerated.
+    /// A step aimed at a bound that ended a little before it: the remainder is uniformly accelerated.
     pub(super) fn meet_if_at(&mut self, side: Side, h: f64) -> Result<(), IntegrationError> {
-        /// Part of the step: the error of the parabola is its cube.
+        /// Part of the step. The error of the parabola is its cube.
         const NEAR: f64 = 1e-5;
         let node = self.run.node;
         match self.bounds.time_to(side, &node).filter(|dt| *dt <= NEAR * h) {
@@ -60,10 +60,11 @@ impl<S: Stepper> Drive<'_, S> {
         Ok(())
     }
 
-    /// At a turning point that the steps have found: the acceleration must lead through it. Where a speed decays without end,
-    /// the errors of the steps lead through zero.
+    /// At a turning point that the steps have found: the acceleration must be able to reverse the motion. Where a speed
+    /// only decays, errors of the steps may carry it through zero.
     fn check_stop(&self, at: &Node, speed: f64) -> Result<(), IntegrationError> {
-        /// The most of the largest speed that the acceleration must be able to change in the time of the motion so far.
+        /// The greatest part of the largest speed that the acceleration must be able to change in the time since the
+        /// start.
         const MOST: f64 = 0.01;
         let Node { state, acceleration } = *at;
         let request = self.run.request;
@@ -74,7 +75,8 @@ impl<S: Stepper> Drive<'_, S> {
         Err(self.run.not_reached(CREEPS))
     }
 
-    /// Checks a turning point inside a step, as [`check_stop`](Self::check_stop), where the motion does not end in time.
+    /// Checks a turning point inside a step by [`check_stop`](Self::check_stop), unless the motion ends at a given
+    /// time.
     pub(super) fn check_turning(&mut self, state: &State) -> Result<(), IntegrationError> {
         if let Until::Time(_) = self.run.request.until {
             return Ok(());
@@ -83,9 +85,10 @@ impl<S: Stepper> Drive<'_, S> {
         self.check_stop(&Node { state: *state, acceleration }, self.run.node.state.speed)
     }
 
-    /// After a step: a motion whose speed stays below the tolerance comes to rest without end.
+    /// After a step: an error if the speed stays below the tolerance, since such a motion approaches rest without
+    /// reaching it.
     pub(super) fn check_creeping(&mut self) -> Result<(), IntegrationError> {
-        /// Slow steps, and slow time over the time before, from which on the motion creeps; and the least number of steps.
+        /// From so many slow steps, and so much slow time relative to the time before, the motion counts as creeping.
         const STEPS: usize = 1000;
         const TIMES: f64 = 10.0;
         const LEAST: usize = 10;

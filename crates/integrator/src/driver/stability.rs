@@ -3,10 +3,10 @@
 use super::Drive;
 use crate::{IntegrationError, Pace, Stepper};
 
-/// Steps from which on the report looks for stiffness.
+/// Number of steps after which the report looks for stiffness.
 const MANY_STEPS: usize = 1000;
 
-/// At a fixed step stability is looked at once in so many steps.
+/// At a fixed step, stability is checked once in so many steps.
 const PERIOD: usize = 64;
 
 impl<S: Stepper> Drive<'_, S> {

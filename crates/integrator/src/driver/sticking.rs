@@ -1,14 +1,14 @@
-//! A speed that stays: rest under dry friction, or a jump of the moment over speed with both sides driving back.
+//! Holding of a speed: rest under dry friction, or a jump of the moment over the speed that both sides drive back to.
 
 use assur_number::search::try_bisect;
 
 use super::Drive;
 use crate::{EventKind, IntegrationError, Piece, Stepper, Until, enter};
 
-/// Parts of the time left in which a release is looked for.
+/// Number of parts of the remaining time that are searched for a release.
 const STRIDES: f64 = 256.0;
 
-/// First stride, s, where the time left is not limited, and the factor of the next ones.
+/// First stride, s, where the remaining time is unlimited, and the growth factor of the following ones.
 const FIRST_STRIDE: f64 = 1e-3;
 const GROWTH: f64 = 1.5;
 
@@ -34,7 +34,7 @@ impl<S: Stepper> Drive<'_, S> {
         enter(&mut self.run.equation, &state.coasting_until(state.time + dt), true)
     }
 
-    /// Looks ahead in strides; where the motion is released within one, finds the instant.
+    /// Looks ahead in strides; if the motion is released within a stride, finds the instant.
     fn wait(&mut self) -> Result<(), IntegrationError> {
         let latest = self.run.request.latest();
         let limited = latest.is_finite();
@@ -47,7 +47,7 @@ impl<S: Stepper> Drive<'_, S> {
             let left = latest - self.run.node.state.time;
             let dt = stride.min(left).min(self.time_to_goal());
             if (self.run.node.state.time + dt).is_infinite() {
-                // Nothing releases it within any time that a number can hold.
+                // Nothing releases it within any representable time.
                 return self.run.coast_to_end();
             }
             if self.release_after(dt)?.is_some() {
@@ -67,7 +67,7 @@ impl<S: Stepper> Drive<'_, S> {
         }
     }
 
-    /// Time in which the speed reaches the coordinate asked for, s.
+    /// Time in which the motion at constant speed reaches the requested coordinate, s.
     fn time_to_goal(&self) -> f64 {
         let Until::Coordinate(target) = self.run.request.until else { return f64::INFINITY };
         let time = (target - self.run.node.state.coordinate) / self.run.node.state.speed;

@@ -6,25 +6,26 @@ use super::panel::Panel;
 use super::passage::Passage;
 use crate::QUADRATURE;
 
-/// Least tolerance: the roundings of a fit.
+/// Least tolerance: the rounding errors of a fit.
 const ROUNDINGS: f64 = 3e-14;
 
 /// Panels and trials in one smooth piece after which its moment counts as too rough for polynomials.
 const MOST_TRIALS: usize = 400;
 
-/// The motion so far.
+/// The solution in progress.
 #[derive(Debug)]
 pub(crate) struct March<'a> {
     pub(super) run: Run<'a, Passage>,
-    /// Largest speed and way so far.
+    /// Largest speed and displacement since the start.
     fastest: f64,
     travel: f64,
-    /// Next panel, without sign; whether it was lengthened to hold a speed at which the moment vanishes.
+    /// Length of the next panel, without sign; whether it was lengthened to include a speed at which the moment
+    /// vanishes.
     length: f64,
     lengthened: bool,
     /// The last trial was shortened.
     rejected: bool,
-    /// Why the last trial could not even be fitted.
+    /// Why the last trial could not be fitted at all.
     failure: Option<MotionError>,
     /// Last panel that passed in this piece; 0 if there is none.
     before: f64,
@@ -59,7 +60,8 @@ pub(crate) fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajecto
 }
 
 impl March<'_> {
-    /// Goes on in a new piece, or at a speed that stays: the moment depends on nothing else, so that it stays for good.
+    /// Continues in a new piece, or at a speed that is held: the moment depends on nothing else, so it is held for
+    /// good.
     pub(super) fn go_on(&mut self, moving: bool) -> Result<(), IntegrationError> {
         if !moving {
             return self.run.coast_to_end();
@@ -69,7 +71,7 @@ impl March<'_> {
         Ok(())
     }
 
-    /// No panel was short enough: the equation fails there, or no polynomial follows it.
+    /// No panel was short enough: the equation has no value there, or no polynomial fits it.
     fn given_up(&mut self) -> IntegrationError {
         if let Some(source) = self.failure.take() {
             return self.run.failed(source);
@@ -84,7 +86,7 @@ impl March<'_> {
         }
     }
 
-    /// The change of the speed to the end, if the moment stayed.
+    /// The change of the speed to the end at constant moment.
     fn first_length(&self) -> f64 {
         let (state, acceleration) = (self.run.node.state, self.run.node.acceleration);
         let (w, e) = (state.speed.abs(), acceleration.abs());
@@ -143,7 +145,7 @@ impl March<'_> {
         }
     }
 
-    /// Goes through a panel, or plans another trial.
+    /// Advances through a panel, or prepares another trial.
     fn judge(&mut self, panel: &Panel, length: f64, room: f64) -> Result<(), IntegrationError> {
         let error = self.error(panel);
         let factor = factor(error);
@@ -157,7 +159,7 @@ impl March<'_> {
             self.length = whole.min(2.0 * room);
             return Ok(());
         }
-        // After a panel that passed, one that failed held a pole rather than far too much.
+        // A failed panel after one that passed contained a pole, rather than being far too long.
         let least = if self.before > 0.0 { 0.4 } else { 0.1 };
         self.shorten(length * factor.clamp(least, 0.7));
         Ok(())
@@ -181,12 +183,12 @@ impl March<'_> {
         self.length = length;
     }
 
-    /// Error of a panel over what is allowed: parts of the largest speed and of the largest way so far.
+    /// Error of a panel divided by the allowed one: relative to the largest speed and the largest displacement.
     fn error(&self, panel: &Panel) -> f64 {
         let tolerance = (0.25 * self.run.request.tolerance).max(ROUNDINGS);
         let [speed, way] = panel.error;
         let fastest = self.fastest.max(panel.last_speed().abs());
-        // What is lost while the motion leaves a speed that repels grows with it.
+        // Errors grow while the motion leaves an unstable speed.
         let own = panel.length().abs().max(64.0 * f64::EPSILON / tolerance * fastest);
         let grows = panel.last.abs() > self.run.node.acceleration.abs();
         let size = if grows { own.min(fastest) } else { fastest };
@@ -195,7 +197,7 @@ impl March<'_> {
         if speed.is_finite() && way.is_finite() { error } else { f64::INFINITY }
     }
 
-    /// Goes on to the end of a segment.
+    /// Advances to the end of a segment.
     pub(super) fn go_to(&mut self, state: State) {
         self.run.node.state = state;
         self.fastest = self.fastest.max(state.speed.abs());
@@ -203,7 +205,7 @@ impl March<'_> {
     }
 }
 
-/// Factor of the length that brings the error of a fit to what is allowed.
+/// Factor of the length that makes the error of a fit the allowed one.
 fn factor(error: f64) -> f64 {
     0.85 * (1.0 / error.max(1e-30)).powf(1.0 / 12.0)
 }

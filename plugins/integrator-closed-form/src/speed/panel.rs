@@ -4,7 +4,7 @@ use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, i
 use assur_integrator::{Equation, MotionError, Node, State};
 use assur_number::search::root;
 
-/// A root of the moment further beyond the panel than this is not looked for (x = 1 is the end of the panel).
+/// A root of the moment further away than this is not used (x = 1 is the end of the panel).
 const FURTHEST: f64 = 3.0;
 
 /// A panel over x in [-1, 1].
@@ -15,30 +15,31 @@ pub(super) struct Panel {
     /// Half of the length, with the sign of the direction.
     half: f64,
     pole: Option<Pole>,
-    /// Without a pole 1/e, with one (w - pole)/e: by the parameter x.
+    /// Without a pole 1/e, with one (w - pole)/e: with respect to the parameter x.
     slowness: Series,
-    /// Integrals from x = -1 on: the time, and the way, less what the pole adds.
+    /// Integrals from x = -1: the time and the displacement, without the share of the pole.
     time: Series,
     way: Series,
     /// Acceleration at x = 1.
     pub(super) last: f64,
-    /// Errors of speed and way that the fits leave.
+    /// Errors of speed and displacement from the fits.
     pub(super) error: [f64; 2],
-    /// x at which the acceleration vanishes, where a panel made for that would be shorter, or reach beyond this one.
+    /// x at which the acceleration vanishes, if a panel made for that would be shorter, or reach beyond this one.
     vanishing: Option<f64>,
 }
 
-/// The speed that the motion approaches without end.
+/// The speed that the motion approaches asymptotically.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pole {
     pub(super) speed: f64,
-    /// Of it, in the panel.
+    /// Its place in the panel.
     x: f64,
-    /// (w - pole)/e there, s: negative, less the time in which the distance falls to 1/e of itself.
+    /// (w - pole)/e there, s: minus the time in which the distance falls to 1/e of itself.
     residue: f64,
 }
 
-/// A place in a panel: since its start the time and the way, and the derivative of the way by the parameter.
+/// A place in a panel: the time and the displacement since its start, and the derivative of the displacement with
+/// respect to the parameter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) speed: f64,
@@ -48,7 +49,7 @@ pub(super) struct Place {
 }
 
 impl Panel {
-    /// Fits a panel of that length (with the sign of the acceleration) from a state on.
+    /// Fits a panel of that length (with the sign of the acceleration) from a state.
     pub(super) fn fit(equation: &mut Equation<'_>, from: &Node, length: f64) -> Result<Self, MotionError> {
         let start = from.state.speed;
         let half = 0.5 * length;
@@ -80,7 +81,7 @@ impl Panel {
         2.0 * self.half
     }
 
-    /// The speed at the end, or the one that is approached.
+    /// The speed at the end, or the asymptotic one.
     pub(super) fn last_speed(&self) -> f64 {
         self.pole.map_or(self.speed(1.0), |pole| pole.speed)
     }
@@ -117,7 +118,7 @@ impl Panel {
         self.time = integral(&divided(&self.slowness, x), 1.0);
         self.way = integral(&self.slowness, self.half);
         let mut speed = self.speed(x);
-        // A speed that is a rounding counts as zero: otherwise the way would grow without end.
+        // A speed below rounding counts as zero: otherwise the displacement would grow without end.
         if speed.abs() <= 16.0 * f64::EPSILON * (self.start.abs() + self.half.abs()) {
             speed = 0.0;
         }
@@ -128,7 +129,7 @@ impl Panel {
             .fold((f64::INFINITY, 0.0_f64), |(least, most), g| (least.min(g.abs()), most.max(g.abs())));
         let distance = (speed - self.start).abs();
         let lost = distance * tail(&self.slowness);
-        // The pole itself: by the fit, and as a place in a panel of that length.
+        // The pole: by the fit, and as a place in a panel of that length.
         let of_pole = tail(fit) * most + 4.0 * f64::EPSILON * self.half.abs();
         self.error = [lost / least + of_pole, lost + of_pole * least];
         self.vanishing = Some(x).filter(|x| *x < 0.5);
@@ -138,9 +139,9 @@ impl Panel {
         self.pole
     }
 
-    /// A length from the same start that just holds the speed at which the moment vanishes, if that is near.
+    /// The length from the same start that just includes the speed at which the moment vanishes, if that is near.
     pub(super) fn length_to_pole(&self) -> Option<f64> {
-        /// So far beyond the pole.
+        /// Margin beyond the pole.
         const MARGIN: f64 = 1.2;
         self.vanishing.map(|x| MARGIN * (x + 1.0) * self.half.abs())
     }
@@ -157,7 +158,7 @@ impl Panel {
         if e * self.half <= 0.0 {
             return f64::INFINITY;
         }
-        // The distance to the pole from the moment that is left: a difference of speeds would cancel.
+        // The distance to the pole from the remaining moment: a difference of speeds would cancel.
         let left = (e * value(&self.slowness, x) / self.half).abs();
         ((pole.x + 1.0) / left).ln().max(0.0)
     }
@@ -178,7 +179,7 @@ impl Panel {
         Place { speed, time, way, way_rate: speed * time_rate }
     }
 
-    /// The way from the start to where the motion ends after an infinite time.
+    /// The displacement from the start to where the motion ends after an infinite time.
     pub(super) fn whole_way(&self) -> f64 {
         match self.pole {
             Some(pole) if pole.speed == 0.0 => value(&self.way, pole.x),
@@ -198,7 +199,7 @@ impl Panel {
         })
     }
 
-    /// The parameter at a way since the start, on which the speed keeps its sign.
+    /// The parameter at a displacement since the start, over which the speed keeps its sign.
     pub(super) fn at_way(&self, way: f64, ends: [f64; 2]) -> f64 {
         let sign = way.signum();
         solve(ends, way * sign, |p| {
@@ -208,8 +209,8 @@ impl Panel {
     }
 }
 
-/// Root of a series beyond x = 1 by Newton's method, where its terms say that there is one (Kantorovich's condition, with a
-/// margin that leaves out double roots).
+/// Root of a series beyond x = 1 by Newton's method, if Kantorovich's condition shows that there is one (with a margin
+/// that excludes double roots).
 fn root_beyond(series: &Series) -> Option<f64> {
     const CERTAIN: f64 = 0.35;
     let slopes = divided(series, 1.0);

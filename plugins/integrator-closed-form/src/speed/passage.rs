@@ -23,18 +23,18 @@ impl Curve for Passage {
 /// What ends the motion through a panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Ending {
-    /// The panel itself.
+    /// The end of the panel.
     Panel,
     /// The speed ahead that no panel passes.
     Speed,
-    /// A coordinate, and whether it is the end asked for.
+    /// A coordinate, and whether it is the requested end.
     Coordinate(f64, bool),
     /// A time.
     Time(f64),
 }
 
 impl March<'_> {
-    /// Goes through a panel to its end, or to what comes before; the bound of the speed lies `room` ahead.
+    /// Advances through a panel to its end, or to an earlier limit; the bound of the speed is `room` ahead.
     pub(super) fn pass(&mut self, panel: &Panel, room: f64) -> Result<(), IntegrationError> {
         let from = self.run.node.state;
         let (mut end, mut ending) = self.speed_ahead(panel, room)?;
