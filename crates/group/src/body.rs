@@ -14,7 +14,7 @@ pub struct Body<T> {
     pub y: T,
     /// Cosine of the angle of the link's x axis.
     pub c: T,
-    /// Sine of it.
+    /// Sine of that angle.
     pub s: T,
     /// dx/dq.
     pub x1: T,
@@ -31,19 +31,19 @@ pub struct Body<T> {
 }
 
 impl<T: Copy> Body<T> {
-    /// All numbers in the order of the fields.
+    /// All numbers of the body, in the order of its fields.
     #[inline]
     pub fn numbers(&self) -> [T; 10] {
         [self.x, self.y, self.c, self.s, self.x1, self.y1, self.w1, self.x2, self.y2, self.w2]
     }
 
-    /// From all numbers in the order of the fields.
+    /// A body from all its numbers, in the order of its fields.
     #[inline]
     pub fn of_numbers([x, y, c, s, x1, y1, w1, x2, y2, w2]: [T; 10]) -> Self {
         Self { x, y, c, s, x1, y1, w1, x2, y2, w2 }
     }
 
-    /// Pose and derivatives in another kind of number.
+    /// Pose and derivatives in another number type.
     #[inline]
     pub fn map<U: Copy>(&self, number: impl FnMut(T) -> U) -> Body<U> {
         Body::of_numbers(self.numbers().map(number))
@@ -56,13 +56,14 @@ impl<T: Real> Body<T> {
         Self { c: T::ONE, ..Self::of_numbers([T::ZERO; 10]) }
     }
 
-    /// Arm from the origin of the link to a point of it: a vector of the link turned into the ground's frame, m.
+    /// Arm from the origin of the link to a point of it, m: the point's vector in the link's frame, rotated into the
+    /// ground's frame.
     #[inline]
     pub fn arm(&self, at: [T; 2]) -> [T; 2] {
         [self.c * at[0] - self.s * at[1], self.s * at[0] + self.c * at[1]]
     }
 
-    /// Place of a point of the link, m (PF0).
+    /// Position of a point of the link, m (PF0).
     #[inline]
     pub fn point(&self, at: [T; 2]) -> [T; 2] {
         let [x, y] = self.arm(at);
@@ -88,8 +89,8 @@ impl<T: Real> Body<T> {
         self.arm(by)
     }
 
-    /// Sets origin and derivatives so that the point with this arm has the given PF0, PF1, PF2; the direction and the
-    /// angle's derivatives must be set before.
+    /// Sets origin and derivatives such that the point with this arm has the given PF0, PF1, PF2. The direction and
+    /// the angle's derivatives must be set before.
     #[inline]
     pub fn hang(&mut self, arm: [T; 2], pf: [[T; 2]; 3]) {
         self.hang_place(arm, pf[0]);
@@ -97,7 +98,8 @@ impl<T: Real> Body<T> {
         self.hang_second(arm, pf[2]);
     }
 
-    /// Gives the link a direction, and the origin by which the point `at` of it lies at `place`; the arm of that point.
+    /// Sets the direction of the link, and its origin such that the point `at` of the link is at `place`; returns the
+    /// arm of that point.
     #[inline]
     pub fn put(&mut self, direction: [T; 2], at: [T; 2], place: [T; 2]) -> [T; 2] {
         [self.c, self.s] = direction;
@@ -106,35 +108,37 @@ impl<T: Real> Body<T> {
         arm
     }
 
-    /// Gives the link its angle's first derivative, and that of the origin by which the point with this arm has this PF1.
+    /// Sets the first derivative of the link's angle, and that of its origin such that the point with this arm has
+    /// this PF1.
     #[inline]
     pub fn put_first(&mut self, w1: T, arm: [T; 2], pf1: [T; 2]) {
         self.w1 = w1;
         self.hang_first(arm, pf1);
     }
 
-    /// Gives the link its angle's second derivative, and that of the origin by which the point with this arm has this PF2.
+    /// Sets the second derivative of the link's angle, and that of its origin such that the point with this arm has
+    /// this PF2.
     #[inline]
     pub fn put_second(&mut self, w2: T, arm: [T; 2], pf2: [T; 2]) {
         self.w2 = w2;
         self.hang_second(arm, pf2);
     }
 
-    /// Sets the origin so that the point with this arm lies there.
+    /// Sets the origin such that the point with this arm is at this place.
     #[inline]
     pub fn hang_place(&mut self, arm: [T; 2], pf0: [T; 2]) {
         self.x = pf0[0] - arm[0];
         self.y = pf0[1] - arm[1];
     }
 
-    /// Sets the origin's first derivative so that the point with this arm has this PF1.
+    /// Sets the first derivative of the origin such that the point with this arm has this PF1.
     #[inline]
     pub fn hang_first(&mut self, arm: [T; 2], pf1: [T; 2]) {
         self.x1 = pf1[0] + self.w1 * arm[1];
         self.y1 = pf1[1] - self.w1 * arm[0];
     }
 
-    /// Sets the origin's second derivative so that the point with this arm has this PF2.
+    /// Sets the second derivative of the origin such that the point with this arm has this PF2.
     #[inline]
     pub fn hang_second(&mut self, arm: [T; 2], pf2: [T; 2]) {
         let square = self.w1 * self.w1;

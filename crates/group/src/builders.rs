@@ -6,7 +6,7 @@ use crate::{AssurGroup, BuildError, GroupFrame};
 
 type Build<T> = fn(&GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError>;
 
-/// One builder for each number type; made by [`Builders::of`].
+/// One builder for each number type, made by [`Builders::of`].
 #[derive(Debug, Clone, Copy)]
 pub struct Builders {
     pub(crate) double: Build<f64>,
@@ -15,16 +15,16 @@ pub struct Builders {
     pub(crate) lanes: Build<F64x4>,
 }
 
-/// A kind of group, whose formulas are written once for all numbers.
+/// A kind of group whose formulas are generic over the number type.
 pub trait GroupKind {
     /// The kernel in one number type.
     type Kernel<T: Number>: AssurGroup<T> + 'static;
 
-    /// Compiles the group at one place of a mechanism.
+    /// Builds the kernel of one group of a mechanism.
     ///
     /// # Errors
     ///
-    /// [`BuildError`] where the lengths make no group of this kind.
+    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError>;
 }
 
@@ -44,13 +44,13 @@ impl Builders {
     }
 }
 
-/// A number that kinds of groups are built for: each plugin gives a builder for each.
+/// A number type for which the kernels of groups can be built.
 pub trait Number: Real {
-    /// Builds the kernel of a kind in this number.
+    /// Builds the kernel of a group of this kind in this number type.
     ///
     /// # Errors
     ///
-    /// [`BuildError`] where the lengths make no group of this kind.
+    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError>;
 }
 

@@ -1,4 +1,4 @@
-//! Kernels of closed forms: what they know of one position is worked out once for all that is asked of it.
+//! Kernels with closed forms. Quantities that several formulas need in one position are computed once.
 
 use assur_number::Real;
 
@@ -7,18 +7,18 @@ use crate::{AssurGroup, Body, GroupError, GroupFrame, Order, Wrench};
 /// A group with closed forms; [`Closed`] makes an [`AssurGroup`] of it.
 ///
 /// The formulas for places, derivatives and reactions share lengths and directions of one position, such as the
-/// triangle of the pins. They are found while the group is placed, or read from links that are placed already.
+/// triangle of the pins. They are computed when the group is placed, or from links that are already placed.
 pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
-    /// What the formulas share of one position.
+    /// The quantities of one position that the formulas share.
     type Position;
 
-    /// In how many ways the group can be assembled.
+    /// Number of ways of assembly.
     const WAYS: usize;
 
     /// Links and pairs of the group.
     fn frame(&self) -> &GroupFrame;
 
-    /// Places the links (PF0) in a way; the position and the health.
+    /// Places the links (PF0) in a way; returns the shared quantities and the health.
     ///
     /// # Errors
     ///
@@ -26,17 +26,17 @@ pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
     /// place is not determined.
     fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Self::Position, T), GroupError>;
 
-    /// The position of links that are placed already.
+    /// The shared quantities of links that are already placed.
     fn read(&self, bodies: &[Body<T>]) -> Self::Position;
 
-    /// Dimensionless determinant of a position: 0 at a singular one, and at most about 1.
+    /// Dimensionless determinant of a position: 0 at a singular one, at most about 1 elsewhere.
     fn health(&self, position: &Self::Position) -> T;
 
-    /// PF1 and, for [`Order::Second`], PF2 of the placed links.
+    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links.
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`] where they are not determined.
+    /// [`GroupError::Singular`] where the derivatives are not determined.
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],
@@ -44,11 +44,11 @@ pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
         order: Order,
     ) -> Result<(), GroupError>;
 
-    /// Reactions in all pairs, as [`AssurGroup::reactions`] says.
+    /// Computes the reactions in all pairs, with the conventions of [`AssurGroup::reactions`].
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`] where they are not determined.
+    /// [`GroupError::Singular`] where the reactions are not determined.
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -57,16 +57,16 @@ pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError>;
 
-    /// Least determinant that is not rounding, as [`AssurGroup::resolution`] says.
+    /// Smallest determinant that is not rounding; see [`AssurGroup::resolution`].
     fn resolution(&self, _bodies: &[Body<T>]) -> f64 {
         (256.0 * T::EPSILON).sqrt()
     }
 }
 
-/// The kernel of closed forms.
+/// The kernel of a group with closed forms.
 #[derive(Debug, Clone)]
 pub struct Closed<K>(
-    /// The formulas with the lengths of one group.
+    /// The formulas, with the lengths of one group.
     pub K,
 );
 

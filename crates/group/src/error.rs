@@ -2,23 +2,24 @@
 
 use assur_number::Real;
 
-/// Why a group has no solution at one position. The chain adds where: group, position, coordinate.
+/// Why a group has no solution at one position. The chain adds the group, the position and the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GroupError {
     /// The links are too short, or too unequal, to meet.
     #[error("no assembly: it misses by {:.6} mm", gap_m * 1e3)]
     NoAssembly {
-        /// Least change of one length that would close the group, m. Positive.
+        /// Smallest change of one length that would close the group, m. Positive.
         gap_m: f64,
     },
-    /// Places exist, but derivatives or reactions are not determined there.
+    /// The links can be placed, but derivatives or reactions are not determined there.
     #[error("singular position (dimensionless determinant {health:.3e})")]
     Singular {
         /// The dimensionless determinant of the group.
         health: f64,
     },
-    /// Too large for the general solution, or not a group: it needs three pairs for each two links.
+    /// The group has too many links for the general solution, or its count is wrong: it needs three pairs for every
+    /// two links.
     #[error(
         "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has {links} links \
          and {pairs} pairs and needs a kind of its own"
@@ -26,12 +27,12 @@ pub enum GroupError {
     Unfit {
         /// Links of the group.
         links: usize,
-        /// Its pairs, inner and outer.
+        /// Its pairs, inner and outer together.
         pairs: usize,
     },
 }
 
-/// Lengths that make no group of a kind.
+/// Lengths that don't form a group of a kind.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what}")]
 pub struct BuildError {
@@ -40,21 +41,21 @@ pub struct BuildError {
 }
 
 impl BuildError {
-    /// A fault in words.
+    /// An error with this description.
     pub fn new(what: impl Into<String>) -> Self {
         Self { what: what.into() }
     }
 }
 
-/// A dimensionless determinant below this counts as zero: rounding alone gives some 1e-16.
+/// A dimensionless determinant below this counts as zero: rounding alone produces about 1e-16.
 pub const LEAST_HEALTH: f64 = 1e-15;
 
 impl GroupError {
-    /// Refuses a determinant that is zero or no number, in any lane.
+    /// Returns an error for a determinant that is zero or NaN in any lane.
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`].
+    /// [`GroupError::Singular`] for a determinant that is zero or NaN.
     #[inline]
     pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
         let least = health.least();
@@ -65,18 +66,18 @@ impl GroupError {
         }
     }
 
-    /// Refuses a determinant of which rounding leaves less than about two digits, in any lane.
+    /// Returns an error for a determinant of which rounding leaves fewer than about two correct digits, in any lane.
     ///
-    /// For kinds whose determinant is the square root of what the lengths say (links stretched, folded, rod across the
-    /// guide): a rounding of the lengths counts with `condition` / health², and a derivative or reaction would be a
-    /// number, but a wrong one. `square` is condition², so that no root is needed.
+    /// For kinds whose determinant is the square root of a difference of lengths (zero for links stretched or folded,
+    /// or a rod perpendicular to the guide). Its relative rounding error is `condition` / health²; derivatives and
+    /// reactions would be finite but wrong. `square` is condition², which avoids a square root.
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`].
+    /// [`GroupError::Singular`] if fewer digits are left.
     #[inline]
     pub fn if_lost<T: Real>(health: T, square: T) -> Result<(), Self> {
-        /// So many roundings must stay below the determinant's square.
+        /// The squared determinant must exceed this number of rounding errors.
         const ROUNDINGS: f64 = 200.0;
         let h2 = health * health;
         let limit = T::from_f64(ROUNDINGS * T::EPSILON);
@@ -84,7 +85,7 @@ impl GroupError {
         if margin.least() >= 0.0 { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
     }
 
-    /// Refuses a result that is no number, in any lane.
+    /// Returns an error for a result that is NaN in any lane.
     ///
     /// # Errors
     ///

@@ -1,9 +1,9 @@
 //! The general solution: derivatives and reactions of any group from its pairs alone.
 //!
-//! The unknowns are the origins and angles of the links of the group; each pair gives two constraints Phi. One matrix
-//! J = dPhi/du serves all: J u' and J u'' for the derivatives, its transpose for the reactions (theory of the
-//! project, section 2). A row of a pin and the first row of a slide are lengths; all of them, and the columns of the
-//! angles, are divided by the scale of the group, so that J is dimensionless.
+//! The unknowns are the origins and angles of the links of the group; each pair gives two constraints Phi. The matrix
+//! J = dPhi/du gives the derivatives from J u' and J u'', and its transpose gives the reactions. The rows of a pin
+//! and the first row of a slide are lengths; they, and the columns of the angles, are divided by the scale of the
+//! group, so J is dimensionless.
 
 use assur_number::Real;
 
@@ -11,7 +11,7 @@ use crate::linear::Lu;
 use crate::plane::{direction, minus, vector};
 use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometry, Wrench};
 
-/// Calls a function with the number of unknowns as a constant: 3 for each link.
+/// Calls a function with the number of unknowns (3 for each link) as a constant.
 macro_rules! sized {
     ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
         match $crate::general::links_that_fit($frame) {
@@ -26,10 +26,10 @@ macro_rules! sized {
 
 pub(crate) use sized;
 
-/// Greatest number of links in a group that the general solution takes.
+/// Greatest number of links for which the general solution works.
 const MOST_LINKS: usize = 8;
 
-/// Number of links, if there are at most 8 with just as many constraints as unknowns.
+/// Number of links, if there are at most 8 and the constraints are as many as the unknowns.
 pub(crate) fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
     let links = frame.links.len();
     let zero_mobility = 3 * links == 2 * frame.pairs().count();
@@ -45,12 +45,12 @@ pub(crate) fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> 
     bodies[carrier].turned(direction(angle))
 }
 
-/// Arm of a point of the ground's frame from the origin of a body.
+/// Arm from the origin of a body to a point given in the ground's frame.
 fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
     [point[0] - body.x, point[1] - body.y]
 }
 
-/// Both points at which a pair acts: the arms on `a` and on `b`. A slide acts at the point of `a`.
+/// Arms of the point of application of a pair, on `a` and on `b`. A slide acts at the point of `a`.
 fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     match pair.geometry {
         PairGeometry::Pin { at_a, at_b } => {
@@ -63,7 +63,7 @@ fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     }
 }
 
-/// The two directions in which a pair constrains: a pin x and y; a slide the normal of its guide, and the angle.
+/// The two constraint directions of a pair: for a pin x and y; for a slide the normal of its guide, and the angle.
 fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
     match pair.geometry {
         PairGeometry::Pin { .. } => [Some([T::ONE, T::ZERO]), Some([T::ZERO, T::ONE])],
@@ -74,7 +74,7 @@ fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
     }
 }
 
-/// J, in units of the scale; rows that a smaller group leaves are filled with the identity.
+/// J in units of the scale; unused rows and columns are those of the identity.
 pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
     let mut j = [[T::ZERO; N]; N];
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
@@ -102,7 +102,7 @@ pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Bo
     j
 }
 
-/// Right-hand sides: what the outer bodies (and, for the second order, the quadratic terms) give.
+/// Right-hand sides: the motion of the outer bodies and, for the second order, the quadratic terms.
 fn right_side<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>], second: bool) -> [T; N] {
     let mut right = [T::ZERO; N];
     let mut row = 0;
@@ -119,7 +119,7 @@ fn right_side<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>], s
     right
 }
 
-/// n (known part of b's motion - known part of a's motion) at the point of a pair.
+/// Projection on n of the known motion of b minus that of a, at the point of a pair.
 fn point_side<T: Real>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
@@ -133,7 +133,7 @@ fn point_side<T: Real>(
         let motion = &bodies[body];
         match (frame.column(body).is_some(), second) {
             (true, false) => [T::ZERO, T::ZERO],
-            // Of a link of the group only the centripetal part is known.
+            // For a link of the group only the centripetal part is known.
             (true, true) => {
                 let square = motion.w1 * motion.w1;
                 [-(square * arm[0]), -(square * arm[1])]
@@ -162,11 +162,11 @@ fn angle_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], pair: &Pair, seco
     known(pair.b) - known(pair.a)
 }
 
-/// PF1 and PF2 of the placed links of any group, from its pairs.
+/// Computes PF1 and PF2 of the placed links of any group from its pairs.
 ///
 /// # Errors
 ///
-/// [`GroupError::Singular`] where J cannot be inverted, [`GroupError::Unfit`] for more than 8 links.
+/// [`GroupError::Singular`] if J is singular, [`GroupError::Unfit`] for more than 8 links.
 pub fn derive_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &mut [Body<T>],
@@ -185,7 +185,7 @@ fn derive_sized<T: Real, const N: usize>(
         return Err(GroupError::Singular { health: lu.health });
     }
     let scale = T::from_f64(frame.scale);
-    // Both orders share J: it is factored once.
+    // Both orders use the same J, which is factored once.
     let first = lu.solve(&right_side::<T, N>(frame, bodies, false));
     for (i, &link) in frame.links.iter().enumerate() {
         let body = &mut bodies[link];
@@ -202,12 +202,13 @@ fn derive_sized<T: Real, const N: usize>(
     finite(&second)
 }
 
-/// Refuses a solution with an entry that is no number.
+/// Returns an error for a solution with an entry that is NaN.
 fn finite<T: Real, const N: usize>(solution: &[T; N]) -> Result<(), GroupError> {
     GroupError::if_nan(solution.iter().fold(T::ZERO, |sum, &entry| sum + entry))
 }
 
-/// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 for one that does not fit.
+/// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 if the general solution
+/// does not apply.
 pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
     fn sized<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
         Lu::new(jacobian::<T, N>(frame, bodies)).health
@@ -215,7 +216,7 @@ pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 
     sized!(frame, sized(frame, bodies), 0.0)
 }
 
-/// Reactions in the pairs of any group: equilibrium of each link, the transpose of J.
+/// Computes the reactions in the pairs of any group from the equilibrium of each link, with the transpose of J.
 ///
 /// # Errors
 ///

@@ -1,4 +1,5 @@
-//! The pairs of a group in the number of its kernel, and how their reactions are stored and handed on.
+//! The pairs of a group in the number type of its kernel: their motion, and how their reactions are stored and passed
+//! to the outer bodies.
 
 use assur_number::Real;
 
@@ -16,12 +17,12 @@ pub struct PinJoint<T> {
     pub own: [T; 2],
     /// The pin in the frame of the other body, m.
     pub at: [T; 2],
-    /// Whether the scene names the other body first: the stored reaction acts on that one.
+    /// Whether the scene names the other body first; the stored reaction then acts on that body.
     pub turned: bool,
 }
 
 impl<T: Real> PinJoint<T> {
-    /// A pair of the group as a pin.
+    /// Reads a pair of the group as a pin.
     ///
     /// # Errors
     ///
@@ -38,13 +39,13 @@ impl<T: Real> PinJoint<T> {
         }
     }
 
-    /// The place of the pin as a point of the other body, m.
+    /// Position of the pin as a point of the other body, m.
     #[inline]
     pub fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
         bodies[self.body].point(self.at)
     }
 
-    /// PF1 and PF2 of the pin at this place, as a point of the other body.
+    /// PF1 and PF2 of the pin at this position, as a point of the other body.
     #[inline]
     pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
         let body = &bodies[self.body];
@@ -52,14 +53,15 @@ impl<T: Real> PinJoint<T> {
         [body.first(arm), body.second(arm)]
     }
 
-    /// Stores the force (N) on the link of the group.
+    /// Stores the force (N) that acts on the link of the group.
     #[inline]
     pub fn store(&self, force: [T; 2], reactions: &mut [Wrench<T>]) {
         let [fx, fy] = if self.turned { opposite(force) } else { force };
         reactions[self.id] = Wrench { fx, fy, m: T::ZERO };
     }
 
-    /// Stores the force (N) on the link of the group, and adds its opposite to the load of the other body.
+    /// Stores the force (N) that acts on the link of the group, and adds the opposite force to the load of the other
+    /// body.
     #[inline]
     pub fn hand_on(
         &self,
@@ -80,7 +82,7 @@ pub struct SlideJoint<T> {
     pub id: usize,
     /// The link of the group.
     pub link: usize,
-    /// The other body, that carries the line.
+    /// The other body, which carries the line.
     pub body: usize,
     /// Point of the link on the line, in the frame of the link, m.
     pub own: [T; 2],
@@ -90,18 +92,18 @@ pub struct SlideJoint<T> {
     pub along_angle: f64,
     /// Unit vector along the line, in the frame of the other body.
     pub along: [T; 2],
-    /// Angle of the link's x axis from the line, rad.
+    /// Angle of the link's x axis relative to the line, rad.
     pub tilt_angle: f64,
-    /// Unit vector at that angle.
+    /// Unit vector at the angle `tilt_angle`.
     pub tilt: [T; 2],
-    /// Turn of the link's x axis from that of the other body, as a unit vector.
+    /// Rotation of the link's x axis relative to that of the other body, as a unit vector.
     pub turn: [T; 2],
-    /// Whether in the scene the link of the group carries the guide: the stored reaction acts on the other body.
+    /// Whether the scene has the guide on the link of the group; the stored reaction then acts on the other body.
     pub turned: bool,
 }
 
 impl<T: Real> SlideJoint<T> {
-    /// A pair of the group as a slide.
+    /// Reads a pair of the group as a slide.
     ///
     /// # Errors
     ///
@@ -128,14 +130,16 @@ impl<T: Real> SlideJoint<T> {
         })
     }
 
-    /// A point of the link, given in its frame, as seen from `own`: along the line and to the left of it, m.
+    /// Coordinates of a point of the link relative to `own`: along the line and to the left of it, m. The point is
+    /// given in the link's frame.
     ///
-    /// These lengths never change: the moment of a large force about `own` keeps its digits by them.
+    /// These lengths are constant; calculated with them, the moment of a large force about `own` keeps its accuracy.
     pub fn lever(&self, point: [T; 2]) -> [T; 2] {
         times(self.tilt, minus(point, self.own))
     }
 
-    /// Distance to the left of the line at which a point of the link moves, m; the point in the frame of the link.
+    /// Distance to the left of the line at which a point of the link moves, m. The point is given in the link's
+    /// frame.
     pub fn offset(&self, point: [T; 2]) -> T {
         self.lever(point)[1]
     }
@@ -145,12 +149,12 @@ impl<T: Real> SlideJoint<T> {
         cross(self.along, self.through)
     }
 
-    /// Stores force (N) and moment (N m, about `own`) on the link of the group.
+    /// Stores the force (N) and the moment (N m, about `own`) that act on the link of the group.
     #[inline]
     pub fn store(&self, bodies: &[Body<T>], force: [T; 2], moment: T, reactions: &mut [Wrench<T>]) {
         let mut on_a = Wrench { fx: force[0], fy: force[1], m: moment };
         if self.turned {
-            // The scene's sliding body is the other one, and the moment on it is about its own point of the line.
+            // In the scene the other body slides: the moment on it is about its own point of the line.
             let [other, link] = [&bodies[self.body], &bodies[self.link]];
             let arm = minus(link.point(self.own), other.point(self.through));
             on_a = Wrench::ZERO;
@@ -159,7 +163,7 @@ impl<T: Real> SlideJoint<T> {
         reactions[self.id] = on_a;
     }
 
-    /// Stores force and moment on the link of the group, and adds their opposite to the load of the other body.
+    /// Stores force and moment on the link of the group, and adds the opposite to the load of the other body.
     #[inline]
     pub fn hand_on(
         &self,

@@ -4,7 +4,7 @@ use assur_number::Real;
 
 use crate::{Body, GroupError, GroupFrame, Wrench, derive_generally, health_generally, reactions_generally};
 
-/// Up to which order transfer functions are wanted.
+/// Order up to which transfer functions are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Order {
     /// Places only (PF0).
@@ -17,20 +17,19 @@ pub enum Order {
 
 /// A chain of zero mobility that can be solved on its own, built for one place in a mechanism.
 ///
-/// Two methods are required. The others follow from the pairs of the group through one linear system; override them
-/// only with closed forms, and test the closed form against the default.
+/// Two methods are required. The others are computed from the pairs of the group through one linear system; override
+/// them only with closed forms, and test these against the default.
 ///
-/// `bodies` holds all bodies of the mechanism; those at the outer ends of the group are solved already. Nothing here
-/// allocates.
+/// `bodies` holds all bodies of the mechanism; the outer bodies of the group are already solved. No method allocates.
 pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     /// Links and pairs of the group.
     fn frame(&self) -> &GroupFrame;
 
     /// Places the links (PF0) in assembly `way`, 0 to [`ways`](Self::ways) - 1.
     ///
-    /// On entry the bodies of the group hold a former or guessed place; a kind with closed forms does not look at it, a
-    /// kind without them starts its iteration there. Returns the health: the dimensionless determinant of the group, 0
-    /// at a singular position and at most about 1; its sign carries no meaning.
+    /// On entry the links of the group hold a previous or guessed pose. Kinds with closed forms ignore it; iterating
+    /// kinds start from it. Returns the health: the dimensionless determinant of the group, 0 at a singular position
+    /// and at most about 1 elsewhere; its sign has no meaning.
     ///
     /// # Errors
     ///
@@ -38,12 +37,12 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     /// place is not determined.
     fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError>;
 
-    /// In how many ways the group can be assembled.
+    /// Number of ways of assembly.
     fn ways(&self) -> usize {
         1
     }
 
-    /// PF1 and, for [`Order::Second`], PF2 of the placed links.
+    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links.
     ///
     /// # Errors
     ///
@@ -52,11 +51,11 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         derive_generally(self.frame(), bodies, order)
     }
 
-    /// [`place`](Self::place) and [`derive`](Self::derive) in one call, for the inner loop.
+    /// Calls [`place`](Self::place) and [`derive`](Self::derive); closed forms share their intermediate results.
     ///
     /// # Errors
     ///
-    /// As the two.
+    /// The errors of [`place`](Self::place) and of [`derive`](Self::derive).
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let health = self.place(bodies, way)?;
         if order > Order::Place {
@@ -70,19 +69,21 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         health_generally(self.frame(), bodies)
     }
 
-    /// Least determinant that is not rounding: what the last places of the lengths make of one that is zero. Below it
-    /// two ways of the group are one.
+    /// Smallest determinant that is not rounding: the value that rounding of the lengths can give to a determinant
+    /// that is exactly zero. Below it, two ways of the group coincide.
     ///
-    /// The default is for determinants that are a square root of what the lengths say. `bodies` hold the placed group.
+    /// The default holds for determinants that are the square root of a difference of lengths. `bodies` holds the
+    /// placed group.
     fn resolution(&self, _bodies: &[Body<T>]) -> f64 {
         (256.0 * T::EPSILON).sqrt()
     }
 
-    /// Reactions in all pairs of the group that balance the loads on its links.
+    /// Computes the reactions in all pairs of the group, which balance the loads on its links.
     ///
-    /// `loads`: one wrench for each body, about the origin of its frame; those of the group's links are read, and the
-    /// reactions on the outer bodies are added to theirs. `reactions`: one for each pair of the chain; those of the
-    /// group are written: on body `a` of the pair, about the pin or about the point of the sliding link.
+    /// `loads` has one wrench for each body, about the origin of its frame. Those of the group's links are read; the
+    /// reactions on the outer bodies are added to theirs. `reactions` has one wrench for each pair of the chain.
+    /// Those of the group are written: they act on body `a` of the pair, with the moment about the pin or about the
+    /// sliding link's point on the guide.
     ///
     /// # Errors
     ///

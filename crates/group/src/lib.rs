@@ -1,10 +1,11 @@
 //! The contract of an Assur group, and the registry of its kinds.
 //!
-//! A group is a chain of links of zero mobility: given the motion of the bodies that its outer pairs join, it can be
-//! solved on its own. Knows no concrete group, no scene file and no terminal. SI units; angles counter-clockwise.
+//! A group is a chain of links of zero mobility: if the motion of the outer bodies (those that its outer pairs join)
+//! is given, its own motion can be solved. This crate is independent of concrete groups, of scene files and of the
+//! terminal. Units are SI; angles are counter-clockwise.
 //!
-//! * [`Body`]: pose of a link and its derivatives by the input coordinate q (not by time).
-//! * [`GroupFrame`], [`Pair`]: what a group consists of, in the numbers of the compiled chain.
+//! * [`Body`]: pose of a link and its derivatives with respect to the input coordinate q (not to time).
+//! * [`GroupFrame`], [`Pair`]: the links and pairs of a group, as indices and lengths in the compiled chain.
 //! * [`AssurGroup`]: places the links (PF0), differentiates (PF1, PF2), and finds the pair reactions. Only the
 //!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
 //! * [`GroupPlugin`]: the entry of a kind in the registry.

@@ -7,7 +7,7 @@ use assur_number::Real;
 pub(crate) struct Lu<T, const N: usize> {
     factors: [[T; N]; N],
     order: [usize; N],
-    /// Smallest pivot / greatest pivot, absolute: 0 for a singular matrix.
+    /// Smallest pivot / greatest pivot, absolute values: 0 for a singular matrix.
     pub(crate) health: f64,
 }
 
@@ -19,7 +19,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
         for k in 0..N {
-            // Lanes share one order of pivots: the row whose weakest lane is the strongest.
+            // All lanes share one order of pivots: the row whose smallest lane is the greatest.
             let strength = |row: &[T; N]| row[k].abs().least();
             let mut best = k;
             for i in k + 1..N {

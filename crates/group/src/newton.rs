@@ -11,8 +11,8 @@ use crate::{
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
 ///
-/// A plugin needs no code of its own for it, only its entry with `builders: Builders::of::<Iterated>()`, one way and
-/// `iterates: true`. It has at most 8 links.
+/// A plugin needs only its registry entry, with `builders: Builders::of::<Iterated>()`, one way and `iterates: true`.
+/// The group may have at most 8 links.
 #[derive(Debug, Clone)]
 pub struct Iterated(GroupFrame);
 
@@ -34,22 +34,22 @@ impl GroupKind for Iterated {
     }
 }
 
-/// Newton's method is given up after so many steps.
+/// Greatest number of steps of Newton's method.
 const MOST_STEPS: usize = 60;
 
-/// Places any group by Newton's method on its constraints, from the place that its bodies have on entry.
+/// Places any group by Newton's method on its constraints, starting from the poses of its bodies on entry.
 ///
-/// Returns the health. Not a closed form: the way found is the one near the start.
+/// Returns the health. The assembly found is the one near the starting poses.
 ///
 /// # Errors
 ///
-/// [`GroupError::NoAssembly`] with the remaining gap where it does not converge; [`GroupError::Singular`] where J
-/// cannot be inverted on the way; [`GroupError::Unfit`] for more than 8 links.
+/// [`GroupError::NoAssembly`] with the remaining gap if it does not converge; [`GroupError::Singular`] if J is
+/// singular during the iteration; [`GroupError::Unfit`] for more than 8 links.
 pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
     sized!(frame, newton_sized(frame, bodies), Err(unfit(frame)))
 }
 
-/// Phi of each pair, in units of the scale, with the sign such that J du = -Phi.
+/// Constraint residuals Phi of all pairs, in units of the scale, with the sign such that J du = -Phi.
 fn residual<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [T; N] {
     let mut phi = [T::ZERO; N];
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
@@ -83,7 +83,7 @@ fn newton_sized<T: Real, const N: usize>(
         if lu.health.is_nan() || lu.health < LEAST_HEALTH {
             return Err(GroupError::Singular { health: lu.health });
         }
-        // Converged where a further step no longer helps: the residual is rounding.
+        // Converged when a further step does not reduce the residual: the rest is rounding.
         if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
             return Ok(T::from_f64(lu.health));
         }
@@ -97,7 +97,7 @@ fn newton_sized<T: Real, const N: usize>(
     Err(GroupError::NoAssembly { gap_m: before * frame.scale })
 }
 
-/// Moves a body by minus a Newton step; the direction stays a unit vector.
+/// Subtracts a Newton step from the pose of a body; its direction remains a unit vector.
 fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
     body.x -= step[0];
     body.y -= step[1];

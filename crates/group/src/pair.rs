@@ -1,13 +1,13 @@
-//! What a group consists of.
+//! The links and pairs of a group.
 
-/// The pair between two bodies, in the numbers of the compiled chain.
+/// The pair between two bodies, with its indices and lengths in the compiled chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     /// Index of the pair in the chain; its reaction is stored there.
     pub id: usize,
-    /// First body; the sliding link of a slide. Reactions are those that act on it.
+    /// First body: of a slide, the sliding link. Stored reactions act on it.
     pub a: usize,
-    /// Second body; the link that carries the guide of a slide.
+    /// Second body: of a slide, the link that carries the guide.
     pub b: usize,
     /// Geometry.
     pub geometry: PairGeometry,
@@ -31,7 +31,7 @@ pub enum PairGeometry {
         through: [f64; 2],
         /// Direction of the guide line in the frame of `b`.
         angle: f64,
-        /// Angle of the x axis of `a` from the guide direction.
+        /// Angle of the x axis of `a` relative to the guide direction.
         tilt: f64,
     },
 }
@@ -52,9 +52,10 @@ impl Pair {
         if self.a == body { self.b } else { self.a }
     }
 
-    /// The same pair with the roles of its bodies exchanged; a slide's guide is then carried by `a`.
+    /// The same pair with `a` and `b` exchanged; the guide of a slide is then carried by the former `a`.
     ///
-    /// A point of `a` on a line of `b` is as well a point of `b` on a line of `a`, because `a` does not turn against `b`.
+    /// This is possible because `a` does not rotate relative to `b`: a point of `a` on a line of `b` is also a point
+    /// of `b` on a line of `a`.
     #[must_use]
     pub fn turned_round(&self) -> Self {
         let geometry = match self.geometry {
@@ -67,26 +68,28 @@ impl Pair {
     }
 }
 
-/// A group in the numbers of the compiled chain: its links and pairs, inner and outer.
+/// The links and pairs (inner and outer) of a group, as indices and lengths in the compiled chain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroupFrame {
     /// Bodies of the group, in the order of the scene.
     pub links: Vec<usize>,
     /// Pairs between two links of the group.
     pub inner: Vec<Pair>,
-    /// Pairs to bodies solved before; `a` or `b` may be the link of the group.
+    /// Pairs to outer bodies, which are solved before the group; `a` or `b` may be the link of the group.
     pub outer: Vec<Pair>,
-    /// A length typical of the mechanism, m: makes determinants dimensionless where the group has no length of its own.
+    /// A typical length of the mechanism, m. It makes determinants dimensionless where the group has no length of its
+    /// own.
     pub scale: f64,
 }
 
 impl GroupFrame {
-    /// All pairs: the inner ones, then the outer ones.
+    /// All pairs: first the inner, then the outer ones.
     pub fn pairs(&self) -> impl Iterator<Item = &Pair> {
         self.inner.iter().chain(&self.outer)
     }
 
-    /// Column block of a body in the group's unknowns, or `None` for a body solved before.
+    /// Index of a body among the group's links, which is its column block among the unknowns; `None` for an outer
+    /// body.
     pub fn column(&self, body: usize) -> Option<usize> {
         self.links.iter().position(|&link| link == body)
     }

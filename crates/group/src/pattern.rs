@@ -1,15 +1,16 @@
-//! The pattern of a kind of group: which pairs its links have, as data; and a group read in its order.
+//! The pattern of a kind of group (its links and the pairs between them, as data), and a group's links and pairs in
+//! the order of that pattern.
 
 use crate::{BuildError, GroupFrame, Pair};
 
-/// What a pair of a pattern may be.
+/// The sort of a pair in a pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PairSort {
     /// Revolute pair R.
     Pin,
     /// Prismatic pair P.
     Slide,
-    /// Either of them.
+    /// A revolute or a prismatic pair.
     Any,
 }
 
@@ -42,24 +43,24 @@ pub struct Pattern {
     pub outer: &'static [(usize, PairSort)],
 }
 
-/// A pair seen from one of its bodies, a link of the group: that body is `a` of the pair.
+/// A pair of which body `a` is a link of the group.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeenPair {
-    /// The pair, with that body as `a`.
+    /// The pair, with the link of the group as `a`.
     pub pair: Pair,
-    /// Whether the scene names the bodies the other way round, so that the stored reaction acts on `b`.
+    /// Whether the scene names the two bodies in the opposite order; the stored reaction then acts on the other body.
     pub turned: bool,
 }
 
 impl Pair {
-    /// The pair seen from one of its bodies.
+    /// The pair with the given body as its body `a`.
     pub fn seen_from(&self, body: usize) -> SeenPair {
         let turned = self.a != body;
         SeenPair { pair: if turned { self.turned_round() } else { *self }, turned }
     }
 }
 
-/// A group read in the order of a pattern.
+/// The links and pairs of a group in the order of a pattern.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The bodies that are the links of the pattern, in its order.
@@ -71,15 +72,15 @@ pub struct Reading {
 }
 
 impl Pattern {
-    /// Number of pairs whose sort is left open: a kind with fewer is the more special one.
+    /// Number of pairs of either sort; of two matching patterns the one with fewer is more specific.
     pub fn open_pairs(&self) -> usize {
         let sorts = self.inner.iter().map(|(_, sort)| sort).chain(self.outer.iter().map(|(_, sort)| sort));
         sorts.filter(|&&sort| sort == PairSort::Any).count()
     }
 
-    /// Reads a group in the order of this pattern; `None` if its links and pairs are not of it.
+    /// Assigns the links and pairs of a group to this pattern; `None` if they don't match it.
     ///
-    /// Where several orders of the links fit, it is the one closest to that of the group.
+    /// If several orders of the links match, the one closest to the order in the group is taken.
     pub fn find(&self, frame: &GroupFrame) -> Option<Reading> {
         let same_size = frame.links.len() == self.links
             && frame.inner.len() == self.inner.len()
@@ -87,17 +88,17 @@ impl Pattern {
         same_size.then(|| self.assign(frame, &mut Vec::with_capacity(self.links))).flatten()
     }
 
-    /// As [`find`](Self::find), for the builder of a kind.
+    /// Assigns the links and pairs of a group to this pattern, as the builder of a kind needs them.
     ///
     /// # Errors
     ///
-    /// [`BuildError`] where the group is not of this pattern.
+    /// [`BuildError`] if the group does not match this pattern.
     pub fn read(&self, frame: &GroupFrame) -> Result<Reading, BuildError> {
         self.find(frame)
             .ok_or_else(|| BuildError::new("links and pairs of the group are not those of the kind"))
     }
 
-    /// Extends an assignment of bodies to the first links of the pattern by all that can follow, in order.
+    /// Extends an assignment of bodies to the first links of the pattern by all possible next bodies, in order.
     fn assign(&self, frame: &GroupFrame, links: &mut Vec<usize>) -> Option<Reading> {
         if links.len() == self.links {
             return self.paired(frame, links);
@@ -117,7 +118,8 @@ impl Pattern {
         None
     }
 
-    /// Whether the last assigned body has as many pairs, outside and with the others, as the pattern says.
+    /// Whether the last assigned body has as many outer pairs, and pairs with the assigned links, as the pattern
+    /// demands.
     fn agrees(&self, frame: &GroupFrame, links: &[usize]) -> bool {
         let last = links.len() - 1;
         let outer = frame.outer.iter().filter(|pair| pair.joins(links[last])).count();
@@ -130,7 +132,7 @@ impl Pattern {
             })
     }
 
-    /// Gives each pair of the pattern one of the group between the same links.
+    /// Assigns to each pair of the pattern a pair of the group between the same links.
     fn paired(&self, frame: &GroupFrame, links: &[usize]) -> Option<Reading> {
         let inner =
             self.inner.iter().map(|(ends, sort)| (ends.map(|link| links[link]), *sort)).collect::<Vec<_>>();
@@ -143,10 +145,11 @@ impl Pattern {
     }
 }
 
-/// Distributes pairs over what is wanted: bodies that each joins, the first being the one it is seen from, and its sort.
+/// Assigns pairs to the wanted places, each given by the two bodies that the pair joins (the first becomes its `a`)
+/// and by its sort.
 fn distribute(wanted: &[([usize; 2], PairSort)], pairs: &[Pair]) -> Option<Vec<SeenPair>> {
     let mut found: Vec<Option<&Pair>> = vec![None; wanted.len()];
-    // A place for any sort takes what the others leave.
+    // Places of either sort are filled last, with the pairs that remain.
     for any in [false, true] {
         for (i, (bodies, sort)) in
             wanted.iter().enumerate().filter(|(_, (_, sort))| any == (*sort == PairSort::Any))

@@ -1,8 +1,8 @@
-//! Vectors of the plane, in any number; as complex numbers where they turn one another.
+//! Vectors of the plane, generic over the number type, with complex products for rotations.
 
 use assur_number::Real;
 
-/// A fixed vector in another number type.
+/// A vector of constants in another number type.
 #[inline]
 pub fn vector<T: Real>(of: [f64; 2]) -> [T; 2] {
     [T::from_f64(of[0]), T::from_f64(of[1])]
@@ -44,7 +44,8 @@ pub fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Component of the vector product across the plane; positive where `b` is counter-clockwise from `a`.
+/// Vector product of two plane vectors (its component normal to the plane); positive where `b` is counter-clockwise
+/// from `a`.
 #[inline]
 pub fn cross<T: Real>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[1] - a[1] * b[0]
@@ -56,13 +57,13 @@ pub fn perp<T: Real>(a: [T; 2]) -> [T; 2] {
     [-a[1], a[0]]
 }
 
-/// Complex product: `a` turned by the angle of `b` and stretched by its length.
+/// Complex product: `a` rotated by the angle of `b` and scaled by its length.
 #[inline]
 pub fn times<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
-/// Complex conjugate: the turn undone.
+/// Complex conjugate: the opposite rotation.
 #[inline]
 pub fn mirrored<T: Real>(a: [T; 2]) -> [T; 2] {
     [a[0], -a[1]]

@@ -5,28 +5,28 @@ use assur_plugin::{Registered, RegistryError};
 use crate::builders::{Builders, Number};
 use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
 
-/// The assemblies of a kind: the ways in which given links can be put together.
+/// The assemblies of a kind: the ways in which its links can be put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ways {
     /// The greatest number at one position, at least 1.
     pub most: usize,
-    /// Whether some of them may be missing at a position where another one exists; if not, there are all or none.
+    /// Whether, at a position, some of the ways may exist and others not; otherwise either all of them exist or none.
     pub varies: bool,
-    /// The ways in their order, in words.
+    /// Description of the ways in their order.
     pub words: &'static str,
 }
 
-/// An angle by which designers judge how forces pass through a group, such as the transmission angle.
+/// An angle that shows how well a group transmits forces, such as the transmission angle.
 #[derive(Debug, Clone, Copy)]
 pub struct ForceAngle {
-    /// What it is: `transmission angle between the links`.
+    /// Its name: `transmission angle between the links`.
     pub words: &'static str,
     /// Its value (rad) from the placed group and the absolute value of its health.
     pub of: fn(&GroupFrame, &[Body<f64>], f64) -> f64,
 }
 
 impl ForceAngle {
-    /// The angle whose sine is the health.
+    /// An angle whose sine is the health.
     pub const fn of_sine(words: &'static str) -> Self {
         Self {
             words,
@@ -37,7 +37,7 @@ impl ForceAngle {
         }
     }
 
-    /// The angle whose cosine is the health.
+    /// An angle whose cosine is the health.
     pub const fn of_cosine(words: &'static str) -> Self {
         Self {
             words,
@@ -52,7 +52,7 @@ impl ForceAngle {
     pub const DEFAULT: Self = Self::of_sine("sine of the determinant");
 }
 
-/// Sine and cosine of the angle whose sine is the health; the arc tangent of both keeps its digits near 0 and 90 degrees.
+/// Sine and cosine of the angle whose sine is the health: the arc tangent of both is accurate near 0 and 90 degrees.
 fn sine_and_cosine(health: f64) -> (f64, f64) {
     let sine = health.min(1.0);
     (sine, ((1.0 - sine) * (1.0 + sine)).sqrt())
@@ -63,26 +63,26 @@ fn sine_and_cosine(health: f64) -> (f64, f64) {
 pub struct GroupPlugin {
     /// Stable identifier, lower case: `rrr`.
     pub name: &'static str,
-    /// As results print it: `RRR`.
+    /// Name in results: `RRR`.
     pub kind: &'static str,
     /// Type within the class; 0 where the class has no numbered types.
     pub number: u8,
     /// The crate that registers it.
     pub crate_name: &'static str,
-    /// One line.
+    /// Description in one line.
     pub summary: &'static str,
     /// Its links and pairs: a group of this pattern is of this kind.
     pub pattern: Pattern,
     /// Its assemblies.
     pub ways: Ways,
-    /// Whether the place found depends on the one that the links have on entry, as with Newton's method; `false` for
+    /// Whether the solution depends on the poses that the links have on entry, as with Newton's method; `false` for
     /// closed forms.
     pub iterates: bool,
-    /// Where it is singular, in words.
+    /// Description of its singular positions.
     pub singular: &'static str,
-    /// The angle that says how forces pass through it.
+    /// The angle that shows how well it transmits forces.
     pub force_angle: ForceAngle,
-    /// Where the formulas are from.
+    /// Source of the formulas.
     pub source: &'static str,
     /// Builders of the kernel.
     pub builders: Builders,
@@ -106,16 +106,17 @@ impl Registered for GroupPlugin {
 ///
 /// # Errors
 ///
-/// [`RegistryError`] where two have one name or none is registered.
+/// [`RegistryError`] if two kinds have one name, or if none is registered.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
-/// The registered kind of a group; of two that match, the one with fewer pairs of any sort, then the first name.
+/// The registered kind of a group; of several that match, the most specific one (with the fewest pairs of either
+/// sort), then the first by name.
 ///
 /// # Errors
 ///
-/// [`RegistryError`] where the registry is faulty.
+/// [`RegistryError`] if two kinds have one name, or if none is registered.
 pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, RegistryError> {
     let all = groups()?;
     Ok(all
@@ -128,7 +129,7 @@ pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, Re
 ///
 /// # Errors
 ///
-/// [`BuildError`] where the lengths make no group of this kind.
+/// [`BuildError`] if the lengths don't form a group of this kind.
 pub fn kernel_of<T: Number>(
     plugin: &GroupPlugin,
     frame: &GroupFrame,

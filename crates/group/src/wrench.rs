@@ -2,30 +2,30 @@
 
 use assur_number::Real;
 
-/// A force (ground's frame) and a moment about a stated point, on a link.
+/// A force (in the ground's frame) and a moment about a stated point, acting on a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wrench<T> {
     /// Force along x, N.
     pub fx: T,
     /// Force along y, N.
     pub fy: T,
-    /// Moment, N m, counter-clockwise positive. Loads: about the origin of the link's frame. Reactions: about the pin,
-    /// or about the sliding link's point.
+    /// Moment, N m, counter-clockwise positive. For loads it is about the origin of the link's frame; for reactions
+    /// about the pin, or about the sliding link's point on the guide.
     pub m: T,
 }
 
 impl<T: Copy> Wrench<T> {
-    /// Force and moment in another kind of number.
+    /// Force and moment in another number type.
     pub fn map<U>(&self, number: impl Fn(T) -> U) -> Wrench<U> {
         Wrench { fx: number(self.fx), fy: number(self.fy), m: number(self.m) }
     }
 }
 
 impl<T: Real> Wrench<T> {
-    /// Nothing.
+    /// No force and no moment.
     pub const ZERO: Self = Self { fx: T::ZERO, fy: T::ZERO, m: T::ZERO };
 
-    /// Adds a force that acts at `arm` (m, from the point of reference) and a moment.
+    /// Adds a moment, and a force that acts at `arm` (m, from the point of reference).
     #[inline]
     pub fn add_at(&mut self, arm: [T; 2], force: [T; 2], moment: T) {
         self.fx += force[0];

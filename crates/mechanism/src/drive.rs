@@ -3,7 +3,7 @@
 /// The drive of the input link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// What drives.
+    /// Source of the driving torque.
     pub torque: Torque,
     /// Motor speed / input speed.
     pub ratio: Solve,
@@ -15,12 +15,12 @@ pub struct Drive {
     pub flywheel_on: FlywheelPlace,
 }
 
-/// A number that is given, or wanted.
+/// A number that is given or to be found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Solve {
     /// Given.
     Given(f64),
-    /// Wanted.
+    /// To be found.
     Wanted,
 }
 
@@ -35,9 +35,9 @@ pub enum Torque {
     Constant(f64),
     /// An asynchronous motor.
     Motor {
-        /// Which.
+        /// The motor.
         motor: Motor,
-        /// Catalogue to look in; `None`: all of them.
+        /// Catalogue to choose from; `None`: all of them.
         catalogue: Option<String>,
         /// Greatest admissible speed of the motor, rad/s.
         max_speed: Option<f64>,
@@ -49,7 +49,7 @@ pub enum Torque {
 /// An asynchronous motor.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motor {
-    /// The smallest of the catalogue that gives the power and keeps the speed limit.
+    /// The smallest motor of the catalogue with sufficient power and admissible speed.
     Auto,
     /// A designation of a catalogue.
     Designation(String),
@@ -69,7 +69,7 @@ pub struct RatedMotor {
     /// Breakdown torque / rated torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_torque_ratio: Option<f64>,
-    /// Moment of inertia of the rotor, kg m²; `None`: not modelled.
+    /// Moment of inertia of the rotor, kg m²; `None`: neglected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inertia: Option<f64>,
 }

@@ -1,7 +1,7 @@
 //! A planar linkage as plain data: links, points, pairs, loads, motion, drive.
 //!
-//! Everything is SI (m, kg, s, rad, N), angles grow counter-clockwise, y points up. Nothing here reads a file, solves
-//! an equation or prints. Link 0 is always the ground; the order of links, points and slides is the order of the scene.
+//! Units are SI (m, kg, s, rad, N), angles are counter-clockwise, y points up. Nothing here reads a file, solves an
+//! equation or prints. Link 0 is always the ground; links, points and slides are in the order of the scene.
 
 mod drive;
 mod load;
@@ -11,30 +11,30 @@ pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, 
 pub use load::{Balance, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
 pub use motion::{Motion, Until};
 
-/// Index of a link in [`Mechanism::links`]; [`GROUND`] is the frame.
+/// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.
 pub type LinkId = usize;
 /// Index of a point in [`Mechanism::points`].
 pub type PointId = usize;
 /// Index of a slide in [`Mechanism::slides`].
 pub type SlideId = usize;
 
-/// The frame of the mechanism.
+/// The ground, the fixed link of the mechanism.
 pub const GROUND: LinkId = 0;
 
-/// A mechanism with all that loads and drives it.
+/// A mechanism with its loads, motion and drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mechanism {
-    /// One line for headers; may be empty.
+    /// Title in one line, for headers; may be empty.
     pub title: String,
     /// The ground, then the moving links.
     pub links: Vec<Link>,
-    /// Every named point; one that stands in two or more links is a pin.
+    /// Every named point; one that belongs to two or more links is a pin.
     pub points: Vec<Point>,
     /// The prismatic pairs.
     pub slides: Vec<Slide>,
     /// The input link and the positions to calculate.
     pub input: Input,
-    /// Rough places (m, ground frame) of points in the first position.
+    /// Rough positions (m, ground frame) of points in the first position, which choose the assembly.
     pub assembly: Vec<(PointId, [f64; 2])>,
     /// Acceleration of gravity, m/s², ground frame; `None`: links have no weight.
     pub gravity: Option<[f64; 2]>,
@@ -46,13 +46,13 @@ pub struct Mechanism {
     pub springs: Vec<Spring>,
     /// Contacts of an arc with a straight line of the ground.
     pub contacts: Vec<Contact>,
-    /// What keeps the mechanism in its motion, where it is not the input link.
+    /// The load that keeps the mechanism in its prescribed motion, if it does not act on the input link.
     pub balance: Option<Balance>,
-    /// Motion; `None`: transfer functions and statics only.
+    /// Motion of the input; `None`: only transfer functions and statics are calculated.
     pub motion: Option<Motion>,
     /// Motor, reducer and flywheel.
     pub drive: Option<Drive>,
-    /// What is asked for; `None`: everything.
+    /// The wanted results; `None`: everything.
     pub output: Option<Output>,
 }
 
@@ -63,7 +63,7 @@ pub struct Link {
     pub name: String,
     /// Mass, kg; 0 for a massless link.
     pub mass: f64,
-    /// Center of mass in the frame of the link, m. Meaningless where mass and inertia are 0.
+    /// Center of mass in the frame of the link, m. Without meaning if mass and inertia are 0.
     pub center: [f64; 2],
     /// Moment of inertia about the center of mass, kg m².
     pub inertia: f64,
@@ -74,18 +74,18 @@ pub struct Link {
 pub struct Point {
     /// Name, unique in the mechanism.
     pub name: String,
-    /// Where it lies in each link that has it, in the order of the scene. Never empty.
+    /// Its position in each link it belongs to, in the order of the scene. Never empty.
     pub places: Vec<Place>,
 }
 
 impl Point {
-    /// Whether the point is a revolute pair: it stands in two links or more.
+    /// Whether the point is a revolute pair: it belongs to two links or more.
     pub fn is_pin(&self) -> bool {
         self.places.len() > 1
     }
 }
 
-/// A place fixed in a link.
+/// A point fixed in a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// The link.
@@ -94,7 +94,7 @@ pub struct Place {
     pub at: [f64; 2],
 }
 
-/// A prismatic pair: `point` of `link` stays on a line of `on`, and `link` does not turn against `on`.
+/// A prismatic pair: `point` of `link` stays on a line of `on`, and `link` does not rotate relative to `on`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slide {
     /// Name, unique among the slides.
@@ -109,7 +109,7 @@ pub struct Slide {
     pub through: [f64; 2],
     /// Direction of the guide line in the frame of `on`, rad.
     pub angle: f64,
-    /// Angle of the x axis of `link` from the guide direction, rad.
+    /// Angle of the x axis of `link` relative to the guide direction, rad.
     pub tilt: f64,
 }
 
@@ -118,7 +118,7 @@ pub struct Slide {
 pub struct Input {
     /// The link.
     pub link: LinkId,
-    /// How it is joined to the ground, which says what the coordinate is.
+    /// Its pair with the ground, which also defines the coordinate.
     pub pair: InputPair,
     /// Coordinate of the first position, rad or m.
     pub from: f64,
@@ -126,11 +126,11 @@ pub struct Input {
     pub positions: usize,
     /// The positions: a whole cycle or a range.
     pub range: Range,
-    /// The sense in which the coordinate runs.
+    /// The direction in which the coordinate changes.
     pub direction: Sense,
 }
 
-/// The pair between input link and ground.
+/// The pair between the input link and the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputPair {
     /// Pinned at this point; the coordinate is the angle of the x axis of the link, rad.
@@ -139,16 +139,17 @@ pub enum InputPair {
     Slide(SlideId),
 }
 
-/// Which values of the coordinate are positions.
+/// The values of the coordinate at which positions are calculated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
-    /// Equally spaced over one cycle of this length (positive; rad or m), the end not repeated.
+    /// Equally spaced over one cycle of this length (positive; rad or m); the end, which repeats the start, is left
+    /// out.
     Cycle(f64),
     /// From `from` to this value, both included.
     To(f64),
 }
 
-/// Sense of the motion along the coordinate.
+/// Direction of the motion along the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
     /// The coordinate grows.
@@ -173,7 +174,7 @@ impl Input {
         matches!(self.pair, InputPair::Pin(_))
     }
 
-    /// Sign of the motion along the coordinate: that of `direction`, also where the positions are a range.
+    /// Sign of the motion along the coordinate: that of `direction`, even if the positions are a range.
     pub fn sign(&self) -> f64 {
         self.direction.sign()
     }
@@ -184,7 +185,7 @@ impl Input {
             Range::Cycle(cycle) => {
                 self.from + self.direction.sign() * cycle * (index as f64) / (self.positions as f64)
             }
-            // The last one is `to` itself, not a sum that rounds.
+            // The last position is exactly `to`, without rounding.
             Range::To(to) if index + 1 == self.positions && index > 0 => to,
             Range::To(to) if self.positions > 1 => {
                 self.from + (to - self.from) * (index as f64) / ((self.positions - 1) as f64)
@@ -204,7 +205,7 @@ impl Input {
     }
 }
 
-/// What the scene asks for; empty lists ask for nothing of their kind.
+/// The wanted results of a scene; an empty list selects nothing of its kind.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Output {
     /// Points.
@@ -213,7 +214,7 @@ pub struct Output {
     pub links: Vec<LinkId>,
     /// Slides.
     pub slides: Vec<SlideId>,
-    /// Pairs whose reactions are wanted.
+    /// Pins and slides whose reactions are wanted.
     pub reactions: Vec<PairId>,
 }
 
@@ -247,9 +248,9 @@ impl Mechanism {
         self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
     }
 
-    /// Whether the part that a link has in the reduced inertia is the same at every coordinate, by structure: it has no mass;
-    /// it is the input link, which turns about its pin (or slides) with the coordinate, wherever its center lies; or its
-    /// mass is concentrated at a pin on the ground.
+    /// Whether the part of a link in the reduced moment of inertia is the same at every coordinate, by structure: the
+    /// link has no mass; or it is the input link, which turns about its pin (or slides), wherever its center of mass
+    /// is; or its mass is concentrated at a pin on the ground.
     pub fn has_constant_inertia(&self, link: LinkId) -> bool {
         let found = &self.links[link];
         let center = found.center.map(f64::to_bits);
@@ -261,13 +262,13 @@ impl Mechanism {
         massless || link == self.input.link || found.inertia <= 0.0 && self.points.iter().any(rests)
     }
 
-    /// Whether J, the inertia of all moving links reduced to the input link, is the same at every coordinate, by structure: a
-    /// crank alone is; a parallelogram, whose J is constant by its lengths, is not known to be.
+    /// Whether the reduced moment of inertia J of all moving links is the same at every coordinate, by structure. It
+    /// is for a single crank; a parallelogram, whose J is constant because of its lengths, is not recognized.
     pub fn has_constant_reduced_inertia(&self) -> bool {
         (1..self.links.len()).all(|link| self.has_constant_inertia(link))
     }
 
-    /// Whether the balancing load is a moment (N m), otherwise a force (N).
+    /// Whether the balancing load is a moment (N m); otherwise it is a force (N).
     pub fn balances_by_moment(&self) -> bool {
         match self.balance {
             Some(balance) => matches!(balance, Balance::Moment(_)),
@@ -275,7 +276,7 @@ impl Mechanism {
         }
     }
 
-    /// Whether anything but the drive acts on the links.
+    /// Whether any load acts on the links besides the drive.
     pub fn has_loads(&self) -> bool {
         let weights = self.gravity.is_some() && self.links.iter().skip(1).any(|link| link.mass > 0.0);
         weights

@@ -1,28 +1,29 @@
-//! Loads: what acts on the links, and by which law its size changes.
+//! Loads that act on the links, and the laws by which their sizes vary.
 
 use crate::{LinkId, Place};
 
-/// A number, or a law by which it changes.
+/// A number, or a law by which it varies.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// Always the same.
+    /// A constant.
     Constant(f64),
-    /// Follows a table over one quantity.
+    /// Given by a table over one quantity.
     Table {
         /// The quantity.
         over: Over,
         /// The table.
         table: Table,
-        /// Over the coordinate: whether the table repeats with the cycle, counted from its first row.
+        /// For a table over the coordinate: whether it repeats with the cycle, which is counted from its first row.
         repeat: bool,
     },
-    /// Follows the stroke of the load's point along an axis of the ground.
+    /// Depends on the stroke of the load's point along an axis of the ground.
     Stroke {
         /// Direction of the axis, rad.
         axis: f64,
-        /// Over 0 to 1 (place between the extremes) while the point moves along the axis.
+        /// Table over 0 to 1 (position between the extremes of the stroke) while the point moves in the direction of
+        /// the axis.
         forward: Table,
-        /// The same while it returns.
+        /// Table over 0 to 1 (position between the extremes of the stroke) while the point moves against the axis.
         back: Table,
     },
 }
@@ -38,36 +39,36 @@ pub enum Over {
     Speed,
 }
 
-/// Rows (argument, value), arguments not decreasing; two rows of one argument make a jump. Never empty.
+/// Rows (argument, value), arguments not decreasing; two rows with one argument make a jump. Never empty.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// The rows.
     pub rows: Vec<[f64; 2]>,
-    /// What holds between two rows.
+    /// How values between two rows are found.
     pub shape: Shape,
 }
 
-/// What holds between two rows of a table.
+/// How values between two rows of a table are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// A straight line.
+    /// By linear interpolation.
     Linear,
-    /// The left value.
+    /// The value of the row before.
     Step,
 }
 
 impl Table {
-    /// A table that always has one value.
+    /// A table with one constant value.
     pub fn constant(value: f64) -> Self {
         Self { rows: vec![[0.0, value]], shape: Shape::Linear }
     }
 
-    /// Index of the segment that holds `x`: the number of rows at or before it. At a jump, the segment after it.
+    /// Index of the segment that contains `x`: the number of rows at or before it. At a jump, the segment after it.
     pub fn segment(&self, x: f64) -> usize {
         self.rows.partition_point(|row| row[0] <= x)
     }
 
-    /// Value at `x` by the formula of `segment`, also beyond its ends.
+    /// Value at `x` by the formula of `segment`, which may be extrapolated.
     pub fn at_segment(&self, segment: usize, x: f64) -> f64 {
         if segment == 0 {
             return self.rows[0][1];
@@ -79,7 +80,7 @@ impl Table {
         }
     }
 
-    /// Value at `x`; the end values hold outside; at a jump the value after it.
+    /// Value at `x`: beyond the table that of the nearest end, at a jump the value after it.
     pub fn at(&self, x: f64) -> f64 {
         self.at_segment(self.segment(x), x)
     }
@@ -88,11 +89,11 @@ impl Table {
 /// A force at a point of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
-    /// Name for reports: the scene's, or one made from its link.
+    /// Name in reports: the one in the scene, or one derived from the link.
     pub name: String,
     /// Point of application.
     pub at: Place,
-    /// Where it points.
+    /// Direction of the force.
     pub direction: Direction,
     /// Its size, N.
     pub value: Value,
@@ -105,14 +106,14 @@ pub enum Direction {
     Ground(f64),
     /// Angle in the frame of the loaded link, rad.
     Link(f64),
-    /// Always opposite to the velocity of the point; no force while the point stands.
+    /// Always opposite to the velocity of the point; no force while the point is at rest.
     AgainstMotion,
 }
 
 /// A moment on a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moment {
-    /// Name for reports.
+    /// Name in reports.
     pub name: String,
     /// The link.
     pub link: LinkId,
@@ -123,13 +124,13 @@ pub struct Moment {
 /// A spring with a damper between points of two links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spring {
-    /// Name for reports.
+    /// Name in reports.
     pub name: String,
     /// Its ends.
     pub ends: [Place; 2],
     /// Stiffness, N/m.
     pub stiffness: f64,
-    /// Free length, m.
+    /// Unstressed length, m.
     pub length: f64,
     /// Damping along the line between the ends, N s/m.
     pub damping: f64,
@@ -138,7 +139,7 @@ pub struct Spring {
 /// An arc of a link that rolls and slides along a straight line of the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Name for reports.
+    /// Name in reports.
     pub name: String,
     /// Center N of the arc.
     pub center: Place,
@@ -146,18 +147,18 @@ pub struct Contact {
     pub radius: f64,
     /// Angle a, rad: the force acts at K = N + R (-sin a, -cos a).
     pub angle: f64,
-    /// F, N, along (sin a, cos a) on the link.
+    /// Contact force F, N, which acts along (sin a, cos a) on the link.
     pub force: Value,
-    /// f: adds f F along (cos a, -sin a).
+    /// Coefficient of friction f, which adds f F along (cos a, -sin a).
     pub friction: f64,
-    /// Interval of the input coordinate in which there is contact; `None`: always.
+    /// Interval of the input coordinate with contact; `None`: always.
     pub during: Option<[f64; 2]>,
 }
 
-/// Where the balancing load acts.
+/// Point of application of the balancing load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Balance {
-    /// A force at a place, along this direction of the ground, rad.
+    /// A force at a point, along this direction of the ground, rad.
     Force {
         /// Point of application.
         at: Place,

@@ -3,14 +3,14 @@
 /// Motion of the input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// Known speed and acceleration of the coordinate in every position.
+    /// Speed and acceleration of the coordinate that are the same in every position.
     Prescribed {
-        /// Speed with its sign (that of the input's direction applied), rad/s or m/s.
+        /// Signed speed (the input's direction is applied), rad/s or m/s.
         speed: f64,
-        /// Acceleration of the coordinate with its own sign, rad/s² or m/s².
+        /// Signed acceleration of the coordinate, rad/s² or m/s².
         acceleration: f64,
     },
-    /// The equation of motion from an initial state.
+    /// The motion follows from the equation of motion and an initial state.
     Transient {
         /// Initial speed with its sign, rad/s or m/s.
         speed: f64,
@@ -25,7 +25,7 @@ pub enum Motion {
     },
     /// The periodic regime.
     Steady {
-        /// (max + min) / 2 of the speed with its sign, rad/s or m/s.
+        /// Mean speed (max + min) / 2 with its sign, rad/s or m/s.
         mean_speed: f64,
         /// delta = (max - min) / mean; `None` where the flywheel is given.
         unevenness: Option<f64>,
@@ -37,9 +37,9 @@ pub enum Motion {
 pub enum Until {
     /// After this time, s.
     Time(f64),
-    /// After this way of the coordinate, rad or m, positive.
+    /// After this displacement of the coordinate, rad or m, positive.
     Way(f64),
-    /// When it stands still for good.
+    /// When the mechanism comes to rest and stays at rest.
     Rest,
     /// At the first reversal: the first instant of zero speed after the start.
     Turn,

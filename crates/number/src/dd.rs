@@ -1,7 +1,7 @@
 //! Double-double: an unevaluated sum of two f64, about 32 digits.
 //!
-//! Sums and products by the error-free transformations of Dekker (1971) and Knuth; the product's error by a fused
-//! multiply-add. For references, not for speed.
+//! Sums and products use the error-free transformations of Dekker (1971) and Knuth; the error of a product is found
+//! by a fused multiply-add. Used for reference results, not for speed.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -12,7 +12,7 @@ use crate::Real;
 pub struct Dd {
     /// The leading part.
     pub hi: f64,
-    /// What `hi` leaves.
+    /// The remainder.
     pub lo: f64,
 }
 

@@ -4,7 +4,8 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::Real;
 
-/// `N` numbers that go through the same formula; plain arrays that the compiler turns into vector instructions.
+/// `N` numbers that are put through a formula together; plain arrays that the compiler turns into vector
+/// instructions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
@@ -26,7 +27,8 @@ impl<const N: usize> Lanes<N> {
 
     #[inline]
     fn fold(self, better: impl Fn(f64, f64) -> bool) -> f64 {
-        // A NaN must win, and a comparison with it would hide it. Without branches: this is in the inner loop.
+        // The result must be NaN if a lane is NaN, which a comparison would hide. Without branches, because this is
+        // in the inner loop.
         let mut hidden = false;
         for a in self.0 {
             hidden |= a.is_nan();

@@ -1,9 +1,8 @@
-//! The numbers that the formulas of the groups are generic over.
+//! The number types over which the formulas of the groups are generic.
 //!
-//! A formula is written once, over [`Real`]: `f64` is the program's number, `f32` shows what single precision costs,
-//! [`Dd`] (about 32 digits) gives references for the accuracy charts, and [`Lanes`] carries several positions of the
-//! mechanism through one instruction stream. [`search`] has the searches along one variable that the project needs:
-//! bisection, bracketed roots, golden sections.
+//! A formula is written once, over [`Real`]: `f64` is the usual number, `f32` shows the effect of single precision,
+//! [`Dd`] (about 32 digits) gives references for the accuracy charts, and [`Lanes`] computes several positions of the
+//! mechanism at once. [`search`] has bisection, bracketed roots and golden sections along one variable.
 
 mod dd;
 mod lanes;
@@ -14,7 +13,7 @@ pub use dd::Dd;
 pub use lanes::Lanes;
 pub use real::Real;
 
-/// The lanes that batches of positions run in.
+/// The lanes in which batches of positions are computed.
 pub type F64x4 = Lanes<4>;
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
-//! What a formula may ask of a number.
+//! The operations that a formula may use on a number.
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A real number, or several side by side.
 ///
-/// There is no comparison: a formula that must decide asks for the [`least`](Self::least) or
+/// There is no comparison: a formula that has to decide uses the [`least`](Self::least) or
 /// [`greatest`](Self::greatest) lane, and so decides for all lanes at once.
 pub trait Real:
     Copy
@@ -42,19 +42,19 @@ pub trait Real:
     fn least(self) -> f64;
     /// The greatest lane; NaN if a lane is NaN.
     fn greatest(self) -> f64;
-    /// The greater of this and zero, lane by lane.
+    /// The greater of this number and zero, lane by lane.
     #[must_use]
     fn clamp_negative(self) -> Self;
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Half of it.
+    /// Half of this number.
     #[must_use]
     fn half(self) -> Self {
         self * Self::from_f64(0.5)
     }
 
-    /// Twice it.
+    /// Twice this number.
     #[must_use]
     fn twice(self) -> Self {
         self + self

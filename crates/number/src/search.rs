@@ -1,8 +1,7 @@
-//! Searches along one real variable: where a condition changes, where a function is zero, where it is least.
+//! Searches along one real variable: for the change of a condition, for a root, for a minimum.
 //!
-//! All of them keep an interval that is known to hold what is looked for and end by themselves: at the width asked for, or
-//! where no number lies between the ends any more. A function that can fail uses the form with `try_`; its first error
-//! ends the search.
+//! Each search keeps an interval that contains the solution, and ends at the given width or when no number is left
+//! between the ends. For a function that can fail there are the forms with `try_`; the first error ends the search.
 
 use std::convert::Infallible;
 
@@ -12,18 +11,19 @@ const MOST_BISECTIONS: usize = 1100;
 /// Steps after which false position, which converges fast or hardly at all, gives way to bisection.
 const MOST_SECANTS: usize = 40;
 
-/// Steps after which a root finder that converges faster than bisection has long ended.
+/// Maximum number of steps of a root finder that converges faster than bisection.
 const MOST_ROOT_STEPS: usize = 120;
 
-/// Bisection of a condition that holds at `holding` and does not at `failing`, which may be the lesser of the two.
+/// Bisection of a condition that holds at `holding` and not at `failing`; either may be the smaller one.
 ///
-/// Returns the two arguments, in this order, when they are at most `width` apart or neighbors; `width` may be 0.
+/// Returns the two arguments, in this order, when they are at most `width` apart or neighboring numbers; `width` may
+/// be 0.
 pub fn bisect(holding: f64, failing: f64, width: f64, mut holds: impl FnMut(f64) -> bool) -> [f64; 2] {
     let Ok(ends) = try_bisect(holding, failing, width, |x| Ok::<_, Infallible>(holds(x)));
     ends
 }
 
-/// Bisection as [`bisect`], of a condition that may have no answer.
+/// Bisection of a condition that can fail; see [`bisect`].
 ///
 /// # Errors
 ///
@@ -48,10 +48,10 @@ pub fn try_bisect<E>(
     Ok([holding, failing])
 }
 
-/// Root of a continuous function between `positive` (where it is not negative) and `negative` (where it is), by false
-/// position with the Illinois correction, to an interval of `width`.
+/// Root of a continuous function between `positive` (where it is not negative) and `negative` (where it is), to an
+/// interval of `width`, by false position with the Illinois correction.
 ///
-/// Returns an exact zero where one is met, otherwise the end at which the function is negative.
+/// Returns an exact root if one is met, otherwise the end at which the function is negative.
 pub fn root(mut positive: f64, mut negative: f64, width: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut above, mut below) = (f(positive), f(negative));
     let mut last_was_above = None;
@@ -69,7 +69,7 @@ pub fn root(mut positive: f64, mut negative: f64, width: f64, f: impl Fn(f64) ->
         if value == 0.0 {
             return x;
         }
-        // An end that stays for a second time counts half, so that the other end moves as well.
+        // The value at an end that is kept a second time is halved, which makes the other end move as well.
         if value > 0.0 {
             (positive, above) = (x, value);
             below *= if last_was_above == Some(true) { 0.5 } else { 1.0 };
@@ -115,16 +115,17 @@ pub fn try_newton_root<E>(
     Ok(x)
 }
 
-/// Least value of a function with one minimum between `low` and `high`, by `sections` golden sections: where, and how much.
+/// Minimum of a function with one minimum between `low` and `high`, by `sections` golden sections: argument and
+/// value.
 ///
-/// Each section leaves 0.618 of the interval. Where the minimum is smooth, its place is known to about the square root of
-/// the rounding of the values only.
+/// Each section reduces the interval to 0.618 of its width. The argument of a smooth minimum is accurate only to
+/// about the square root of the rounding of the values.
 pub fn least(low: f64, high: f64, sections: usize, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
     let Ok(found) = try_least(low, high, sections, |x| Ok::<_, Infallible>(f(x)));
     found
 }
 
-/// Least value as [`least`], of a function that may have no value.
+/// Minimum, by golden sections, of a function that can fail; see [`least`].
 ///
 /// # Errors
 ///
@@ -153,7 +154,7 @@ pub fn try_least<E>(
     Ok(if fx <= fy { (x, fx) } else { (y, fy) })
 }
 
-/// Whether `x` lies between two ends in either order, on neither of them.
+/// Whether `x` is strictly between two ends, in either order.
 fn is_between(x: f64, a: f64, b: f64) -> bool {
     x > a.min(b) && x < a.max(b)
 }

@@ -1,28 +1,28 @@
-//! What every registry of plugins has in common: sorted by name, no name twice, found by name.
+//! What every registry of plugins has in common: entries sorted by name, unique names, search by name.
 //!
-//! `inventory` gives the entries in the order of linking, which nobody controls; results must not depend on it.
+//! `inventory` returns the entries in the order of linking, which is arbitrary; results must not depend on it.
 
 use inventory::Collect;
 
-/// An entry that plugins submit.
+/// A registry entry that plugins submit.
 pub trait Registered: Collect {
-    /// What is registered, for messages: `force analyzer`.
+    /// The sort of entry, for messages: `force analyzer`.
     const WHAT: &'static str;
 
-    /// Its stable identifier, as users write it.
+    /// Its stable identifier, which users write.
     fn name(&self) -> &'static str;
 
     /// The crate that registers it.
     fn crate_name(&self) -> &'static str;
 }
 
-/// A plugin that is not there, or is there twice.
+/// A plugin that is missing, or registered twice.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum RegistryError {
-    /// Two plugins have one name: a mistake of the build.
+    /// Two plugins have the same name: a mistake of the build.
     #[error("two plugins are registered as {what} `{name}`: {first} and {second}; rename one")]
     Duplicate {
-        /// What is registered.
+        /// The sort of entry.
         what: &'static str,
         /// The name.
         name: &'static str,
@@ -34,15 +34,15 @@ pub enum RegistryError {
     /// Nothing is registered: a mistake of the build.
     #[error("no {what} is registered; the program must link the plugins (`use assur_all as _;`)")]
     Empty {
-        /// What is registered.
+        /// The sort of entry.
         what: &'static str,
     },
     /// Nothing has this name.
     #[error("no {what} is called `{name}`; there are: {}", known.join(", "))]
     Unknown {
-        /// What is registered.
+        /// The sort of entry.
         what: &'static str,
-        /// The name asked for.
+        /// The unknown name.
         name: String,
         /// The registered names.
         known: Vec<&'static str>,
@@ -53,7 +53,7 @@ pub enum RegistryError {
 ///
 /// # Errors
 ///
-/// [`RegistryError`] where two have one name or none is registered.
+/// [`RegistryError`] if two entries have one name, or if none is registered.
 pub fn all<P: Registered>() -> Result<Vec<&'static P>, RegistryError>
 where
     inventory::iter<P>: IntoIterator<Item = &'static P>,

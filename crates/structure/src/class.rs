@@ -2,10 +2,11 @@
 
 use assur_group::GroupFrame;
 
-/// Class and order of a group by Assur and Artobolevsky.
+/// Class and order of a group according to Assur and Artobolevsky.
 ///
-/// Two links: class II. Otherwise the class is the greatest number of pairs on one contour: a link with k pairs is a
-/// contour of k, and so is a closed chain of k links within the group. The order is the number of outer pairs.
+/// A group of two links has class II. Otherwise the class is the greatest number of pairs in one contour: a link with
+/// k pairs is a contour of k, and so is a closed chain of k links in the group. The order is the number of outer
+/// pairs.
 pub fn class_and_order(frame: &GroupFrame) -> (u8, u8) {
     let order = u8::try_from(frame.outer.len()).unwrap_or(u8::MAX);
     if frame.links.len() <= 2 {
@@ -17,7 +18,8 @@ pub fn class_and_order(frame: &GroupFrame) -> (u8, u8) {
     (u8::try_from(class).unwrap_or(u8::MAX), order)
 }
 
-/// Links on the longest of the shortest closed chains through each inner pair; 0 without one.
+/// Number of links in the longest contour, where each inner pair counts with its shortest closed chain; 0 if there is
+/// none.
 fn longest_contour(frame: &GroupFrame) -> usize {
     let mut longest = 0;
     for (skipped, pair) in frame.inner.iter().enumerate() {
@@ -26,7 +28,7 @@ fn longest_contour(frame: &GroupFrame) -> usize {
     longest
 }
 
-/// Number of links on the shortest way between two links over inner pairs other than one.
+/// Number of links on the shortest path between two links over inner pairs, without the given pair.
 fn path_without(frame: &GroupFrame, skipped: usize, from: usize, to: usize) -> Option<usize> {
     let mut distance = vec![(from, 1)];
     let mut next = 0;

@@ -1,4 +1,4 @@
-//! From the counted system to groups with pairs, kinds and a formula.
+//! Turns the matched system of equations into groups with their pairs, kinds and structural formula.
 
 use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
@@ -10,11 +10,11 @@ use crate::{
 };
 
 impl Structure {
-    /// Takes a mechanism apart.
+    /// Decomposes a mechanism into Assur groups.
     ///
     /// # Errors
     ///
-    /// [`StructureError`] if the mobility is not 1, or a group has no registered kind.
+    /// [`StructureError`] if the mobility is not 1, or if a group has no registered kind.
     pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
         compose(mechanism)
     }
@@ -54,7 +54,7 @@ fn count(mechanism: &Mechanism) -> Mobility {
     Mobility { moving_links, pairs, value: 3 * whole(moving_links) - 2 * whole(pairs) }
 }
 
-/// Unknown links and pins, and the equations between them; ground and input link are known.
+/// Builds the unknowns (links and pins) and the equations between them; ground and input link are known.
 fn counted_system(mechanism: &Mechanism) -> Graph {
     let known = |link: LinkId| link == GROUND || link == mechanism.input.link;
     let mut nodes: Vec<Node> =
@@ -71,7 +71,7 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
     let mut blocks = Vec::new();
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         for place in &point.places {
-            // The input's own pair with the ground is used up by the input.
+            // The input coordinate replaces the input's own pair with the ground.
             if place.link == mechanism.input.link && mechanism.input.pair == InputPair::Pin(id) {
                 continue;
             }
@@ -89,7 +89,7 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
     Graph::matched(nodes, blocks)
 }
 
-/// A mechanism that one input does not determine is an error that names what is loose or surplus.
+/// Returns an error that names the loose links or surplus pairs of a mechanism that one input does not determine.
 fn refuse_other_mobility(
     mechanism: &Mechanism,
     mobility: &Mobility,
@@ -117,7 +117,7 @@ fn refuse_other_mobility(
         (None, true) => Ok(()),
         (Some((pairs, mut links)), true) => {
             if links.is_empty() {
-                // Both ends of the surplus pair are known: ground and input link.
+                // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.clone());
             }
             Err(StructureError::Surplus { counted, pairs, links })
@@ -131,7 +131,7 @@ fn refuse_other_mobility(
     }
 }
 
-/// The links of one part in the order of the scene; a part of a pin alone has none.
+/// The links of one part in the order of the scene; a part that is a single pin has none.
 fn links_of(graph: &Graph, part: &[usize]) -> Vec<LinkId> {
     let links = part.iter().filter_map(|&node| match graph.nodes[node] {
         Node::Link(link) => Some(link),
@@ -155,7 +155,7 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     }
 }
 
-/// `inner R B, outer R A, P ram/ground`.
+/// The pairs of a group in letters and names: `inner R B, outer R A, P ram/ground`.
 fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> String {
     let named = |list: &[Pair]| {
         let names = list.iter().map(|pair| {

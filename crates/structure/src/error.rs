@@ -1,24 +1,24 @@
-//! What makes a mechanism impossible to take apart.
+//! Errors in decomposing a mechanism.
 
 use assur_group::{BuildError, RegistryError};
 
-/// The count behind a fault of mobility.
+/// The mobility count that an error shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Counted {
     /// W by Chebyshev's formula.
     pub mobility: i64,
-    /// `3*5 - 2*7`.
+    /// The calculation of W: `3*5 - 2*7`.
     pub formula: String,
 }
 
-/// Why a mechanism can't be taken apart into groups.
+/// Why a mechanism can't be decomposed into groups.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StructureError {
-    /// Some links can move while the input stands.
+    /// Some links can move while the input is fixed.
     #[error(
-        "mobility {} ({}), but one input moves the mechanism: {} can still move when the input stands{also}; \
-         join {} to something by one more pair, or leave out what hangs there",
+        "mobility {} ({}), but one input moves the mechanism: {} can still move while the input is fixed{also}; \
+         join {} to another link by one more pair, or leave out what hangs there",
         counted.mobility, counted.formula, listed("link", "links", links), if links.len() == 1 { "it" } else { "them" }
     )]
     Loose {
@@ -26,7 +26,7 @@ pub enum StructureError {
         counted: Counted,
         /// The links that are loose.
         links: Vec<String>,
-        /// Further remark: surplus pairs elsewhere.
+        /// Addition for surplus pairs elsewhere; may be empty.
         also: String,
     },
     /// Some pairs constrain what is already fixed.
@@ -38,7 +38,7 @@ pub enum StructureError {
     Surplus {
         /// The count.
         counted: Counted,
-        /// Pairs among which one is surplus.
+        /// Pairs of which one is surplus.
         pairs: Vec<String>,
         /// Links that they lock.
         links: Vec<String>,
@@ -56,10 +56,10 @@ pub enum StructureError {
         class: u8,
         /// Its order.
         order: u8,
-        /// Its pairs in letters and names.
+        /// Its pairs by letter and name.
         pattern: String,
     },
-    /// The lengths make no group of the kind.
+    /// The lengths don't form a group of the kind.
     #[error("{group}: {source}")]
     Build {
         /// The group.
@@ -67,13 +67,13 @@ pub enum StructureError {
         /// What is wrong.
         source: BuildError,
     },
-    /// The registry is faulty.
+    /// The registry of groups is faulty.
     #[error(transparent)]
     Registry(#[from] RegistryError),
 }
 
 impl StructureError {
-    /// The first link at fault, where links are.
+    /// The first link concerned, if the error is about links.
     pub fn link(&self) -> Option<&str> {
         match self {
             Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {

@@ -1,4 +1,4 @@
-//! The links and pairs of a group in the numbers of the chain.
+//! The links and pairs of a group, as indices and lengths in the compiled chain.
 
 use assur_group::{GroupFrame, Pair, PairGeometry};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
@@ -28,7 +28,7 @@ impl Incidence {
     }
 }
 
-/// What some links have together, once each and in the order of the scene.
+/// What some links have in common, each item once, in the order of the scene.
 fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
     let mut all: Vec<usize> = links.iter().flat_map(|&link| of[link].iter().copied()).collect();
     all.sort_unstable();
@@ -36,7 +36,7 @@ fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
     all
 }
 
-/// The greatest distance between two points of one link, or of the ground; 1 m where there is none.
+/// The greatest distance between two points of one link or of the ground; 1 m if there is none.
 pub(crate) fn typical_length(mechanism: &Mechanism, incidence: &Incidence) -> f64 {
     let mut longest = 0.0_f64;
     for (link, points) in incidence.points.iter().enumerate() {
@@ -74,7 +74,7 @@ fn slide_pair(mechanism: &Mechanism, id: usize, index: usize) -> NamedPair {
     NamedPair { pair, source: PairId::Slide(id) }
 }
 
-/// The pairs of these links with each other and with what is solved; they are appended to `pairs`.
+/// The pairs of these links with each other and with solved links; they are appended to `pairs`.
 pub(crate) fn frame_of(
     mechanism: &Mechanism,
     incidence: &Incidence,
@@ -104,7 +104,7 @@ pub(crate) fn frame_of(
     frame
 }
 
-/// Pairs that the pins make between links of a group, and of the group with what is solved.
+/// Pairs of the pins, between links of a group and between the group and solved links.
 fn pins_of(
     mechanism: &Mechanism,
     points: &[PointId],
@@ -117,7 +117,7 @@ fn pins_of(
     for (id, point) in points.filter(|(_, point)| point.is_pin()) {
         let members: Vec<_> = point.places.iter().filter(|place| links.contains(&place.link)).collect();
         let solved = point.places.iter().filter(|place| rank[place.link] != usize::MAX);
-        // All hang on one body: on the first that is solved, or else on the first link of the group.
+        // All links of a pin are joined to one body: the first that is solved, otherwise the first link of the group.
         let anchor = solved.min_by_key(|place| rank[place.link]);
         let (anchor, hung) = match (anchor, &members[..]) {
             (Some(anchor), hung) => (anchor, hung),

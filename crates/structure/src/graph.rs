@@ -1,9 +1,9 @@
-//! The counted system: which equation determines which unknown.
+//! The system of counted equations: which equation determines which unknown.
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
-/// Unknowns: moving links with 3 freedoms, pins with 2.
+/// Unknowns: moving links with 3 degrees of freedom, pins with 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Node {
     /// A link, by its index in the mechanism.
@@ -21,10 +21,10 @@ impl Node {
     }
 }
 
-/// Two scalar equations of one membership or slide, on one or two unknown nodes.
+/// The two scalar equations of one membership or slide, which involve one or two unknown nodes.
 #[derive(Debug, Clone)]
 pub(crate) struct Block {
-    /// Indices of the nodes that it binds; never more than two.
+    /// Indices of the nodes involved; never more than two.
     pub(crate) nodes: Vec<usize>,
     /// The pin or slide, for messages.
     pub(crate) source: assur_mechanism::PairId,
@@ -37,11 +37,12 @@ pub(crate) struct Graph {
     pub(crate) blocks: Vec<Block>,
     /// For each scalar equation (two a block) the node that it determines.
     matched: Vec<Option<usize>>,
-    /// For each node the equations that determine it, at most as many as it has freedoms.
+    /// For each node the equations that determine it, at most as many as its degrees of freedom.
     held: Vec<Vec<usize>>,
 }
 
-/// Marks of the search for an augmenting path: of each node the last search that met it, and from which equation.
+/// Marks of the search for an augmenting path: for each node the last search that visited it, and the equation it
+/// came from.
 struct Search {
     met: Vec<usize>,
     from: Vec<usize>,
@@ -51,8 +52,8 @@ struct Search {
 impl Graph {
     /// Matches as many equations as possible to unknowns, each equation by the shortest augmenting path.
     ///
-    /// An equation that is left over stays so: the earlier equations are preferred. The paths are short, because most
-    /// equations find an unknown of their own that is free; so the time is near-linear for a scene in any order.
+    /// Earlier equations are preferred: an equation that can't be matched remains so. Most equations find a free
+    /// unknown of their own, so the paths are short and the time is nearly linear for a scene in any order.
     pub(crate) fn matched(nodes: Vec<Node>, blocks: Vec<Block>) -> Self {
         let (equations, count) = (2 * blocks.len(), nodes.len());
         let held = vec![Vec::with_capacity(3); count];
@@ -89,7 +90,8 @@ impl Graph {
         }
     }
 
-    /// Gives a free node to the equation it was reached from, that equation's former node to the one before, and so on.
+    /// Assigns a free node to the equation through which it was reached, that equation's former node to the previous
+    /// one, and so on.
     fn shift(&mut self, free: usize, from: &[usize]) {
         let mut node = free;
         loop {
@@ -101,8 +103,8 @@ impl Graph {
         }
     }
 
-    /// Blocks and nodes of the first over-determined part, if there is one: an unmatched equation and all that it
-    /// could displace.
+    /// Blocks and nodes of the first over-determined part, if there is one: an unmatched equation with all equations
+    /// that it could displace.
     pub(crate) fn surplus(&self) -> Option<(Vec<usize>, Vec<usize>)> {
         let first = self.matched.iter().position(Option::is_none)? / 2;
         let (mut blocks, mut nodes) = (vec![first], Vec::new());
@@ -140,7 +142,7 @@ impl Graph {
         let mut seen: Vec<bool> = (0..self.nodes.len()).map(|node| self.is_free(node)).collect();
         let mut next = 0;
         while next < found.len() {
-            // A node bound to a loose one through an equation that determines this node floats with it.
+            // A node that shares an equation with a loose node, by which it is determined, is itself loose.
             for &node in &dependents[found[next]] {
                 if !std::mem::replace(&mut seen[node], true) {
                     found.push(node);
@@ -152,7 +154,7 @@ impl Graph {
         found
     }
 
-    /// Nodes that each node needs: the other ends of the equations that determine it.
+    /// For each node the nodes it depends on: the other ends of the equations that determine it.
     fn needs(&self) -> Vec<Vec<usize>> {
         let others = |node: usize| {
             let ends = self.held[node].iter().flat_map(|equation| &self.blocks[equation / 2].nodes);
@@ -164,8 +166,8 @@ impl Graph {
         (0..self.nodes.len()).map(others).collect()
     }
 
-    /// The strongly connected parts of a perfectly matched system in solving order; of several that could be next, the
-    /// one with the first link.
+    /// The strongly connected parts of a perfectly matched system in solving order; if several could be next, the one
+    /// with the first link.
     pub(crate) fn parts(&self) -> Vec<Vec<usize>> {
         let needs = self.needs();
         let mut parts = strongly_connected(&needs);
@@ -175,7 +177,7 @@ impl Graph {
                 part_of[node] = i;
             }
         }
-        // Edges from each part to those that wait for it, and how many edges each part still waits for.
+        // Edges from each part to the parts that depend on it, and the number of unsolved dependencies of each part.
         let (mut waiting_for, mut open) = (vec![Vec::new(); parts.len()], vec![0_usize; parts.len()]);
         for (node, list) in needs.iter().enumerate() {
             for &other in list.iter().filter(|&&other| part_of[other] != part_of[node]) {
@@ -188,7 +190,7 @@ impl Graph {
                 Node::Link(link) => Some(link),
                 Node::Pin(_) => None,
             });
-            // Pins alone are free: they come as soon as they can.
+            // Parts that are a single pin are taken as soon as possible.
             links.min().unwrap_or(0)
         };
         let entry = |i: usize, parts: &[Vec<usize>]| Reverse((rank(&parts[i]), i));
@@ -233,7 +235,7 @@ fn strongly_connected(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
     parts
 }
 
-/// Depth-first search without recursion; appends nodes as they finish.
+/// Depth-first search without recursion; appends nodes in the order in which they finish.
 fn visit(start: usize, edges: &[Vec<usize>], seen: &mut [bool], finished: &mut Vec<usize>) {
     if seen[start] {
         return;

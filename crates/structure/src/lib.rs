@@ -1,9 +1,9 @@
 //! Structural analysis (S, stage 1): mobility, decomposition into Assur groups, formula and class.
 //!
-//! The mechanism is read as a system of equations that are counted, not solved: each moving link has 3 unknowns, each
-//! pin 2 (its place), and each membership of a link in a pin, and each slide, gives 2 equations. A matching of
-//! equations to unknowns shows what is loose or surplus; the strongly connected parts of the matched system are the
-//! Assur groups, of any class and order, in solving order.
+//! The mechanism is read as a system of equations that are counted, not solved. Each moving link has 3 unknowns and
+//! each pin 2 (its position); each membership of a link in a pin, and each slide, gives 2 equations. A matching of
+//! equations to unknowns shows which links are loose and which pairs are surplus. The strongly connected parts of the
+//! matched system are the Assur groups, of any class and order, in solving order.
 
 mod class;
 mod compose;

@@ -1,9 +1,9 @@
-//! A mechanism taken apart: its pairs and groups.
+//! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
 use assur_mechanism::{LinkId, Mechanism, PairId};
 
-/// A mechanism taken apart.
+/// A mechanism decomposed into its pairs and groups.
 #[derive(Debug, Clone)]
 pub struct Structure {
     /// Mobility by Chebyshev's formula.
@@ -12,11 +12,11 @@ pub struct Structure {
     pub pairs: Vec<NamedPair>,
     /// The groups in solving order.
     pub groups: Vec<Group>,
-    /// Number of links with the ground.
+    /// Number of links, the ground included.
     pub links: usize,
-    /// A length typical of the mechanism, m.
+    /// A typical length of the mechanism, m.
     pub scale: f64,
-    /// `I(ground,crank) -> II3(stone2,rocker)`.
+    /// Structural formula: `I(ground,crank) -> II3(stone2,rocker)`.
     pub formula: String,
 }
 
@@ -25,7 +25,7 @@ pub struct Structure {
 pub struct Mobility {
     /// n, moving links.
     pub moving_links: usize,
-    /// p, pairs of one freedom.
+    /// p, pairs of one degree of freedom.
     pub pairs: usize,
     /// W.
     pub value: i64,
@@ -34,9 +34,9 @@ pub struct Mobility {
 /// A kinematic pair and the pin or slide of the scene that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedPair {
-    /// Bodies and geometry; `pair.id` is its index.
+    /// Bodies and geometry; `pair.id` is the index of this pair.
     pub pair: Pair,
-    /// The pin or slide.
+    /// The pin or slide of the scene.
     pub source: PairId,
 }
 
@@ -59,13 +59,13 @@ impl Structure {
         self.groups.iter().map(|group| group.class).max().unwrap_or(1)
     }
 
-    /// Name of a pair: of its pin or slide.
+    /// Name of the pin or slide that a pair belongs to.
     pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a str {
         name_of(mechanism, self.pairs[pair].source)
     }
 
-    /// Whether a pair is one of several in a joint of more than two links, so that its reaction is a share of what the joint
-    /// exerts on a link.
+    /// Whether a pair belongs to a joint of more than two links; its reaction is then only a part of the force that
+    /// the joint exerts on a link.
     pub fn is_share(&self, pair: usize) -> bool {
         let source = self.pairs[pair].source;
         self.pairs.iter().filter(|other| other.source == source).count() > 1
@@ -80,7 +80,7 @@ impl Structure {
 }
 
 impl Group {
-    /// Outer pairs in the order of the kind's pattern, with the bodies as the scene names them.
+    /// Outer pairs in the order of the kind's pattern, with their bodies in the order of the scene.
     pub fn outer(&self) -> Vec<Pair> {
         let Some(reading) = self.plugin.pattern.find(&self.frame) else { return self.frame.outer.clone() };
         let original =

@@ -79,8 +79,8 @@ fn a_loose_link_is_named() {
     let error = structure(&text).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "mobility 2 (3*4 - 2*5), but one input moves the mechanism: link `flap` can still move when the input stands; \
-         join it to something by one more pair, or leave out what hangs there"
+        "mobility 2 (3*4 - 2*5), but one input moves the mechanism: link `flap` can still move while the input is fixed; \
+         join it to another link by one more pair, or leave out what hangs there"
     );
 }
 
