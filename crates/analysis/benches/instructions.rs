@@ -1,7 +1,8 @@
-//! What a scene pays for, in instructions counted by callgrind: `cargo bench -p assur-analysis --bench instructions`.
+//! The cost of scenes in instructions, counted by callgrind: `cargo bench -p assur-analysis --bench instructions`.
 //!
-//! Instructions do not depend on what else the machine does. Each row is counted in two runs of different length, so that
-//! reading and compiling the scene fall out. Needs `valgrind`; without it the program says so and counts nothing.
+//! The number of instructions does not depend on the load of the machine. Each row is counted in two runs of different
+//! length, so that reading and compiling the scene cancel. Without `valgrind` the program prints a message and counts
+//! nothing.
 //!
 //! Figures: `docs/cost.md`.
 
@@ -14,7 +15,7 @@ use assur_analysis::{Calculation, Options, unwatched};
 use assur_force::{Reactions, State};
 use assur_group::{Order, Wrench};
 
-/// Everything that moves, and no reaction.
+/// All kinematic results, and no reaction.
 const MOTION_ONLY: &str = "[output]\nlinks = [\"crank\", \"stone2\", \"rocker\", \"stone4\", \"ram\"]\n\
     points = [\"O\", \"A\", \"C\", \"S3\", \"D\", \"E\", \"K\"]\nslides = [\"stone2/rocker\", \"stone4/ram\", \"ram/ground\"]\n";
 
@@ -139,7 +140,7 @@ fn forces(runs: usize, all: bool) {
     }
 }
 
-/// Runs one piece of work so often under callgrind.
+/// Runs one piece of work that many times under callgrind.
 fn count(name: &str, runs: usize, folder: &Path) -> Result<f64, String> {
     let file = folder.join(format!("{name}-{runs}"));
     let program = std::env::current_exe().map_err(|error| error.to_string())?;
@@ -157,7 +158,7 @@ fn count(name: &str, runs: usize, folder: &Path) -> Result<f64, String> {
     line.and_then(|total| total.trim().parse().ok()).ok_or("callgrind wrote no total".to_owned())
 }
 
-/// Instructions of one unit: of a long run less a short one.
+/// Instructions of one unit: the difference of a long and a short run.
 fn measure(row: &Row, [few, many]: [usize; 2], folder: &Path) -> Result<f64, String> {
     let (short, long) = (count(row.name, few, folder)?, count(row.name, many, folder)?);
     Ok((long - short) / (many - few) as f64)

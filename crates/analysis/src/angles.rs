@@ -7,7 +7,7 @@ use assur_kinematics::{Linkage, Position, continuous_angle};
 use assur_mechanism::LinkId;
 
 /// Longest step of the coordinate, rad (or parts of the scale for a sliding input), between two angles that are joined:
-/// a link turns less than half a turn on it unless it turns sixty times as fast as the input.
+/// a link turns less than half a turn in it unless it turns sixty times as fast as the input.
 const LONGEST_STEP: f64 = 0.05;
 
 /// Follows the angles of all links along the coordinate.
@@ -25,8 +25,8 @@ impl Angles {
 
     /// The angles in a solved position, rad: in (-pi, pi] at first, then continuous.
     ///
-    /// The mechanism is followed through places between far positions; where one can't be assembled, the nearest angle is
-    /// taken. None where no link is wanted.
+    /// Between distant positions the mechanism is solved at intermediate coordinates; where one can't be assembled, the
+    /// nearest angle is used. `None` where no link is requested.
     pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position, wanted: &[LinkId]) -> &[f64] {
         if wanted.is_empty() {
             return &[];
@@ -51,7 +51,7 @@ impl Angles {
     }
 }
 
-/// In how many steps a way is gone; a way beyond all measure in as many as are bearable.
+/// Number of steps for a change of the coordinate, limited for very large changes.
 fn steps(way: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 10000")]
     let steps = (way.abs() / LONGEST_STEP).ceil().clamp(1.0, 1e4) as u32;
@@ -63,7 +63,7 @@ fn first(angle: f64) -> f64 {
     if angle <= -PI { PI } else { angle }
 }
 
-/// Each angle becomes that of the position which is nearest to the one before.
+/// Replaces each angle by the equivalent one that is nearest to the one before.
 fn join(angles: &mut [f64], position: &Position) {
     for (angle, body) in angles.iter_mut().zip(&position.bodies) {
         *angle = continuous_angle(body.s.atan2(body.c), *angle);

@@ -9,10 +9,10 @@ use crate::plan::Plan;
 use crate::progress::Watch;
 use crate::{AnalysisError, InputMotion};
 
-/// The integrator that is taken where none is named.
+/// The integrator that is used where none is named.
 pub const DEFAULT_INTEGRATOR: &str = assur_integrator::AUTO;
 
-/// What a user may choose.
+/// Methods that a user may choose.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
     /// Force analyzer by name; `None`: the preferred one.
@@ -26,7 +26,7 @@ pub struct Options {
 pub struct Calculation {
     /// The compiled mechanism; groups that the plan does not need are left out.
     pub linkage: Linkage,
-    /// What is calculated.
+    /// What is to be calculated.
     pub plan: Plan,
     /// The loads, where the plan needs them.
     pub loads: Option<Loads>,
@@ -34,15 +34,15 @@ pub struct Calculation {
     pub analyzer: Option<&'static AnalyzerPlugin>,
     /// How the input moves.
     pub motion: InputMotion,
-    /// Why the motion that was asked for is not found; what does not depend on it is calculated nevertheless.
+    /// Why the requested motion is not found; results that do not depend on it are calculated nevertheless.
     pub no_motion: Option<String>,
-    /// What of the request has no use in this scene.
+    /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<String>,
 }
 
 impl Calculation {
-    /// Takes a mechanism apart, plans and compiles it, and finds its motion. `watch` is told how far the motion is, and may
-    /// stop it; [`unwatched`](crate::unwatched) lets it run.
+    /// Decomposes a mechanism into groups, plans and compiles it, and finds its motion. `watch` receives the progress
+    /// of the motion, and may stop it; [`unwatched`](crate::unwatched) lets it run.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl Calculation {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
-        // Without a single position no load can be compiled; the positions themselves report why.
+        // Without any solvable position no load can be compiled; the positions themselves report why.
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
         let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
@@ -84,13 +84,13 @@ impl Calculation {
 pub struct Methods {
     /// Force analyzer.
     pub analyzer: String,
-    /// Whether this analyzer goes group by group, so that groups without a load can be left alone.
+    /// Whether this analyzer solves group by group, so that groups without a load can be left out.
     pub by_groups: bool,
     /// Integrator of a motion that is not prescribed.
     pub integrator: String,
 }
 
-/// The methods that a calculation of this mechanism takes.
+/// The methods that a calculation of this mechanism uses.
 pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
     let own = match &mechanism.motion {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
@@ -99,7 +99,7 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
     let named = options.analyzer.as_deref();
     let chosen = assur_force::choose(named);
     Methods {
-        // A name that is not registered is refused when its turn comes.
+        // A name that is not registered is an error only where the method is needed.
         analyzer: chosen.as_ref().map_or(named.unwrap_or_default(), |plugin| plugin.name).to_owned(),
         by_groups: chosen.is_ok_and(|plugin| plugin.by_groups),
         integrator: options.integrator.clone().unwrap_or_else(|| own.to_owned()),

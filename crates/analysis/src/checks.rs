@@ -9,11 +9,11 @@ use crate::progress::{Stopped, Watch};
 use crate::reader::Reader;
 use crate::{Calculation, InputMotion, Progress};
 
-/// States of a transient motion that are checked at most, equally spaced.
+/// Greatest number of states of a transient motion that are checked, equally spaced.
 const MOST_STATES: usize = 96;
 
 impl Calculation {
-    /// Every check that applies to the scene; none where the plan leaves groups out.
+    /// Every check that applies to the scene; none where the plan leaves out groups.
     ///
     /// # Errors
     ///
@@ -42,7 +42,8 @@ impl Calculation {
         found.continue_value().ok_or(Stopped)
     }
 
-    /// The states of the positions with their numbers; in a transient motion samples of the trajectory, which alone has speeds.
+    /// The states of the positions with their numbers; in a transient motion samples of the trajectory, because only
+    /// they have speeds.
     fn checked_states(&self) -> Vec<(usize, State)> {
         if !matches!(self.motion, InputMotion::Transient(_)) {
             let input = &self.linkage.mechanism.input;
@@ -60,8 +61,8 @@ impl Calculation {
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
-    /// S stage 10: what the force analysis needs at the input is what drive and flywheel give there. `least`: a moment (force)
-    /// below which nothing is resolved.
+    /// S stage 10: the load at the input from the force analysis against that of drive and flywheel. `least`: a moment
+    /// (force) below which nothing is resolved.
     fn drive_check(
         &self,
         given: impl Fn(&State) -> f64,
@@ -90,7 +91,7 @@ impl Calculation {
             largest = terms.into_iter().fold(largest, f64::max);
             let miss = (balancing - given(state)).abs();
             compared = true;
-            // A miss that is no number must show, and a comparison with it would hide it.
+            // A residual that is NaN must show, and a comparison with it would hide it.
             if miss > worst || miss.is_nan() {
                 (worst, at) = (miss, Some(*index));
             }
@@ -148,7 +149,8 @@ impl Calculation {
         };
         let drive = self.linkage.mechanism.drive.as_ref();
         let wanted = |solve: Option<Solve>| matches!(solve, Some(Solve::Wanted));
-        // A given ratio or moment fixes the speed: whether the wish is met is no matter of numbers then.
+        // A given ratio or moment determines the speed: whether it is the requested one is then no question of
+        // numerical error.
         let fixed = matches!(drive.map(|drive| &drive.torque), Some(Torque::Constant(_)));
         if !fixed && (regime.ratio.is_none() || wanted(drive.map(|drive| drive.ratio))) {
             let miss = ((regime.mean_speed - mean_speed) / mean_speed).abs();

@@ -1,4 +1,4 @@
-//! The motion that was found, as results.
+//! Converts a motion to results.
 
 use std::sync::Arc;
 

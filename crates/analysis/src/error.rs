@@ -18,7 +18,7 @@ pub enum AnalysisError {
     /// The force analyzer does not exist.
     #[error(transparent)]
     Analyzer(#[from] RegistryError),
-    /// The force analyzer can't do this mechanism.
+    /// The force analyzer can't treat this mechanism.
     #[error("force analyzer `{analyzer}` can't do this scene: {reason}")]
     Unfit {
         /// Its name.
@@ -26,7 +26,7 @@ pub enum AnalysisError {
         /// Why not.
         reason: String,
     },
-    /// Whoever watched it stopped it.
+    /// The watcher stopped the calculation.
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// There is no motion.

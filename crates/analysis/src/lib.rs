@@ -1,7 +1,7 @@
 //! Runs the plan of a scene: position after position, from transfer functions to named reactions.
 //!
-//! [`Calculation::of`] takes a mechanism apart, plans and compiles it; [`Calculation::analyze`] calculates everything that the scene
-//! asks for. Knows no concrete plugin, no file and no terminal.
+//! [`Calculation::of`] decomposes a mechanism into groups, plans and compiles it; [`Calculation::analyze`] calculates
+//! the results of the scene. Knows no concrete plugin, no file and no terminal.
 
 mod angles;
 mod calculation;

@@ -1,4 +1,4 @@
-//! How the input moves: as the scene prescribes it, or as the equation of motion has it.
+//! How the input moves: as the scene prescribes it, or as the equation of motion determines it.
 
 use assur_dynamics::{
     DynamicsError, Machine, Method, Steady, Transient, Watcher, equation, steady, transient,
@@ -14,13 +14,13 @@ use assur_structure::Structure;
 use crate::progress::{Stopped, Watch};
 use crate::{AnalysisError, Options, Progress};
 
-/// Intervals over one cycle of a steady regime at which its states are looked at.
+/// Number of intervals over one cycle of a steady regime at which its states are examined.
 pub(crate) const CYCLE_INTERVALS: u32 = 360;
 
 /// How the input moves.
 #[derive(Debug)]
 pub enum InputMotion {
-    /// As the scene prescribes it; without a motion at rest.
+    /// As the scene prescribes it; at rest without a motion.
     Prescribed,
     /// From an initial state, by an integrator.
     Transient(Box<Transient>),
@@ -29,7 +29,7 @@ pub enum InputMotion {
 }
 
 impl InputMotion {
-    /// Solves the motion that a scene asks for. Without loads (no position at all) there is nothing to solve.
+    /// Solves the motion of a scene. Without loads (because no position exists) there is nothing to solve.
     pub(crate) fn of(
         linkage: &Linkage,
         loads: Option<&Loads>,
@@ -45,7 +45,7 @@ impl InputMotion {
             flow
         };
         let found = Self::found(linkage, loads, options, Some(&mut watcher));
-        // A method that is stopped may say so in other words, or go another way.
+        // A method that is stopped may return another error, or try another method.
         if stopped {
             return Err(Stopped.into());
         }
@@ -85,8 +85,8 @@ impl InputMotion {
         }
     }
 
-    /// State of the input at the coordinate of a position. In a transient motion the positions stand: what moves is the
-    /// trajectory.
+    /// State of the input at the coordinate of a position. In a transient motion the positions are at rest: the motion
+    /// is in the trajectory.
     pub(crate) fn state(&self, mechanism: &Mechanism, coordinate: f64) -> State {
         match self {
             Self::Prescribed | Self::Transient(_) => State::prescribed(mechanism, coordinate),
@@ -108,7 +108,7 @@ impl InputMotion {
     }
 }
 
-/// Turns the states that a motion is evaluated in into progress.
+/// Converts the states in which a motion is evaluated into progress.
 struct Counter {
     steady: bool,
     start: f64,
@@ -137,8 +137,8 @@ impl Counter {
     }
 }
 
-/// Which case of D the equation of a motion is, which method is taken for it and why; `None` without an equation, and where no
-/// position can be assembled.
+/// Which case of D the equation of a motion is, and which method is used for it and why; `None` without an equation,
+/// and where no position can be assembled.
 ///
 /// # Errors
 ///
@@ -166,7 +166,7 @@ pub fn method_of_motion(
     Ok(Some(format!("case {} of D ({})", dependence.case(), dependence.words())))
 }
 
-/// The integrator for such an equation, and why it.
+/// The integrator for such an equation, and the reason for it.
 fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<String, IntegrationError> {
     let chosen = choose(named, &dependence, tolerance)?;
     let Candidate { integrator, reason } = &chosen.first;
@@ -181,7 +181,7 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     Ok(format!("integrator `{}`, {reason}{stiff}", integrator.name))
 }
 
-/// Whether the scene or the choice of method is at fault, rather than the machine that it describes.
+/// Whether the scene or the chosen method is at fault, rather than the machine that it describes.
 pub(crate) fn is_usage(error: &DynamicsError) -> bool {
     use DynamicsError as D;
     matches!(

@@ -1,4 +1,4 @@
-//! What had to be left out, and what of a request has no use.
+//! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
 mod springs;
@@ -46,9 +46,9 @@ impl Calculation {
         notes
     }
 
-    /// What of the wishes for a regime is not met, and whether its loads drive.
+    /// Requirements on a regime that are not met, and whether its loads drive.
     fn regime_notes(&self) -> Vec<String> {
-        /// Mean speeds are found to 1e-10.
+        /// Mean speeds are computed to 1e-10.
         const MET: f64 = 1e-9;
         let InputMotion::Steady(found) = &self.motion else { return Vec::new() };
         let (mechanism, regime) = (&self.linkage.mechanism, &found.regime);

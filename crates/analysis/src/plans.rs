@@ -13,12 +13,12 @@ use assur_mechanism::{PairId, Range};
 
 use crate::Calculation;
 
-/// A guide whose force stays below this part of the greatest reaction bears nothing but rounding.
+/// A guide whose force stays below this part of the greatest reaction is unloaded: the force is rounding.
 const LEAST_FORCE: f64 = 1e-9;
 
 impl Calculation {
-    /// All plans of a position in its motion: prescribed, or of the steady regime. In a transient motion, and where no regime
-    /// is found, forces do not belong to the positions and theirs are left out.
+    /// All plans of a position in its motion: prescribed, or of the steady regime. In a transient motion, and where no
+    /// regime is found, the positions have no forces, and plans of forces are left out.
     ///
     /// Needs the whole mechanism: see [`Plan::is_partial`](crate::plan::Plan::is_partial).
     ///
@@ -45,7 +45,8 @@ impl Calculation {
         Ok(Sheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
     }
 
-    /// The constructions on paper of the force analyzers at a position, step by step; none where forces do not belong to it.
+    /// The constructions on paper of the force analyzers at a position, step by step; none where the position has no
+    /// forces.
     ///
     /// # Errors
     ///
@@ -72,7 +73,7 @@ impl Calculation {
     ///
     /// # Errors
     ///
-    /// [`DiagramError`] where a cause alone has no reactions.
+    /// [`DiagramError`] where a single cause has no reactions.
     pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), DiagramError> {
         let Some(loads) = &self.loads else { return Ok(()) };
         let instance = self.reaction_analyzer()?.instance;
@@ -88,7 +89,7 @@ impl Calculation {
         Ok(())
     }
 
-    /// What follows from the reactions of all positions, and the geometry of the contacts.
+    /// Results from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, positions: &[PositionResult]) -> Cycle {
         let with_forces = positions.iter().filter(|position| position.reactions.is_some());
         let indices: Vec<usize> = with_forces.map(|position| position.index).collect();
@@ -128,7 +129,8 @@ impl Calculation {
         ends.map(curve).collect()
     }
 
-    /// A contact whose arc can't be followed through its interval is left out: the failures of the positions say why.
+    /// A contact whose arc has no position somewhere in its interval is left out: the failures of the positions say
+    /// why.
     fn enveloping(&self) -> Vec<Enveloping> {
         if self.plan.is_partial() {
             return Vec::new();
@@ -139,7 +141,7 @@ impl Calculation {
             .collect()
     }
 
-    /// Of the guides with a force; none where a position is missing, as the force can't be followed there.
+    /// Of the guides with a force; none where a position is missing, because the force is unknown there.
     fn sign_changes(&self, positions: &[PositionResult]) -> Named<Vec<SignChange>> {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
             return Named::default();

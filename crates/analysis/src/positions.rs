@@ -1,4 +1,4 @@
-//! Position after position.
+//! Calculation of all positions.
 
 use std::sync::Arc;
 
@@ -21,8 +21,8 @@ impl Calculation {
         failed.collect()
     }
 
-    /// Calculates everything that the scene asks for, without [`checks`](Self::checks). A position without a solution stands
-    /// among the failures, with what could still be calculated there.
+    /// Calculates the results of the scene, without [`checks`](Self::checks). A position without a solution is among
+    /// the failures, and keeps the results that could still be calculated there.
     ///
     /// # Errors
     ///
@@ -32,8 +32,8 @@ impl Calculation {
         Ok(Analysis { cycle: self.cycle(&found.positions), ..found })
     }
 
-    /// Calculates the positions and the motion without what follows from all positions together (extremes of the reactions,
-    /// sides of the guides, contacts): for grids of many scenes, which have no use for it.
+    /// Calculates the positions and the motion without the results over the whole cycle (extremes of the reactions,
+    /// sides of the guides, contacts): for grids of many scenes, which do not use them.
     ///
     /// # Errors
     ///
@@ -70,7 +70,7 @@ impl Calculation {
     }
 }
 
-/// The results of the positions as they grow.
+/// The results of the positions as they are added.
 struct Positions<'a> {
     calculation: &'a Calculation,
     groups: Vec<Arc<str>>,

@@ -1,11 +1,11 @@
-//! How far a calculation is.
+//! Progress of a calculation.
 
 use std::ops::ControlFlow;
 
-/// Whoever asks for a calculation is told before each piece of it how far it is, and breaks to stop it.
+/// Called before each piece of a calculation with its progress; breaks to stop it.
 pub type Watch<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 
-/// A calculation was stopped by whoever watched it.
+/// The watcher stopped the calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("stopped on request")]
 pub struct Stopped;
@@ -27,18 +27,18 @@ pub(crate) fn step(watch: &mut Watch<'_>, progress: Progress) -> Result<(), Stop
     if watch(progress).is_break() { Err(Stopped) } else { Ok(()) }
 }
 
-/// What is calculated at the moment, and how far it is.
+/// The piece of the calculation in work, and its progress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Progress {
-    /// A motion from an initial state is followed.
+    /// The motion from an initial state is integrated.
     Motion {
-        /// Time that is reached, s.
+        /// Time reached, s.
         time: f64,
         /// Cycles (turns) that are done; 0 for an input without a cycle.
         cycles: usize,
     },
-    /// A steady regime is searched.
+    /// The steady regime is sought.
     Regime {
         /// How many times the equation of motion was evaluated.
         evaluations: usize,

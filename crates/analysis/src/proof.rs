@@ -1,4 +1,4 @@
-//! Motions proved by other means than those that found them: work against energy, a cycle run once more in time.
+//! Independent checks of motions: work against energy, and a cycle repeated by steps in time.
 
 use assur_check::Check;
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
@@ -8,7 +8,7 @@ use crate::Calculation;
 
 /// Intervals of the quadrature of the work; a multiple of four.
 const INTERVALS: usize = 4000;
-/// Tolerance of the cycle that is run once more.
+/// Tolerance of the repeated cycle.
 const TOLERANCE: f64 = 1e-10;
 /// Least part of the largest energy that a sum of energies can resolve.
 const ROUNDING: f64 = 1e-12;
@@ -55,7 +55,7 @@ struct Balance {
     step: f64,
     kinetic: Vec<f64>,
     power: Vec<f64>,
-    /// Whether a piece of a law begins and ends between an instant and the next one, so that the quadrature does not see it.
+    /// Whether a piece of a law begins and ends between an instant and the next one, so that the quadrature misses it.
     steps_over: Vec<bool>,
 }
 
@@ -81,7 +81,7 @@ impl Balance {
             motion.enter(&state).ok()?;
             let reduced = motion.reduced(&state).ok()?;
             found.kinetic.push(0.5 * reduced.inertia * speed * speed);
-            // At a speed that is held the moments take on the value that holds it.
+            // At a speed that is held the moments have the value that holds it.
             let held = 0.5 * reduced.inertia_derivative * speed * speed;
             let moment = if acceleration == 0.0 { held } else { reduced.moment };
             found.power.push(moment * speed);
@@ -102,7 +102,7 @@ impl Balance {
             size += fine.abs();
             error += (fine - coarse).abs();
             if self.steps_over.iter().skip(start).take(4).any(|over| *over) {
-                // What a piece does that is shorter than a step can't be proved by these steps.
+                // A piece that is shorter than a step can't be checked with these steps.
                 error += (self.kinetic[start + 4] - self.kinetic[start] - fine).abs();
             }
             let total = scale.max(size);

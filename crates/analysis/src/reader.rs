@@ -1,4 +1,4 @@
-//! Reads named results off a solved position: positions of the input and samples of a motion alike.
+//! Extracts named results from a solved position, of the input or of a sample of a motion.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -15,10 +15,10 @@ use crate::angles::Angles;
 use crate::plan::Wanted;
 use crate::results::{Named, PairReaction, PointMotion, Rates, ScalarMotion};
 
-/// A force below this part of the greatest of the position has no line of action worth giving.
+/// A force below this part of the greatest of the position has no meaningful line of action.
 const LEAST_FORCE: f64 = 1e-9;
 
-/// A position and everything that is needed to read results off it; the position is solved again and again.
+/// A position with the data needed to extract results; it is solved anew for each coordinate.
 #[derive(Debug)]
 pub(crate) struct Reader<'a> {
     linkage: &'a Linkage,
@@ -34,7 +34,7 @@ pub(crate) struct Reader<'a> {
 /// Reactions (where the method gives them) and the balancing load.
 pub(crate) type Found = (Option<Named<PairReaction>>, f64);
 
-/// How links, points and slides move by the coordinate.
+/// Transfer functions of links, points and slides.
 pub(crate) struct Transfers {
     pub(crate) links: Named<ScalarMotion>,
     pub(crate) points: Named<PointMotion>,
@@ -70,7 +70,7 @@ impl<'a> Reader<'a> {
         self.linkage.solve(coordinate, self.order, &mut self.position)
     }
 
-    /// Solves the position at a coordinate up to PF2, whatever the plan needs.
+    /// Solves the position at a coordinate up to PF2, even where the plan needs less.
     pub(crate) fn solve_second(&mut self, coordinate: f64) -> Result<(), PositionError> {
         self.linkage.solve(coordinate, Order::Second, &mut self.position)
     }
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         self.forces.is_some()
     }
 
-    /// Angles of the links, which continue those of the position that was read before.
+    /// Angles of the links, which continue those of the previously read position.
     pub(crate) fn links(&mut self) -> Named<ScalarMotion> {
         let angles = self.angles.follow(self.linkage, &self.position, &self.wanted.links);
         let each = self.wanted.links.iter().map(|&id| {
@@ -113,8 +113,8 @@ impl<'a> Reader<'a> {
         Some(self.forces.as_mut()?.solve(self.linkage, state, &self.position))
     }
 
-    /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
-    /// method that finds it without reactions. `None` where there is none.
+    /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by
+    /// a method that finds it without reactions. `None` where there is no such method.
     pub(crate) fn balancing_alone(&mut self, state: &State) -> Option<f64> {
         let method = applicable(self.linkage).into_iter().find(|plugin| !plugin.gives_reactions)?;
         let mut wrenches = self.forces.as_ref()?.loads.total(state, &self.position.bodies);
@@ -156,7 +156,7 @@ impl Transfers {
     }
 }
 
-/// Scratch of the force analysis.
+/// Scratch memory of the force analysis.
 #[derive(Debug)]
 struct Forces<'a> {
     loads: &'a Loads,
@@ -201,7 +201,7 @@ impl Forces<'_> {
     }
 }
 
-/// Where along the guide the force alone would do the same: moment = offset times the force along the normal.
+/// Where along the guide the force alone is equivalent: moment = offset times the force along the normal.
 fn offset(linkage: &Linkage, joint: &JointReaction, position: &Position, least: f64) -> Option<f64> {
     let (PairId::Slide(id), Some(moment), Some((_, force))) =
         (joint.joint, joint.moment, joint.forces.first())
@@ -215,7 +215,7 @@ fn offset(linkage: &Linkage, joint: &JointReaction, position: &Position, least: 
     (normal.abs() > least).then(|| moment / normal)
 }
 
-/// Names of links, points and slides by index, made once and shared by all results.
+/// Names of links, points and slides by index, created once and shared by all results.
 #[derive(Debug)]
 struct Names {
     links: Vec<Arc<str>>,

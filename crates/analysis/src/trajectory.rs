@@ -12,16 +12,16 @@ use crate::{Calculation, InputMotion, Progress};
 /// Samples of a motion that have no forces.
 #[derive(Debug, Default)]
 pub(crate) struct WithoutForces {
-    /// How many stand at a change point.
+    /// How many of them are at a change point.
     pub(crate) at_change_points: usize,
-    /// How many the method refuses.
+    /// For how many of them the method fails.
     pub(crate) refused: usize,
-    /// What it says at the first of them.
+    /// The error of the method at the first of them.
     pub(crate) reason: Option<String>,
 }
 
 impl Calculation {
-    /// The states that a trajectory goes through, in order of time; empty with a prescribed motion.
+    /// The states of a trajectory, in order of time; empty with a prescribed motion.
     pub(crate) fn states(&self) -> Vec<State> {
         self.instants().into_iter().map(|instant| instant.state).collect()
     }
@@ -45,7 +45,7 @@ impl Calculation {
         }
     }
 
-    /// The samples, with forces for a transient motion, whose positions have none; and where they are missing.
+    /// The samples, with forces for a transient motion, because its positions have none; and where they are missing.
     pub(crate) fn trajectory(
         &self,
         watch: &mut Watch<'_>,

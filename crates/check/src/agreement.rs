@@ -7,7 +7,7 @@ use crate::check::Collector;
 use crate::differences::SAFETY;
 use crate::rounding::{SAMPLES, SPACING, rounding_of};
 
-/// Numbers of one answer: the balancing load, then three for each pair.
+/// Numbers of one result: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;
 
 pub(crate) fn collector() -> Collector {
@@ -17,7 +17,7 @@ pub(crate) fn collector() -> Collector {
     Collector::new("agreement of the methods", reason)
 }
 
-/// Compares the answers of all methods with that of the one that is checked in full.
+/// Compares the results of all methods with that of the method whose results all checks use.
 pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
     for (i, other) in case.answers.iter().enumerate().filter(|(i, _)| *i != case.full) {
         if let Some(other) = other {
@@ -34,7 +34,7 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
     let off = sizes(&difference, scale, units);
     let usual = ROUNDINGS * f64::EPSILON * case.one.condition;
     let shown = if method.gives_reactions { off.len() } else { 1 };
-    // A method may be worse conditioned than the mechanism (a pole near infinity); then its rounding is measured.
+    // A method may be more ill-conditioned than the mechanism (a pole near infinity); then its rounding is measured.
     let measured = off[..shown].iter().any(|off| *off > usual).then(|| {
         let both = [&case.subject.methods[case.full], method].map(|method| rounding(case, method));
         both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))
@@ -46,7 +46,7 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
     }
 }
 
-/// Units of the balancing load and of the reactions. A balancing moment compares with that of the largest reaction.
+/// Units of the balancing load and of the reactions. The scale of a balancing moment is that of the largest reaction.
 fn units(case: &Case<'_>) -> [f64; 2] {
     let linkage = case.subject.linkage;
     let scale = linkage.structure.scale;
@@ -56,8 +56,8 @@ fn units(case: &Case<'_>) -> [f64; 2] {
     [case.reactions.balancing.abs().max(unit * lever), unit]
 }
 
-/// Deviation of the rounding of each number, from answers at closely spaced coordinates, the position among them. The
-/// loads keep their laws; only the places move.
+/// Standard deviation of the rounding of each number, from results at closely spaced coordinates around the position.
+/// The formulas of the loads are not changed, only the position.
 fn rounding(case: &Case<'_>, method: &AnalyzerPlugin) -> Option<Numbers> {
     let (subject, unit) = (case.subject, case.subject.linkage.coordinate_unit());
     let row = |i: usize| {

@@ -1,4 +1,4 @@
-//! One state with everything that the checks of forces compare.
+//! One state with the data that the checks of forces compare.
 
 use assur_force::{JointReaction, Loads, Reactions, State};
 use assur_group::Wrench;
@@ -6,8 +6,8 @@ use assur_group::Wrench;
 use crate::subject::{Solved, Subject};
 use crate::written::Items;
 
-/// Roundings of the solution of one group or of the system of all, and of a sum of the terms of one load, in units of the last
-/// place of the largest force, for each unit of the condition.
+/// Rounding errors of the solution of one group, or of the system of all, and of a sum of the terms of one load. In
+/// units of the last place of the largest force, per unit of the condition number.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
 /// One state, its loads and its reactions.
@@ -16,19 +16,19 @@ pub(crate) struct Case<'a> {
     pub(crate) loads: &'a Loads,
     pub(crate) one: &'a Solved,
     pub(crate) state: &'a State,
-    /// The loads, written out from the scene.
+    /// The loads, computed independently from the scene.
     pub(crate) items: &'a Items,
-    /// The answer of each method; `None` where it fails.
+    /// The result of each method; `None` where it fails.
     pub(crate) answers: &'a [Option<Reactions>],
-    /// Index of the method that is checked in full.
+    /// Index of the method whose results all checks use.
     pub(crate) full: usize,
-    /// Its answer.
+    /// The result of that method.
     pub(crate) reactions: &'a Reactions,
-    /// Its answer by pins and slides.
+    /// The result of that method by pins and slides.
     pub(crate) joints: Vec<JointReaction>,
 }
 
-/// The largest force of an answer, N; moments of slides count by the typical length.
+/// The largest force of a result, N; moments of slides count as forces by the typical length.
 pub(crate) fn largest(reactions: &[Wrench<f64>], scale: f64) -> f64 {
     reactions.iter().map(|r| r.fx.hypot(r.fy) + r.m.abs() / scale).fold(0.0, f64::max)
 }

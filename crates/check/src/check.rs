@@ -1,4 +1,4 @@
-//! The result of a check, and how the residuals of all positions become one.
+//! The result of a check, and how the residuals of all positions are combined.
 
 use serde::Serialize;
 
@@ -19,21 +19,21 @@ pub struct Check {
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: &'static str,
-    /// Positions that the check could not judge, at least not in full (too close to the end of assembly, or singular).
+    /// Positions that could not be checked, or not in full (too close to the limit of assembly, or singular).
     pub left_out: usize,
-    /// Why, for the first of them; empty where all were judged.
+    /// The reason for the first of them; empty where all were checked.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub why_left_out: &'static str,
-    /// Whether it says anything: a residual exceeds its limit, or one position at least could be judged in full. Otherwise it
-    /// is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
+    /// Whether the check is conclusive: a residual exceeds its limit, or at least one position could be checked in
+    /// full. Otherwise it is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
     pub judged: bool,
-    /// Whether it says something, and every residual that could be judged keeps its limit.
+    /// Whether the check is conclusive, and every residual that could be checked keeps its limit.
     pub ok: bool,
 }
 
 impl Check {
-    /// A check of one number against its limit, both in parts of what is compared, which belongs to no position. With a limit
-    /// of the size of what is compared only a residual that exceeds it says something.
+    /// A check of one number that belongs to no position; residual and limit relative to the compared quantity. With a
+    /// limit as large as that quantity only a residual that exceeds it is conclusive.
     pub fn of(name: &'static str, residual: f64, limit: f64, place: &str, reason: &'static str) -> Self {
         let proves_nothing = residual <= limit && limit > JUDGES;
         Self {
@@ -50,14 +50,14 @@ impl Check {
         }
     }
 
-    /// Whether something exceeds its limit. A check that could not judge anything does not fail.
+    /// Whether a residual exceeds its limit. A check that could check no position does not fail.
     pub fn failed(&self) -> bool {
         self.judged && !self.ok
     }
 }
 
-/// Part of the size of what is compared up to which a limit judges: beyond, not even a wrong first digit would be noticed,
-/// and a residual below such a limit proves nothing.
+/// The largest conclusive limit, relative to the size of the compared quantity: beyond, not even a wrong first digit
+/// would be noticed, and a residual below such a limit proves nothing.
 const JUDGES: f64 = 0.1;
 
 const LIMIT_TOO_WIDE: &str =
@@ -65,13 +65,13 @@ const LIMIT_TOO_WIDE: &str =
 
 const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
 
-/// Part of its limit that a residual takes up. Of residuals that are zero, the one with the larger limit counts more, so that
-/// a report shows a limit that means something.
+/// Ratio of a residual to its limit. Of residuals that are zero, the one with the larger limit counts more, so that a
+/// report shows a meaningful limit.
 fn share(residual: f64, limit: f64) -> f64 {
     if residual == 0.0 { -1.0 / limit } else { residual / limit }
 }
 
-/// One residual with its limit and where it is.
+/// One residual with its limit and its place.
 #[derive(Debug)]
 struct Residual {
     size: f64,
@@ -85,10 +85,10 @@ struct Residual {
 pub(crate) struct Collector {
     check: Check,
     offers: usize,
-    /// The last position, and the last one that was left out, to count each once.
+    /// The last position, and the last skipped one, to count each once.
     last: [Option<usize>; 2],
     positions: usize,
-    /// What has the widest limit of all that could not be judged.
+    /// The position with the widest limit of all that could not be checked.
     widest: Option<Residual>,
 }
 
@@ -98,13 +98,14 @@ impl Collector {
         Self { check, offers: 0, last: [None; 2], positions: 0, widest: None }
     }
 
-    /// Adds a residual with its limit, both in parts of what is compared; `place` is called for the worst so far only.
+    /// Adds a residual with its limit, both relative to the compared quantity; `place` is called only for the worst
+    /// residual up to now.
     pub(crate) fn offer(&mut self, at: usize, residual: f64, limit: f64, place: impl FnOnce() -> String) {
         self.offer_of(at, residual, limit, 1.0, place);
     }
 
-    /// Adds a residual with its limit where what is compared has another `size` than 1. A limit too wide for that size judges
-    /// only what exceeds even it.
+    /// Adds a residual with its limit where the compared quantity has another `size` than 1. If the limit is too wide
+    /// for that size, only a residual that exceeds it counts.
     pub(crate) fn offer_of(
         &mut self,
         at: usize,
@@ -113,7 +114,7 @@ impl Collector {
         size: f64,
         place: impl FnOnce() -> String,
     ) {
-        // NaN keeps no limit; the comparison is written so that it fails.
+        // The comparison is written so that NaN fails.
         let holds = residual <= limit;
         if holds && limit > JUDGES * size {
             self.leave_out(at, TOO_WIDE);
@@ -143,7 +144,7 @@ impl Collector {
         }
     }
 
-    /// Notes that a position could not be judged, and why.
+    /// Notes that a position could not be checked, and why.
     pub(crate) fn leave_out(&mut self, at: usize, why: &'static str) {
         self.enter(at);
         if self.last[1] == Some(at) {
@@ -156,7 +157,7 @@ impl Collector {
         }
     }
 
-    /// The check, if it applied anywhere.
+    /// The check, if it applied to any position.
     pub(crate) fn into_check(self) -> Option<Check> {
         let Self { check, positions, widest, .. } = self;
         if positions == 0 {

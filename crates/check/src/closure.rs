@@ -8,8 +8,8 @@ use crate::check::{Check, Collector};
 use crate::elements::place_motion;
 use crate::subject::{Solved, Subject};
 
-/// Roundings of one closed form, in units of the last place of the largest term: some twenty operations in each of the two
-/// bodies, the root and the division of the group that placed them.
+/// Rounding errors of one closed form, in units of the last place of the largest term: some twenty operations in each
+/// of the two bodies, and the root and the division of the group that placed them.
 const ROUNDINGS: f64 = 64.0;
 
 const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
@@ -17,7 +17,7 @@ const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units o
                       group carries the rounding of the fast one that drives it, and a short distance that of the \
                       coordinates whose difference it is), across a change point those of the interpolation's nodes";
 
-/// What a pair leaves open: the gap and the size of the largest term, for each order.
+/// Closure error of a pair: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
 
 pub(crate) fn checks<B>(
@@ -42,7 +42,7 @@ pub(crate) fn checks<B>(
                 });
             }
         }
-        // The determinant does not matter for what is interpolated.
+        // Where the position is interpolated, the determinant does not matter.
         let across = linkage.is_interpolated(one.position.coordinate);
         let turned = subject.lost_by_interpolation(one, 0) / if across { 1.0 } else { one.health };
         for (id, body) in bodies.iter().enumerate().skip(1) {
@@ -72,7 +72,7 @@ fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {
     }
 }
 
-/// Size of the terms that make the motion of a place.
+/// Size of the terms of which the motion of a place consists.
 fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
     let arm = at[0].hypot(at[1]);
     match order {
@@ -82,13 +82,13 @@ fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
     }
 }
 
-/// The point stays on the line, in the frame of the guide: the component n of the relative motion is zero in every order; and
-/// the bodies turn alike (their angles are compared as lengths at the arm of the point).
+/// The point stays on the line: in the frame of the guide, the component n of the relative motion is zero in every
+/// order. Both bodies turn by the same angle (angles are compared as lengths at the arm of the point).
 ///
-/// The distance d along the guide is the difference of two places, and small against them where guide and pins nearly meet;
-/// its rounding is that of the places. It is multiplied by w in the first order and by e + w² in the second, and the rounding
-/// of d' by 2 w. So the sizes of the places count there, and not those of d and d' themselves: near a singular position w grows
-/// with the inverse of d, and multiplies a rounding that does not become smaller with d.
+/// The distance d along the guide is the difference of two places. It is small against them where guide and pins nearly
+/// meet, but its rounding is that of the places. That rounding is multiplied by w in the first order and by e + w² in
+/// the second, and the rounding of d' by 2 w. So the sizes of the places count there, not those of d and d': near a
+/// singular position w grows with the inverse of d, but the rounding that it multiplies does not become smaller with d.
 fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], angle: f64, tilt: f64) -> Gap {
     let (s, c) = angle.sin_cos();
     let along = [b.c * c - b.s * s, b.s * c + b.c * s];
@@ -108,7 +108,7 @@ fn slide_gap(a: &Body<f64>, b: &Body<f64>, point: [f64; 2], through: [f64; 2], a
     let extra = [far, w.abs() * own[0], 2.0 * w.abs() * own[1] + (e.abs() + w * w) * own[0]];
     let (ts, tc) = tilt.sin_cos();
     let wanted = [along[0] * tc - along[1] * ts, along[1] * tc + along[0] * ts];
-    // The angle, not its sine alone: a body turned by 180 degrees does not close.
+    // The angle, not only its sine: a body turned by 180 degrees is an error.
     let turn = (wanted[0] * a.s - wanted[1] * a.c).atan2(wanted[0] * a.c + wanted[1] * a.s);
     let turns = [turn, a.w1 - b.w1, a.w2 - b.w2];
     let rates = [1.0, a.w1.abs() + b.w1.abs(), a.w2.abs() + b.w2.abs()];

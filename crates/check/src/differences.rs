@@ -1,13 +1,13 @@
 //! Numerical differentiation with an error estimate (Richardson's extrapolation, Ridders' choice of its order).
 
-/// By what estimates of errors are multiplied: they are right within a small factor only, a deviation from a few samples, an
+/// Safety factor of error estimates, which are right within a small factor only: a deviation from a few samples, an
 /// extrapolation from its neighbors.
 pub(crate) const SAFETY: f64 = 8.0;
 
 /// Halvings of the step at most.
 pub(crate) const LEVELS: usize = 9;
 
-/// A derivative and how far it may be off.
+/// A derivative and its estimated error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Estimate {
     pub(crate) value: f64,
@@ -16,13 +16,14 @@ pub(crate) struct Estimate {
 
 /// Extrapolates central differences (step, difference quotient), each step half of the one before.
 ///
-/// `rounding`: deviation of the rounding of the function. The error of an entry is its distance from both entries that it was made
-/// of, plus the rounding that its smallest step magnifies: of two values, 2 rounding / 2h, and by at most
-/// (4/3)(16/15)... < 1.5 through the extrapolation. Of each row the entry of least error counts, and of all rows the best one.
+/// `rounding`: standard deviation of the rounding of the function. The error of an entry is its distance from both
+/// entries from which it was computed, plus the rounding that its smallest step magnifies: for two values, 2 rounding /
+/// 2h, times at most (4/3)(16/15)... < 1.5 for the extrapolation. Of each row the entry of least error counts, and of
+/// all rows the best one.
 ///
-/// The least of many estimates tends to be too small: two entries agree by chance, or large steps agree on a wrong value
-/// because they all step over something narrow. So the best row must agree with its better neighbor, and with the row of the
-/// smallest step, or the error grows to the disagreement.
+/// The least of many estimates tends to be too small: two entries agree by chance, or large steps agree on a wrong
+/// value because they all step over something narrow. So the best row must agree with its better neighbor and with the
+/// row of the smallest step; otherwise the error is raised to the disagreement.
 pub(crate) fn extrapolated(quotients: &[(f64, f64)], rounding: f64) -> Estimate {
     let rows = best_of_rows(quotients, rounding);
     let Some(best) = (0..rows.len()).min_by(|&i, &k| rows[i].error.total_cmp(&rows[k].error)) else {
@@ -32,13 +33,13 @@ pub(crate) fn extrapolated(quotients: &[(f64, f64)], rounding: f64) -> Estimate 
     let apart = |other: &Estimate| (found.value - other.value).abs();
     let around = [best.checked_sub(1), Some(best + 1)].map(|i| rows.get(i?));
     let neighbor = around.into_iter().flatten().min_by(|a, b| a.error.total_cmp(&b.error)).map_or(0.0, apart);
-    // What rounding can put between it and the last row is no disagreement.
+    // A difference from the last row that rounding explains is no disagreement.
     let least = quotients.last().map_or(f64::NAN, |(step, _)| *step);
     let last = rows.last().map_or(0.0, apart) - 3.0 * rounding / least;
     Estimate { error: found.error.max(neighbor).max(last), ..found }
 }
 
-/// The entry of least error in each row of the extrapolation but the first, which has nothing to agree with.
+/// The entry of least error in each row of the extrapolation except the first, which has no entry to compare with.
 fn best_of_rows(quotients: &[(f64, f64)], rounding: f64) -> Vec<Estimate> {
     let mut rows = Vec::with_capacity(LEVELS);
     let mut before: Vec<f64> = Vec::with_capacity(LEVELS);

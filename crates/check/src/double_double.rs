@@ -1,9 +1,10 @@
-//! The surroundings of a position in about 32 digits.
+//! Differences around a position in about 32 digits.
 //!
-//! The step of a difference must be far smaller than the distance to a singular position, and in 16 digits such a step leaves
-//! none. In double-double, steps of a tenth of that distance and less keep more than 16 digits down to distances of 1e-14; so
-//! the differences are known, with their error, wherever the calculated numbers have digits to compare. The chain is
-//! solved by the same kernels in the other number; their PF1 and PF2 are compared with differences of their PF0 and PF1.
+//! The step of a difference must be far smaller than the distance to a singular position; in 16 digits no digits remain
+//! with such a step. In double-double, steps of a tenth of that distance and less keep more than 16 digits down to
+//! distances of 1e-14, so the differences are known, with their error, wherever the calculated numbers have digits to
+//! compare. The chain is solved by the kernels of the program with the other number type; their PF1 and PF2 are
+//! compared with differences of their PF0 and PF1.
 
 use assur_group::{Body, Order};
 use assur_kinematics::Chain;
@@ -16,18 +17,20 @@ use crate::perturbation::{Perturbation, TRIALS};
 use crate::sample::{Sample, Surroundings, quotients};
 use crate::subject::{Solved, Subject};
 
-/// First step, in parts of the length over which the motion bends.
+/// First step, as part of the length over which the motion changes markedly.
 const FIRST_STEP: f64 = 0.1;
 
-/// Least part of the square of the determinant that is taken for that length: the ways of a group that meet in an end of
-/// assembly meet at a distance in proportion to the square, and no motion bends much faster than it could end.
+/// Lower bound of that length, as part of the square of the determinant: the assembly modes that meet at the limit of
+/// an assembly interval do so at a distance in proportion to the square, and no motion changes on a much shorter
+/// length.
 const LEAST_BEND: f64 = 1e-3;
 
-/// The first step is halved 39 times at most before a position is given up: beyond, even 32 digits leave none.
+/// Most halvings of the first step; beyond, even 32 digits leave none.
 const LEAST_STEP: f64 = 1.0 / ((1_u64 << 40) as f64);
 
-/// Roundings of the calculated numbers, in rounding units by their amplification: as in the closure some twenty operations
-/// in each of two bodies, and the root and the division of the group. In parts of the safety that multiplies all estimates.
+/// Rounding of the calculated numbers, in rounding units times their amplification: as for the closure, some twenty
+/// operations in each of two bodies, and the root and the division of the group. Divided by the safety factor of all
+/// estimates.
 const ROUNDINGS: f64 = 64.0 / SAFETY;
 
 /// The chain in double-double.
@@ -40,7 +43,7 @@ pub(crate) struct DoubleDouble<'a> {
 }
 
 impl<'a> DoubleDouble<'a> {
-    /// `None` where a kernel can't be built in this number.
+    /// `None` where a kernel can't be built in this number type.
     pub(crate) fn of(subject: &'a Subject<'a>) -> Option<Self> {
         let linkage = subject.linkage;
         let chain = Chain::compile(&linkage.mechanism, &linkage.structure).ok()?;
@@ -57,7 +60,7 @@ impl<'a> DoubleDouble<'a> {
     pub(crate) fn surroundings(&mut self, all: &[Element], one: &Solved) -> Option<Surroundings> {
         let q = one.position.coordinate;
         let start: Vec<_> = one.position.bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
-        // The steps are far smaller than the distance to a change point, where the way of assembly could change.
+        // The steps are far smaller than the distance to a change point, where the assembly mode could change.
         let ways = self.subject.linkage.ways.at(q);
         let center = self.solve(Dd::from_f64(q), ways, &start)?;
         let middle = self.sample(all, &center, &center);
@@ -79,8 +82,9 @@ impl<'a> DoubleDouble<'a> {
         Some(Surroundings { quotients, below: own.scaled(floor), own, floor, values: middle.map(Dd::to_f64) })
     }
 
-    /// The length, in the coordinate, over which the motion bends: of all links the least ratio of PF1 to PF2. Near a pole of
-    /// the motion and near an end of assembly this is the distance to it, but for a factor of about 2.
+    /// The length, in the coordinate, over which the motion changes markedly: the least ratio of PF1 to PF2 over all
+    /// links. Near a pole of the motion and near a limit of an assembly interval this is the distance to it, within a
+    /// factor of about 2.
     fn bend(&self, bodies: &[Body<Dd>], health: f64) -> f64 {
         let scale = self.subject.linkage.structure.scale;
         let ratio = |body: &Body<Dd>| {
@@ -94,7 +98,7 @@ impl<'a> DoubleDouble<'a> {
         least.max(LEAST_BEND * health * health * unit)
     }
 
-    /// All bodies at a coordinate; `start`: for kinds that iterate.
+    /// All bodies at a coordinate; `start`: starting values for kinds that iterate.
     fn solve(&self, q: Dd, ways: &[u8], start: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
         let mut bodies = start.to_vec();
         let mut health = vec![Dd::ZERO; self.chain.groups.len()];
@@ -102,7 +106,7 @@ impl<'a> DoubleDouble<'a> {
         Some(bodies)
     }
 
-    /// All bodies with perturbed data: the lengths, and each body as soon as it is placed.
+    /// All bodies with perturbed data: the lengths, and each body as soon as it is solved.
     fn solve_perturbed(
         &mut self,
         trial: u64,

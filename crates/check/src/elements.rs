@@ -19,7 +19,7 @@ pub(crate) enum Element {
 /// PF0, PF1, PF2 of an element; one number for links and slides, the second is then 0.
 pub(crate) type Motion = [[f64; 2]; 3];
 
-/// All elements. A pin is one on each of its links: they are solved apart and must agree.
+/// All elements. A pin is one element on each of its links: they are calculated separately and must agree.
 pub(crate) fn elements(linkage: &Linkage) -> Vec<Element> {
     let mechanism = &linkage.mechanism;
     let mut all = Vec::new();
@@ -51,7 +51,7 @@ impl Element {
         }
     }
 
-    /// The link that it is on; for a slide both.
+    /// The link of the element; for a slide both links.
     pub(crate) fn links(self, linkage: &Linkage) -> [LinkId; 2] {
         match self {
             Self::Place(place, _) => [place.link; 2],
@@ -68,7 +68,7 @@ impl Element {
         !matches!(self, Self::Link(_))
     }
 
-    /// The transfer functions; an angle is counted from that of `reference`, so that it never jumps.
+    /// The transfer functions; an angle is counted from that of `reference`, so it never jumps.
     pub(crate) fn motion(self, linkage: &Linkage, position: &Position, reference: &Position) -> Motion {
         match self {
             Self::Place(place, _) => {
@@ -87,8 +87,8 @@ impl Element {
         }
     }
 
-    /// The transfer functions written out from the bodies, in any number. The place of a link is the sine of its angle from
-    /// `reference`: its derivative there is that of the angle.
+    /// The transfer functions from the bodies, in any number type. For a link, PF0 is the sine of its angle from
+    /// `reference`, whose derivative there is that of the angle.
     pub(crate) fn motion_of<T: Real>(
         self,
         mechanism: &Mechanism,

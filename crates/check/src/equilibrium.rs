@@ -1,4 +1,4 @@
-//! Equilibrium of every link from the reactions as they are named, of every joint, and of slides along their guides.
+//! Equilibrium of every link under the named reactions, of every joint, and of slides along their guides.
 
 use assur_force::{JointReaction, UnitBalance};
 use assur_group::Wrench;
@@ -65,7 +65,7 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     }
 }
 
-/// The forces and moments on a link with the size of what was added, N.
+/// The sum of forces and moments on a link, with the size of its terms, N.
 #[derive(Debug, Clone, Copy)]
 struct Sum {
     wrench: Wrench<f64>,

@@ -11,7 +11,7 @@ use crate::subject::{Solved, Subject};
 use crate::written::{Items, Writer, given};
 use crate::{agreement, equilibrium, power};
 
-/// Why a position is left out where all methods refuse it.
+/// Why a position is skipped where all methods fail.
 const NO_ANSWER: &str = "no method finds reactions there: the position is singular";
 
 pub(crate) fn checks<B>(

@@ -1,4 +1,4 @@
-//! The reduced inertia, written out over the links once more.
+//! The reduced inertia, computed independently as a sum over the links.
 
 use assur_group::Body;
 use assur_mechanism::Mechanism;

@@ -1,11 +1,11 @@
-//! Checks that prove the numbers of one mechanism (S, stages 3, 8, 9 and 10).
+//! Checks of the calculated numbers of one mechanism (S, stages 3, 8, 9 and 10).
 //!
-//! Every check compares a result with something that was found in another way, over all positions of the scene, and gives
-//! its largest residual, where it is, and a limit. No limit is a guess: each follows from the rounding unit, the sizes of what
-//! was added up, the nearness to a singular position, and, for differences, from their own error estimate. A check that does
-//! not apply is left out.
+//! Every check compares a result with one from an independent computation, over all positions of the scene, and gives
+//! its largest residual, where it occurs, and a limit. Each limit follows from the rounding unit, the sizes of the
+//! terms of sums, the nearness to a singular position, and, for differences, from their own error estimate. A check
+//! that does not apply is left out.
 //!
-//! The limits of the element that comes closest to failing are shown; so `residual` and `limit` belong to each other.
+//! Residual and limit are those of the element that is closest to failing, so they belong together.
 
 mod agreement;
 mod case;

@@ -1,13 +1,13 @@
-//! What rounding does to the numbers of a position: the chain is solved in about 32 digits with every datum off by a rounding
-//! unit of f64, and the deviation of each number is its true amplification.
+//! The effect of rounding on the numbers of a position: the chain is solved in about 32 digits with every datum
+//! perturbed by a rounding unit of f64, and the deviation of each number is its true amplification.
 //!
-//! A backward stable calculation gives the exact answer to data that are off by a few rounding units. Its error is then
-//! (rounding units) x (amplification), whatever the mechanism, and near a singular position it grows as it must: the
-//! amplification is what the equations themselves do, not a power of the determinant. It does not look at the calculated
-//! numbers, so a mistake in these can't widen its own limit.
+//! A backward-stable calculation gives the exact result for data that are perturbed by a few rounding units. Its error
+//! is then (rounding units) x (amplification), whatever the mechanism, and near a singular position it grows as it
+//! must: the amplification is a property of the equations, not a power of the determinant. The calculated numbers do
+//! not enter, so an error in them can't widen its own limit.
 //!
-//! Data of a group are the places of its pairs in its links, and the motion of the bodies that carry it, which have the
-//! rounding of whatever placed them.
+//! The data of a group are the places of its pairs in its links, and the motion of the bodies that carry it, which have
+//! the rounding of their own solution.
 
 use assur_group::{Body, Pair, PairGeometry};
 use assur_kinematics::Linkage;
@@ -17,10 +17,10 @@ use assur_structure::Structure;
 /// Perturbations in random directions; the greatest effect counts.
 pub(crate) const TRIALS: u64 = 4;
 
-/// Makes data off by a rounding unit, up or down at random.
+/// Perturbs data by a rounding unit, up or down at random.
 #[derive(Debug)]
 pub(crate) struct Perturbation {
-    /// Distance of the farthest pair from the origin of each link, m: places are rounded in the sizes of these, too.
+    /// Distance of the farthest pair from the origin of each link, m: the scale for the rounding of places.
     reach: Vec<f64>,
     state: u64,
 }
@@ -45,14 +45,14 @@ impl Perturbation {
         self.state = trial + 1;
     }
 
-    /// A rounding unit or its opposite, by the next bit of a linear congruential generator (Knuth's MMIX).
+    /// Plus or minus a rounding unit, by the next bit of a linear congruential generator (Knuth's MMIX).
     fn next(&mut self) -> f64 {
         self.state =
             self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         if self.state >> 63 == 0 { f64::EPSILON } else { -f64::EPSILON }
     }
 
-    /// The structure with the lengths and angles of all groups off.
+    /// The structure with perturbed lengths and angles of all groups.
     pub(crate) fn lengths(&mut self, structure: &Structure) -> Structure {
         let mut perturbed = structure.clone();
         for group in &mut perturbed.groups {
@@ -72,7 +72,7 @@ impl Perturbation {
             *number += self.next() * number.abs();
         }
         for angle in angles.into_iter().flatten() {
-            // Cosine and sine are rounded in their own sizes, which turns the direction by so much.
+            // Cosine and sine are each rounded, which turns the direction by this angle.
             *angle += self.next() * angle.abs().min(1.0);
         }
     }
@@ -82,7 +82,7 @@ impl Perturbation {
         self.place(body, 0);
     }
 
-    /// Makes each number of a link off by a rounding unit of the size of the terms that made it.
+    /// Perturbs each number of a link by a rounding unit of the size of the terms of which it was computed.
     pub(crate) fn link(&mut self, body: &mut Body<Dd>, link: usize) {
         self.place(body, link);
         let reach = self.reach[link];

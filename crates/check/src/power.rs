@@ -1,4 +1,4 @@
-//! Power: the equation of motion written out over every load (S stage 8, "Pogr1"), and virtual power against the balancing
+//! Power: the equation of motion as a sum over every load (S stage 8, "Pogr1"), and virtual power against the balancing
 //! load of the force analysis (S stage 10).
 
 use assur_force::{Cause, UnitBalance, power};
@@ -39,7 +39,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
     let (mut moment, mut sizes) = (0.0, 0.0);
     for ((cause, link), item) in case.items {
         let body = &bodies[*link];
-        // Rounding of a power: that of the load by the fastest motion of the link's neighborhood.
+        // Rounding of a power: that of the load times the greatest motion of the link and its neighbors.
         sizes += item.size * (body.x1.hypot(body.y1) + body.w1.abs() * scale);
         if !matches!(cause, Cause::Inertia(_)) {
             moment += power(&item.wrench, body);
@@ -57,7 +57,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
     lever.offer(one.index, (balancing + sum).abs() / total, limit, || "all loads".to_owned());
 }
 
-/// Power that the joints take from one link and give to another: it cancels but for rounding.
+/// Power that the joints transfer from one link to another: the sum is zero but for rounding.
 fn exchanged(case: &Case<'_>) -> f64 {
     let mechanism = &case.subject.linkage.mechanism;
     let mut sum = 0.0;
@@ -76,12 +76,12 @@ fn exchanged(case: &Case<'_>) -> f64 {
     sum
 }
 
-/// J, J' and Q as written out here against those of the compiled loads; `sizes`: of the terms of Q.
+/// J, J' and Q computed here against those of the compiled loads; `sizes`: of the terms of Q.
 fn compare_reduced(case: &Case<'_>, mine: [f64; 3], sizes: f64, collector: &mut Collector) {
     let (linkage, bodies) = (case.subject.linkage, &case.one.position.bodies);
     let found = case.loads.reduced(case.state, bodies);
     let theirs = [found.inertia, found.inertia_derivative, found.moment];
-    // J' is the sum of terms that cancel; their sizes are those of products of PF1 and PF2.
+    // J' is a sum of terms that cancel; their sizes are those of products of PF1 and PF2.
     let slopes = kinetics::slope_terms(&linkage.mechanism, bodies);
     let names = ["J", "J'", "Q"];
     for (k, size) in [mine[0], slopes + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate() {

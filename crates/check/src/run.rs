@@ -12,7 +12,7 @@ use crate::{closure, forces, test_pf};
 
 /// Every check of a linkage under its prescribed motion, by all registered methods.
 ///
-/// Loads that need a motion which the scene has not leave out the checks of forces.
+/// Where loads need a motion that the scene does not define, the checks of forces are left out.
 pub fn checks(linkage: &Linkage) -> Vec<Check> {
     let loads = Loads::compile(linkage).ok();
     let input = &linkage.mechanism.input;
@@ -24,9 +24,9 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
 }
 
 impl Subject<'_> {
-    /// Every check that applies: of the transfer functions over all positions of the scene that can be solved, of the forces over
-    /// the [states](Self::states). `watch` is called before each piece of work with how many are done and how many there are, and
-    /// may stop it.
+    /// Every check that applies: of the transfer functions over all positions of the scene that can be solved, of the
+    /// forces over the [states](Self::states). `watch` is called before each piece of work with the number of finished
+    /// pieces and of all pieces, and may stop the run.
     pub fn checks<B>(
         &self,
         watch: &mut impl FnMut(usize, usize) -> ControlFlow<B>,

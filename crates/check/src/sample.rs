@@ -10,21 +10,21 @@ use crate::kinetics;
 use crate::rounding::{SAMPLES, SPACING, rounding_of};
 use crate::subject::{Solved, Subject};
 
-/// First step of the differences in 16 digits, in units of the coordinate, at a position of determinant 1. Functions bend the
-/// faster, the smaller the determinant is; the step shrinks with it, down to a hundredth.
+/// First step of the differences in 16 digits, in units of the coordinate, at a position of determinant 1. The smaller
+/// the determinant, the faster the functions change; the step shrinks with it, down to a hundredth.
 const FIRST_STEP: f64 = 0.2;
 
-/// Least part of the first step that is begun with.
+/// Least initial step, as part of the first step.
 const LEAST_PART: f64 = 0.01;
 
-/// Steps below this leave no digits to differences in 16 digits.
+/// With steps below this, differences in 16 digits have no correct digits.
 const LEAST_STEP: f64 = 1e-7;
 
 /// Levels that an extrapolation needs.
 const LEAST_LEVELS: usize = 4;
 
-/// Where the rounding is measured around a position, in units of the coordinate: at the place itself, and on both sides just
-/// beyond the interpolation across a change point, whose innermost nodes carry the most.
+/// Where the rounding is measured around a position, in units of the coordinate: at the position itself, and on both
+/// sides just outside the interpolation across a change point, whose innermost nodes have the greatest weight.
 const PLACES: [f64; 3] = [0.0, 0.013, -0.013];
 
 /// PF0, PF1 and PF2 of all elements (two components each), then J and J'.
@@ -47,17 +47,17 @@ impl<T: Real> Sample<T> {
         self.0[self.0.len() - 2 + order]
     }
 
-    /// Every number by a function.
+    /// Each number, transformed by a function.
     pub(crate) fn map<U>(&self, number: impl Fn(T) -> U) -> Sample<U> {
         Sample(self.0.iter().map(|value| number(*value)).collect())
     }
 
-    /// By how much each number differs from that of another sample.
+    /// The difference of each number from that of another sample.
     pub(crate) fn off(&self, other: &Self) -> Sample<f64> {
         Sample(self.0.iter().zip(&other.0).map(|(a, b)| (*a - *b).to_f64().abs()).collect())
     }
 
-    /// Central differences over a step between this sample and one at the greater coordinate.
+    /// Central differences between this sample and the one at the greater coordinate.
     pub(crate) fn quotient(&self, high: &Self, step: f64) -> Quotient {
         let slopes = self.0.iter().zip(&high.0).map(|(low, high)| (*high - *low).to_f64() / (2.0 * step));
         Quotient { step, slopes: Sample(slopes.collect()) }
@@ -65,9 +65,9 @@ impl<T: Real> Sample<T> {
 }
 
 impl Sample<f64> {
-    /// Each number the greater of both.
+    /// For each number the greater of both.
     pub(crate) fn raise(&mut self, other: &Self) {
-        // Not max(): that would drop a NaN, and here it must come through as a failed check.
+        // Not max(): it would drop a NaN, which must appear as a failed check.
         self.0.iter_mut().zip(&other.0).for_each(|(mine, other)| {
             if *other > *mine || other.is_nan() {
                 *mine = *other;
@@ -91,18 +91,18 @@ pub(crate) struct Quotient {
 #[derive(Debug, Clone)]
 pub(crate) struct Surroundings {
     pub(crate) quotients: Vec<Quotient>,
-    /// Rounding of what was differenced.
+    /// Rounding of the numbers that were differenced.
     pub(crate) below: Sample<f64>,
-    /// Rounding of the numbers that are judged.
+    /// Rounding of the numbers that are checked.
     pub(crate) own: Sample<f64>,
-    /// What multiplies the least rounding of what was differenced, in that of f64.
+    /// Factor from the rounding unit of f64 to the least rounding of the differenced numbers.
     pub(crate) floor: f64,
     /// The numbers of the position as the differences see it; only their sizes are used.
     pub(crate) values: Sample<f64>,
 }
 
-/// Differences over steps that are halved from `step` on down to `least`, until there are enough on end; `None` where too few
-/// of them exist.
+/// Differences with steps that are halved from `step` down to `least`, until there are enough consecutive ones; `None`
+/// where too few of them exist.
 pub(crate) fn quotients(
     mut step: f64,
     least: f64,
@@ -119,8 +119,8 @@ pub(crate) fn quotients(
     (found.len() >= LEAST_LEVELS).then_some(found)
 }
 
-/// The surroundings in 16 digits, for the interpolation across a change point: there the motion is smooth, and steps may be
-/// wide. `None` where too few of them can be solved on both sides.
+/// Differences around a position in 16 digits, for the interpolation across a change point: there the motion is smooth,
+/// and steps may be wide. `None` where too few of them can be solved on both sides.
 pub(crate) fn interpolated(
     subject: &Subject<'_>,
     all: &[Element],
@@ -134,7 +134,7 @@ pub(crate) fn interpolated(
         Some(sample(linkage, all, scratch, &one.position))
     };
     let quotients = quotients(FIRST_STEP * one.health.max(LEAST_PART) * unit, LEAST_STEP * unit, |step| {
-        // The step is made exact: q + h and q - h are the numbers that were meant.
+        // The step is rounded so that q + h and q - h are exact.
         let (low, high) = (q - step, q + step);
         Some(at(low)?.quotient(&at(high)?, 0.5 * (high - low)))
     })?;
@@ -164,7 +164,7 @@ fn measured(
     most
 }
 
-/// The numbers as the program gives them; angles are counted from those of `reference`.
+/// The numbers of the program; angles are counted from those of `reference`.
 pub(crate) fn sample(
     linkage: &Linkage,
     all: &[Element],

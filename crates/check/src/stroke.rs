@@ -1,4 +1,4 @@
-//! Sizes of loads, found once more: tables, and the stroke of a point from its places alone.
+//! Sizes of loads, computed independently: tables, and the stroke of a point from its places alone.
 
 use assur_force::State;
 use assur_group::Order;
@@ -9,31 +9,32 @@ use assur_number::search::try_least;
 /// Least and greatest place of a point along an axis, m.
 pub(crate) type Extremes = [f64; 2];
 
-/// Places of the cycle among which the extremes are bracketed.
+/// Number of places of the cycle between which the extremes are bracketed.
 const GRID: usize = 720;
 
-/// Golden sections: 0.618^40 of two cells is some 1e-10 of the cycle; the place at an extreme is then right to its square.
+/// Number of golden-section steps: 0.618^40 of two cells is some 1e-10 of the cycle; the error of the place at an
+/// extreme is then the square of that.
 const SECTIONS: usize = 40;
 
-/// An argument may be off by so much, in parts of itself, of the period, or of 1 rad, m or s: rounding of coordinates and of
-/// the extremes. More than what the compiled loads take for rounding, so that a place that they take to lie on a jump does here.
+/// Tolerance of an argument, relative to itself, to the period, or to 1 rad, m or s: rounding of coordinates and of the
+/// extremes. It is wider than the rounding that the compiled loads allow, so a place on a jump there is on a jump here.
 const ROUNDING: f64 = 1e-11;
 
-/// Everything that the size of a load may depend on.
+/// The variables on which the size of a load may depend.
 pub(crate) struct At<'a> {
     pub(crate) state: &'a State,
     /// Place of the load's point, m, and its PF1.
     pub(crate) point: [f64; 2],
     pub(crate) pf1: [f64; 2],
     pub(crate) extremes: Option<Extremes>,
-    /// +1 or -1: sense of the motion.
+    /// +1 or -1: direction of the motion.
     pub(crate) sense: f64,
     pub(crate) period: Option<f64>,
     /// A length of the mechanism, m.
     pub(crate) scale: f64,
 }
 
-/// The sizes that a load may have: one number, an interval of rounding, or both sides of a jump.
+/// The possible sizes of a load: one number, an interval from rounding, or both sides of a jump.
 pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
     match value {
         Value::Constant(size) => [*size; 2],
@@ -58,7 +59,7 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     let rate = at.sense * (c * at.pf1[0] + s * at.pf1[1]);
     let tolerance = ROUNDING * (at.scale / (high - low)).max(1.0);
     let (one, two) = (around(forward, share, tolerance, None), around(back, share, tolerance, None));
-    // In a reversal either table may hold.
+    // At a reversal either table is possible.
     let turning = 1e-7 * (high - low);
     if rate > turning {
         one
@@ -69,8 +70,7 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     }
 }
 
-/// Least and greatest value of a table where the argument may be off by a tolerance: at a jump that is so near, both of its
-/// ends count.
+/// Least and greatest value of a table within a tolerance of the argument: at a jump within it, both sides count.
 fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
     let first = table.rows.first().map_or(0.0, |row| row[0]);
     let place = |x: f64| period.map_or(x, |period| first + (x - first).rem_euclid(period));
@@ -86,7 +86,8 @@ fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
-/// Extremes of a place along an axis over the cycle; where the mechanism can't take the whole cycle, over the range.
+/// Extremes of a place along an axis over the cycle; where the mechanism can't run through the whole cycle, over the
+/// range.
 pub(crate) fn extremes(linkage: &Linkage, place: Place, axis: f64) -> Option<Extremes> {
     let input = &linkage.mechanism.input;
     let cycle =

@@ -11,22 +11,22 @@ pub struct Subject<'a> {
     pub linkage: &'a Linkage,
     /// Its loads; `None`: only the transfer functions are checked.
     pub loads: Option<&'a Loads>,
-    /// The states in which forces are checked, each with the number that is reported: of a position of the scene, or of a
-    /// sample of a trajectory. A state carries its own coordinate.
+    /// The states in which forces are checked, each with the number to report: that of a position of the scene, or of a
+    /// sample of a trajectory. A state has its own coordinate.
     pub states: Vec<(usize, State)>,
-    /// The methods. The first one that gives reactions is checked in full, all others against it.
+    /// The methods. All checks use the first one that gives reactions; the others are compared with it.
     pub methods: Vec<AnalyzerPlugin>,
 }
 
 /// A solved position.
 #[derive(Debug, Clone)]
 pub(crate) struct Solved {
-    /// The number that is reported.
+    /// The number to report.
     pub(crate) index: usize,
     pub(crate) position: Position,
     /// The smallest determinant of a group, at least the rounding unit.
     pub(crate) health: f64,
-    /// Sum of 1/determinant over the groups, at least 1: each adds its rounding, magnified by that.
+    /// Sum of 1/determinant over the groups, at least 1: each group adds its rounding, magnified by this factor.
     pub(crate) condition: f64,
 }
 
@@ -68,14 +68,14 @@ impl Subject<'_> {
         self.linkage.is_near_change_point(solved.position.coordinate, distance)
     }
 
-    /// What multiplies rounding where a position is interpolated across a change point, 1 elsewhere: there the determinant is
-    /// only as large as the distance, PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
+    /// Factor of rounding: 1, except where a position is interpolated across a change point. There the determinant is
+    /// only as large as the distance; PF0 loses digits with its inverse, PF1 with its square, PF2 with its cube.
     pub(crate) fn lost_by_interpolation(&self, solved: &Solved, order: usize) -> f64 {
         let orders = if self.is_interpolated(solved) { order + 1 } else { 0 };
         (0..orders).fold(1.0, |factor, _| factor / Interpolation::GREATEST_HALF_WIDTH)
     }
 
-    /// The answer of a method under the loads of a state; `None` where it fails.
+    /// The result of a method under the loads of a state; `None` where it fails.
     pub(crate) fn answer(
         &self,
         method: &AnalyzerPlugin,

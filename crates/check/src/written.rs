@@ -1,4 +1,4 @@
-//! The loads, written out from the scene once more, without the compiled ones that the methods use.
+//! The loads, computed independently from the scene, without the compiled loads that the methods use.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +9,9 @@ use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Sprin
 use crate::stroke::{At, Extremes, extremes, sizes};
 use crate::subject::Subject;
 
-/// Distance of a rest in the coordinate, rad or m, that is none: a coordinate of a few turns is rounded by 1e-15, and an end of
-/// assembly, where PF1 grows with the root of the distance, is found to the same.
+/// Distance of a rest, in the coordinate, rad or m, that counts as zero: a coordinate of a few turns is rounded by
+/// 1e-15, and the limit of an assembly interval, where PF1 grows with the root of the distance, is found with that
+/// accuracy.
 const REST: f64 = 2e-12;
 
 /// One load on one link.
@@ -18,21 +19,21 @@ const REST: f64 = 2e-12;
 pub(crate) struct Item {
     /// About the origin of the link's frame.
     pub(crate) wrench: Wrench<f64>,
-    /// The terms that were added up in it, as a force, N: measures its rounding.
+    /// Sum of the sizes of its terms, as a force, N: measures its rounding.
     pub(crate) size: f64,
 }
 
-/// All loads of one position, by what causes them and the link they act on.
+/// All loads of one position, by cause and link.
 pub(crate) type Items = BTreeMap<(Cause, usize), Item>;
 
-/// Writes loads out; found once: the extremes of strokes.
+/// Computes loads; the extremes of strokes are found once.
 pub(crate) struct Writer<'a> {
     mechanism: &'a Mechanism,
     scale: f64,
     strokes: Vec<Option<Extremes>>,
 }
 
-/// Bodies and state of one position, and what the compiled loads give there.
+/// Bodies and state of one position, and the compiled loads there.
 struct Now<'a> {
     bodies: &'a [Body<f64>],
     state: &'a State,
@@ -45,7 +46,7 @@ impl Now<'_> {
     }
 }
 
-/// What the compiled loads give, summed by cause and link.
+/// The compiled loads, summed by cause and link.
 pub(crate) fn given(
     loads: &Loads,
     state: &State,
@@ -70,8 +71,8 @@ impl<'a> Writer<'a> {
         Self { mechanism, scale: subject.linkage.structure.scale, strokes }
     }
 
-    /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a point at rest
-    /// against whose motion a force acts), what the compiled loads chose is taken if it lies within.
+    /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a force
+    /// against the motion of a point at rest), the choice of the compiled loads is accepted if it is possible.
     pub(crate) fn items(&self, loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Items {
         let now = Now { bodies, state, given: given(loads, state, bodies) };
         let mut items = Items::new();
@@ -132,7 +133,7 @@ impl<'a> Writer<'a> {
         items.insert((Cause::Inertia(id), id), item);
     }
 
-    /// Size of a load by its law; of several possible ones that closest to what is given.
+    /// Size of a load by its law; of several possible sizes, the one closest to the given size.
     fn size(
         &self,
         now: &Now<'_>,
@@ -157,7 +158,7 @@ impl<'a> Writer<'a> {
                 scale: self.scale,
             },
         );
-        // Not clamp(): that panics for NaN, and here NaN must come through as a failed check.
+        // Not clamp(): it panics for NaN bounds, and here NaN must appear as a failed check.
         if given < low || !low.is_finite() {
             low
         } else if given > high {
@@ -182,12 +183,12 @@ impl<'a> Writer<'a> {
                 let v = body.first(arm);
                 let speed = v[0].hypot(v[1]);
                 let parts = body.x1.hypot(body.y1) + body.w1.abs() * arm[0].hypot(arm[1]);
-                // At rest up to rounding: nothing, or any direction.
+                // At rest up to rounding: no force, or a force in any direction.
                 if now.state.speed == 0.0 || speed <= 1e-11 * parts {
                     return self.at(body, force.at.at, given, given[0].hypot(given[1]));
                 }
                 let bend = body.second(arm);
-                // The velocity passes zero at a distance, in the coordinate, that is rounding: it may be taken for a rest.
+                // The velocity passes zero within rounding of the coordinate: the point may count as at rest.
                 let idle = given[0].hypot(given[1]) == 0.0;
                 if idle && speed <= REST * bend[0].hypot(bend[1]) {
                     return self.at(body, force.at.at, given, 0.0);
@@ -235,7 +236,7 @@ impl<'a> Writer<'a> {
         match self.touching(contact, now.state.coordinate) {
             Some(true) => {}
             Some(false) => size = 0.0,
-            // On the end of the interval.
+            // At an end of the interval.
             None => size = found,
         }
         let arm = body.arm(center.at);
@@ -246,7 +247,7 @@ impl<'a> Writer<'a> {
         Item { wrench, size: size.abs() * square.sqrt() * lever }
     }
 
-    /// Whether there is contact; `None` on an end of the interval.
+    /// Whether there is contact; `None` at an end of the interval.
     fn touching(&self, contact: &Contact, coordinate: f64) -> Option<bool> {
         let Some([from, to]) = contact.during else { return Some(true) };
         let (mut before, mut after) = (coordinate - from, to - coordinate);
@@ -256,7 +257,7 @@ impl<'a> Writer<'a> {
             }
             before = before.rem_euclid(period);
             after = to - from - before;
-            // Just before the interval begins once more is its beginning too.
+            // A place just before the interval begins again counts as its beginning, too.
             before = before.min((period - before).abs().max(1e-9));
         }
         if before.abs() <= 1e-9 || after.abs() <= 1e-9 { None } else { Some(before > 0.0 && after > 0.0) }

@@ -8,27 +8,27 @@ use serde::Serialize;
 
 use crate::plan::length;
 
-/// A relative turn below this part of the relative motion, over a typical length, is rounding.
+/// A relative rotation below this part of the relative motion, over a typical length, counts as zero.
 const STILL: f64 = 1e-12;
 
-/// Where an instant center lies.
+/// Where an instant center is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CenterAt {
     /// At this place, m.
     Point([f64; 2]),
-    /// At infinity, in this direction (a unit vector): the links do not turn against each other.
+    /// At infinity, in this direction (a unit vector): the links do not rotate relative to each other.
     Direction([f64; 2]),
-    /// The links do not move against each other in this position: every point is a center.
+    /// The links do not move relative to each other in this position: every point is a center.
     Everywhere,
 }
 
-/// The instant center of one link against another.
+/// The instant center of one link relative to another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Center {
     /// The link.
     pub link: String,
-    /// Against which; `ground` for an absolute center.
+    /// The other link; `ground` for an absolute center.
     pub against: String,
     /// Where.
     pub at: CenterAt,
@@ -49,7 +49,7 @@ pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
     list
 }
 
-/// Where two bodies have one velocity.
+/// The point in which two bodies have one velocity.
 fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
     let origin = [one.x, one.y];
     let other = two.first(minus(origin, [two.x, two.y]));

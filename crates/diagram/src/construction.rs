@@ -5,10 +5,10 @@ use assur_group::plane::{minus, plus, scaled};
 
 use crate::plan::{Plan, PlanVector, VectorKind, length};
 
-/// One plan for each drawing that the construction has: mechanism (m), polygon (N), lever (m/rad).
+/// One plan for each drawing of the construction: mechanism (m), polygon (N), lever (m/rad).
 ///
-/// Forces in a drawing of lengths are scaled so that the greatest is half as long as the drawing is wide; their
-/// [`size`](PlanVector::size) stays in N. The residual of the polygon says how far it is from closing.
+/// Forces in a drawing of lengths are scaled: the greatest is half as long as the drawing is wide. Their
+/// [`size`](PlanVector::size) stays in N. The residual of the polygon is its closure error.
 pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
     let drawings = [Drawing::Mechanism, Drawing::Polygon, Drawing::Lever];
     drawings.into_iter().filter_map(|drawing| plan(construction, drawing)).collect()
@@ -48,7 +48,7 @@ fn is_force(step: &Step) -> bool {
     step.unit == "N"
 }
 
-/// Lengths of the drawing for 1 N.
+/// Length in the drawing for 1 N.
 fn drawn_per_newton(steps: &[&Step]) -> f64 {
     let places = || steps.iter().flat_map(|step| [Some(step.start), end_of_line(step)]).flatten();
     let Some(first) = places().next() else { return 0.0 };
@@ -62,7 +62,7 @@ fn end_of_line(step: &Step) -> Option<[f64; 2]> {
     (!is_force(step)).then(|| plus(step.start, step.vector))
 }
 
-/// How far the sides up to the closing one, and the reactions that replace it, are from closing.
+/// Closure error of the sides up to the closing one, and of the reactions that replace it.
 fn open(steps: &[&Step]) -> f64 {
     let sum = |wanted: &dyn Fn(StepKind) -> bool| {
         let sides = steps.iter().filter(|step| wanted(step.kind));

@@ -36,17 +36,18 @@ pub struct Hodograph {
     pub closed: bool,
 }
 
-/// Moduli that differ by less, relative, count as equally great.
+/// Relative difference below which moduli count as equal.
 const TIE: f64 = 1e-9;
 
 impl Hodograph {
     /// Greatest modulus, the first position that has it, and root mean square. `indices`: the numbers of the positions.
     ///
-    /// Over a whole cycle of equal steps the mean of the squares is that of the positions; over a range it is by trapezoids.
+    /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by
+    /// trapezoids.
     pub fn extreme(&self, indices: &[usize]) -> Extreme {
         let sizes: Vec<f64> = self.points.iter().map(|force| length(*force)).collect();
         let greatest = sizes.iter().copied().fold(0.0, f64::max);
-        // A cycle often has two alike; which of them is greater by rounding says nothing.
+        // A cycle often has two equal maxima; rounding must not decide between them.
         let at = sizes.iter().position(|size| *size >= greatest * (1.0 - TIE)).unwrap_or(0);
         let squares: Vec<[f64; 2]> = self
             .coordinates

@@ -39,12 +39,12 @@ pub struct Enveloping {
     pub path: Vec<EnvelopingPoint>,
 }
 
-/// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene), in `count`
-/// places, at least 2, that are equally spaced with both ends.
+/// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene),
+/// at `count` equally spaced places, at least 2, both ends included.
 ///
 /// # Errors
 ///
-/// [`DiagramError`] where a position can't be taken.
+/// [`DiagramError`] where the mechanism has no such position.
 pub fn enveloping(linkage: &Linkage, contact: &Contact, count: usize) -> Result<Enveloping, DiagramError> {
     let count = count.max(2);
     let interval = interval(linkage, contact);
@@ -95,7 +95,7 @@ fn path(
         linkage.solve(coordinate, Order::First, &mut position)?;
         let body = &position.bodies[contact.center.link];
         let center = body.arm(contact.center.at);
-        // The line is horizontal, so that the lowest point lies under the center, however the link is turned.
+        // The line is horizontal, so the lowest point is below the center, however the link is turned.
         let arm = [center[0], center[1] - contact.radius];
         let lowest = [body.x + arm[0], body.y + arm[1]];
         list.push(EnvelopingPoint { coordinate, lowest, deviation: 0.0, sliding: body.first(arm)[0] });

@@ -7,7 +7,7 @@ use assur_kinematics::PositionError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DiagramError {
-    /// The position can't be taken.
+    /// The mechanism has no such position.
     #[error(transparent)]
     Position(#[from] PositionError),
     /// The reactions can't be found.
@@ -16,7 +16,7 @@ pub enum DiagramError {
     /// The loads can't be compiled.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// The force analyzers are not in order.
+    /// The registry of force analyzers is faulty.
     #[error(transparent)]
     Registry(#[from] RegistryError),
 }

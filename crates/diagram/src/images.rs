@@ -1,4 +1,4 @@
-//! What plans of velocities and accelerations have in common: points of links, and what slides along what.
+//! Common parts of the plans of velocities and accelerations: points of links, and slides.
 
 use assur_force::State;
 use assur_group::plane::minus;
@@ -41,7 +41,7 @@ fn rank(linkage: &Linkage, link: LinkId) -> usize {
     }
 }
 
-/// The named points of a link, the one first from which its other points are found: it is known before the link.
+/// The named points of a link. The first one, from which the others are found, is known before the link.
 pub(crate) fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
     let points = linkage.mechanism.points.iter().enumerate();
     let mut own: Vec<PointId> = points

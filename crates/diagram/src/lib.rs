@@ -1,9 +1,9 @@
-//! The plans that are drawn beside a calculation: as plain data to draw or to print, nothing drawn here.
+//! The diagrams that accompany a calculation, as plain data to draw or to print; nothing is drawn here.
 //!
-//! * [`force_polygons`]: loads and reactions of every group and of the input link, laid end to end.
+//! * [`force_polygons`]: loads and reactions of every group and of the input link, head to tail.
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
 //! * [`instant_centers`]: absolute and relative, at infinity as a direction.
-//! * [`construction_plans`]: what a force analyzer draws (longitudinal reactions, Zhukovsky's lever).
+//! * [`construction_plans`]: the construction of a force analyzer (longitudinal reactions, Zhukovsky's lever).
 //! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
 //! * [`enveloping`]: the straight line that an arc envelopes.
 //! * [`sheet`]: all plans of one position; [`text()`] and [`sheet_text`] write tables.

@@ -7,20 +7,21 @@ use assur_kinematics::{Linkage, PointMotion, Position};
 use crate::images::{Rate, Sliding, is_fixed, points_of, slidings, unit};
 use crate::plan::{Plan, VectorKind, length};
 
-/// The plan of velocities at a position: from the pole (the origin) to the image of each point, then each link's turn and each
-/// slide on a moving guide as separate vectors.
+/// The plan of velocities at a position: from the pole (the origin) to the image of each point, then the rotation of
+/// each link and each slide on a moving guide as separate vectors.
 ///
-/// With a state in m/s; without, PF1: per unit speed of the coordinate. The residual says how far the parts, found from the
-/// turn of the links, miss the images, found from the points.
+/// With a state in m/s; without, PF1: per unit speed of the coordinate. The residual is the greatest difference between
+/// the components, found from the rotation of the links, and the images, found from the points.
 pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> Plan {
     draw(linkage, position, state, 1)
 }
 
-/// The plan of accelerations at a position: from the pole (the origin) to the image of each point; then normal and tangential
-/// part of each link's turn, and transport, Coriolis and relative part of each slide on a moving guide.
+/// The plan of accelerations at a position: from the pole (the origin) to the image of each point; then normal and
+/// tangential component of each link's rotation, and transport, Coriolis and relative component of each slide on a
+/// moving guide.
 ///
-/// With a state in m/s^2; without, PF2: for unit speed of the coordinate and no acceleration of it. `position` needs PF2. The
-/// residual says how far the parts miss PF2 w^2 + PF1 e of the points.
+/// With a state in m/s^2; without, PF2: for unit speed of the coordinate and no acceleration of it. `position` needs
+/// PF2. The residual is the greatest difference between the sums of the components and PF2 w^2 + PF1 e of the points.
 pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> Plan {
     draw(linkage, position, state, 2)
 }
@@ -46,7 +47,7 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: us
     drawer.plan.finish(open)
 }
 
-/// A part of a velocity or an acceleration: what it is, its name, the vector, its meaning.
+/// A component of a velocity or an acceleration: its kind, its name, the vector, its meaning.
 type Part = (VectorKind, String, [f64; 2], String);
 
 struct Drawer<'a> {
@@ -58,7 +59,7 @@ struct Drawer<'a> {
     /// `velocity` or `acceleration`.
     word: &'static str,
     plan: Plan,
-    /// How far the parts miss the images.
+    /// Greatest difference between the components and the images.
     open: f64,
 }
 
@@ -94,7 +95,7 @@ impl Drawer<'_> {
         }
     }
 
-    /// Compares the end of the parts with the image that they lead to, and draws them end to end.
+    /// Compares the end of the components with the image to which they lead, and draws them head to tail.
     fn parts(&mut self, start: [f64; 2], parts: Vec<Part>, image: [f64; 2], drawn: bool) {
         let end = parts.iter().fold(start, |at, (_, _, vector, _)| plus(at, *vector));
         self.open = self.open.max(length(minus(end, image)));
@@ -104,7 +105,7 @@ impl Drawer<'_> {
         }
     }
 
-    /// What the turn of a link adds from its first point to the others.
+    /// Components from the rotation of a link, from its first point to the others.
     fn turn(&mut self, link: usize) {
         let points = points_of(self.linkage, link);
         let Some((&first, others)) = points.split_first() else { return };
@@ -113,7 +114,7 @@ impl Drawer<'_> {
             let (Some(from), Some(to)) = (place(first), place(other)) else { continue };
             let arm = self.position.bodies[link].arm(minus(to, from));
             let parts = self.turn_parts(link, arm, self.name(other), self.name(first));
-            // Where the first point rests, the velocity of the other one says the same.
+            // Where the first point is at rest, the velocity of the other one is this component.
             let drawn = !self.of_velocities() || !is_fixed(self.linkage, first);
             self.parts(self.image(first), parts, self.image(other), drawn);
         }
@@ -136,7 +137,7 @@ impl Drawer<'_> {
         ]
     }
 
-    /// The motion of the guide's point under a sliding point, and what the slide adds to it.
+    /// The motion of the guide's point under a sliding point, and the components of the slide.
     fn slide(&mut self, at: &Sliding) {
         let carrier = &self.position.bodies[at.carrier];
         let motion = self.linkage.slide_motion(at.slide, self.position);

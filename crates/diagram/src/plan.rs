@@ -6,7 +6,7 @@ use serde::Serialize;
 /// Width of a drawing for which the scale is suggested, mm.
 const PAPER: f64 = 150.0;
 
-/// What a vector of a plan is.
+/// What a vector of a plan represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum VectorKind {
@@ -30,7 +30,7 @@ pub enum VectorKind {
     Line,
     /// From the pole to the image of a point.
     Absolute,
-    /// Of one point of a link against another.
+    /// Velocity or acceleration of one point of a link relative to another.
     Relative,
     /// Normal part, towards the other point.
     Normal,
@@ -45,13 +45,13 @@ pub enum VectorKind {
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
     pub name: String,
-    /// What it is.
+    /// What it represents.
     pub kind: VectorKind,
     /// Where it begins, in the unit of the plan.
     pub start: [f64; 2],
     /// Where it ends, in the unit of the plan.
     pub end: [f64; 2],
-    /// Its size in `unit`: the distance of start and end, but for forces that are drawn into a plan of lengths.
+    /// Its size in `unit`: the distance of start and end, except for forces that are drawn into a plan of lengths.
     pub size: f64,
     /// Unit of the size.
     pub unit: String,
@@ -64,7 +64,7 @@ pub struct PlanVector {
 pub struct PlanPoint {
     /// Its name.
     pub name: String,
-    /// Where it lies, in the unit of the plan.
+    /// Its place, in the unit of the plan.
     pub at: [f64; 2],
 }
 
@@ -81,8 +81,8 @@ pub struct Plan {
     pub items: Vec<PlanVector>,
     /// The points.
     pub points: Vec<PlanPoint>,
-    /// What is left open, as a part of the greatest vector: how far a polygon is from closing, or an image of a point from the
-    /// end of its parts.
+    /// Closure error relative to the greatest vector: how far a polygon is from closing, or the image of a point from
+    /// the end of its components.
     pub residual: f64,
 }
 
@@ -92,7 +92,7 @@ impl Plan {
         Self { title, unit, scale: 0.0, items: Vec::new(), points: Vec::new(), residual: 0.0 }
     }
 
-    /// Adds a vector in the unit of the plan; gives back its end.
+    /// Adds a vector in the unit of the plan; returns its end.
     pub(crate) fn push(
         &mut self,
         kind: VectorKind,
@@ -117,7 +117,7 @@ impl Plan {
         self.items.iter().map(|item| length(minus(item.end, item.start))).fold(0.0, f64::max)
     }
 
-    /// Lower left and upper right corner of all that is drawn; `None` for an empty plan.
+    /// Lower left and upper right corner of the drawing; `None` for an empty plan.
     pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
         let ends = self.items.iter().flat_map(|item| [item.start, item.end]);
         let all = ends.chain(self.points.iter().map(|point| point.at));
@@ -127,7 +127,7 @@ impl Plan {
         })
     }
 
-    /// Sets residual and scale when everything is there. `open`: the absolute error.
+    /// Sets residual and scale of a complete plan. `open`: the absolute closure error.
     pub(crate) fn finish(mut self, open: f64) -> Self {
         let greatest = self.greatest();
         self.residual = if greatest > 0.0 { open / greatest } else { open };
@@ -137,7 +137,7 @@ impl Plan {
     }
 }
 
-/// The next of 1, 2, 5 by a power of ten that is not less.
+/// The least of 1, 2, 5 times a power of ten that is not smaller than the value.
 fn round_scale(least: f64) -> f64 {
     if least <= 0.0 || !least.is_finite() {
         return 0.0;

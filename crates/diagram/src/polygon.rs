@@ -8,13 +8,13 @@ use assur_mechanism::{GROUND, InputPair, LinkId};
 
 use crate::plan::{Plan, VectorKind, length};
 
-/// Part of the greatest reaction of the mechanism.
+/// Forces below this part of the greatest reaction of the mechanism count as zero.
 const UNLOADED: f64 = 1e-6;
 
 /// One load on one link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedLoad {
-    /// What causes it.
+    /// Its cause.
     pub cause: Cause,
     /// The loaded link.
     pub link: LinkId,
@@ -22,7 +22,7 @@ pub struct NamedLoad {
     pub wrench: Wrench<f64>,
 }
 
-/// All loads and inertia loads at a position, each apart.
+/// All loads and inertia loads at a position, separately.
 pub fn named_loads(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<NamedLoad> {
     let mut list = Vec::new();
     loads.by_cause(state, bodies, &mut |cause, link, wrench| list.push(NamedLoad { cause, link, wrench }));
@@ -31,9 +31,9 @@ pub fn named_loads(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<Na
 
 /// The polygons of the groups from the last to the first, as they are analyzed, then that of the input link.
 ///
-/// Sides are the loads of the group's links and the reactions of the pairs that join it to other bodies, link after link, laid
-/// end to end; they close. Where a group has two links, the reaction of the inner pair is the diagonal between them. Moments
-/// are no part of a polygon. Unit N; the first corner is the origin.
+/// Sides are the loads of the group's links and the reactions of the pairs that join it to other bodies, link after
+/// link, head to tail; they close. Where a group has two links, the reaction of the inner pair is the diagonal between
+/// them. Moments are not part of a polygon. Unit N; the first corner is the origin.
 pub fn force_polygons(
     linkage: &Linkage,
     position: &Position,
@@ -78,7 +78,7 @@ struct Drawer<'a> {
     loads: &'a [NamedLoad],
     reactions: &'a Reactions,
     balance: Option<(LinkId, [f64; 2])>,
-    /// A group whose forces are all below this is unloaded: what is left there is rounding of the others, N.
+    /// A group whose forces are all below this is unloaded: they are rounding, N.
     floor: f64,
 }
 
@@ -88,7 +88,7 @@ impl Drawer<'_> {
         let mut corner = [0.0; 2];
         for (nth, &link) in links.iter().enumerate() {
             corner = self.sides(&mut plan, link, links, corner);
-            // In a group of two links the inner reactions close the part of the first.
+            // In a group of two links the inner reactions close the polygon of the first link.
             let inner = if nth == 0 { self.pairs(link, |other| links.contains(&other)) } else { Vec::new() };
             let mut start = corner;
             for (name, force, note) in inner.into_iter().filter(|_| links.len() == 2) {
@@ -101,7 +101,7 @@ impl Drawer<'_> {
         plan
     }
 
-    /// Loads of a link, then the reactions from bodies outside; gives back the corner that is reached.
+    /// Draws the loads of a link, then the reactions from other bodies; returns the last corner.
     fn sides(&self, plan: &mut Plan, link: LinkId, links: &[LinkId], mut corner: [f64; 2]) -> [f64; 2] {
         let mechanism = &self.linkage.mechanism;
         for load in self.loads.iter().filter(|load| load.link == link && load.wrench.force() != [0.0, 0.0]) {
@@ -124,7 +124,7 @@ impl Drawer<'_> {
         corner
     }
 
-    /// Reactions on a link in its pairs with the bodies that are wanted: name, force, meaning.
+    /// Reactions on a link in its pairs with the selected bodies: name, force, meaning.
     fn pairs(&self, link: LinkId, wanted: impl Fn(LinkId) -> bool) -> Vec<(String, [f64; 2], String)> {
         let (mechanism, structure) = (&self.linkage.mechanism, &self.linkage.structure);
         let mut list = Vec::new();

@@ -23,7 +23,7 @@ pub struct Sheet {
     pub centers: Vec<Center>,
     /// Force polygons, from the last group to the input link; empty without loads.
     pub polygons: Vec<Plan>,
-    /// Constructions of the registered analyzers that have one and can treat the mechanism.
+    /// Constructions of the registered analyzers that have one and support the mechanism.
     pub constructions: Vec<Plan>,
     /// Reactions by cause; `None` without loads.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -32,8 +32,8 @@ pub struct Sheet {
 
 /// All plans at the coordinate of a state. `moves`: plans of velocities with the speed of the state, else per unit speed.
 ///
-/// The analyzer must give reactions. A construction that fails here (the published form of longitudinal reactions, where its pole
-/// is at infinity) is left out.
+/// The analyzer must give reactions. A construction that fails at this position (the published form of longitudinal
+/// reactions, where its pole is at infinity) is left out.
 ///
 /// # Errors
 ///
@@ -70,12 +70,12 @@ pub fn sheet(
     })
 }
 
-/// The constructions of all analyzers that have one and can treat the mechanism, step by step; of two forms of one method, which
-/// draw the same, one is given. One that fails here is left out.
+/// The constructions of all analyzers that have one and support the mechanism, step by step; of two forms of one method
+/// with the same drawing, only one. A construction that fails at this position is left out.
 ///
 /// # Errors
 ///
-/// [`DiagramError::Registry`] where the analyzers are not in order.
+/// [`DiagramError::Registry`] where the registry of analyzers is faulty.
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,

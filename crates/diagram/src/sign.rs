@@ -1,4 +1,4 @@
-//! Where a guide changes the side on which it presses.
+//! Where the force of a guide changes its side.
 
 use assur_force::{ForceAnalyzer, Loads, Reactions, State};
 use assur_group::plane::{dot, perp};
@@ -11,14 +11,14 @@ use crate::DiagramError;
 
 /// A force below this part of the greatest is zero up to rounding, and has no side.
 const ROUNDING: f64 = 1e-12;
-/// Halvings of a step: to rounding.
+/// Number of bisections: down to rounding.
 const HALVINGS: usize = 60;
-/// Least number of coordinates over the range of the input at which the forces are looked at, however few positions are
-/// asked for.
+/// Least number of coordinates over the range of the input at which the forces are computed, even with fewer positions
+/// in the scene.
 const SAMPLES: f64 = 180.0;
-/// Part of the range of the input by which a jump of a load is passed on both sides.
+/// Distance on both sides of a jump of a load at which the forces are computed, as part of the range of the input.
 const BESIDE: f64 = 1e-9;
-/// Golden sections of a search for the least force between three samples: to 1e-8 of their distance.
+/// Golden-section steps in the search for the least force between three samples: to 1e-8 of their distance.
 const SECTIONS: usize = 40;
 
 /// A change of sign of a guide's force.
@@ -28,16 +28,16 @@ pub struct SignChange {
     pub coordinate: f64,
     /// Number of the position before it.
     pub after_index: usize,
-    /// Force across the guide in the position before it, N, positive to the left of the guide's direction; where it is zero
-    /// there, in the last position before that it is not.
+    /// Force across the guide in the position before it, N, positive to the left of the guide's direction; if it is
+    /// zero there, in the last earlier position where it is not.
     pub before: f64,
-    /// Force in the position after it, N; where it is zero there, in the next that it is not.
+    /// Force in the position after it, N; if it is zero there, in the next position where it is not.
     pub after: f64,
     /// Whether the force jumps through zero instead of passing it.
     pub jump: bool,
 }
 
-/// What finds the force of a guide at any coordinate.
+/// Finds the force of a guide at any coordinate.
 #[derive(Debug, Clone, Copy)]
 pub struct Solver<'a> {
     /// The compiled mechanism.
@@ -46,7 +46,7 @@ pub struct Solver<'a> {
     pub loads: &'a Loads,
     /// The method.
     pub analyzer: &'a dyn ForceAnalyzer,
-    /// Up to which order the loads need transfer functions.
+    /// Highest order of transfer functions that the loads need.
     pub order: Order,
     /// By group: whether it carries a load; the others are not solved.
     pub carrying: &'a [bool],
@@ -54,10 +54,10 @@ pub struct Solver<'a> {
 
 /// Where the force of each slide on its sliding link (L: the reaction at B) changes its sign, by slide.
 ///
-/// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Between the positions
-/// of the scene the forces are followed in steps of 1/180 of the range at most, on both sides of each jump of a load, and into
-/// each dip that may reach zero; so the changes do not depend on the number of positions. Over a whole cycle the step from the
-/// last position to the first is looked at too.
+/// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Between the
+/// positions of the scene the forces are computed in steps of 1/180 of the range at most, on both sides of each jump of
+/// a load, and at each minimum that may reach zero, so the changes do not depend on the number of positions. Over a
+/// whole cycle this includes the step from the last position to the first.
 ///
 /// # Errors
 ///
@@ -82,7 +82,7 @@ pub fn sign_changes(
     (0..slides.len()).map(of).collect()
 }
 
-/// A coordinate at which the forces are looked at.
+/// A coordinate at which the forces are computed.
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     coordinate: f64,
@@ -170,7 +170,7 @@ fn changes(
         let (bracket, value) =
             if alone && before * after < 0.0 { (ends, before) } else { (*bracket, *value) };
         let (coordinate, left) = root(bracket, value, force)?;
-        // What is left on both sides of a root is rounding; at a jump it is of the size of the force.
+        // Near a root, the remaining forces on both sides are rounding; at a jump they are of the size of the force.
         let jump = left > 1e-6 * before.abs().max(after.abs());
         found.push(SignChange { coordinate, after_index: *after_index, before, after, jump });
     }

@@ -8,14 +8,14 @@ use serde::Serialize;
 use crate::plan::length;
 use crate::{DiagramError, JointForce, NamedLoad, joint_forces, named_loads};
 
-/// What one cause does.
+/// The effect of one cause.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Share {
     /// `weight`, `inertia`, `all`, or the name of a load.
     pub cause: String,
     /// The reactions that it causes.
     pub reactions: Vec<JointForce>,
-    /// The balancing moment (N m) or force (N) that it asks for.
+    /// The balancing moment (N m) or force (N) for this cause.
     pub balancing: f64,
 }
 
@@ -26,11 +26,12 @@ pub struct Split {
     pub whole: Share,
     /// By cause: weight, inertia, then each load by its name. Causes without effect here are listed too.
     pub shares: Vec<Share>,
-    /// Greatest difference of a force and the sum of its shares, as a part of the greatest force of the whole and all shares.
+    /// Greatest difference of a force and the sum of its shares, relative to the greatest force of the total and all
+    /// shares.
     pub residual: f64,
 }
 
-/// Causes that count as one: all weights, all inertia loads, or a load of the scene.
+/// Loads that count as one cause: all weights, all inertia loads, or a load of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Weight,
@@ -48,7 +49,7 @@ impl Kind {
     }
 }
 
-/// The reactions at a position, whole and by cause. The analyzer must give reactions.
+/// The reactions at a position, in total and by cause. The analyzer must give reactions.
 ///
 /// # Errors
 ///

@@ -5,10 +5,10 @@ use std::fmt::Write;
 use crate::plan::length;
 use crate::{Center, CenterAt, JointForce, Plan, Sheet, Split};
 
-/// A number below this part of the greatest beside it is rounding.
+/// A number below this part of the greatest in its column counts as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// A plan as a table: name, length and direction of every vector, its start, what it means; then the points.
+/// A plan as a table: name, length and direction of every vector, its start, its meaning; then the points.
 pub fn text(plan: &Plan) -> String {
     let mut out = String::new();
     line(&mut out, &plan.title);
@@ -142,7 +142,7 @@ fn degrees([x, y]: [f64; 2]) -> String {
     }
 }
 
-/// How numbers are written that stand beside others: what is rounding beside the greatest is zero.
+/// Formats the numbers of a column: one that is rounding compared to the greatest is zero.
 fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> String {
     let greatest = all.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     move |value| if value.abs() <= ROUNDING * greatest { "0".to_owned() } else { seven(value) }

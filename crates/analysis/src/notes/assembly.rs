@@ -1,4 +1,4 @@
-//! Notes on the assembly: where ways meet, end, or run through infinity.
+//! Notes on the assembly: where assembly modes meet, end, or run through infinity.
 
 use std::fmt::Write;
 
@@ -8,11 +8,12 @@ use assur_mechanism::{Motion, Range};
 use super::listed;
 use crate::Calculation;
 
-/// Change points of several groups nearer than this are one, rad or m.
+/// Change points of several groups nearer than this count as one, rad or m.
 const SAME: f64 = 1e-6;
 
 impl Calculation {
-    /// Where ways of assembly meet, which the motion goes through without a sign in the numbers but a great condition.
+    /// Where assembly modes meet; the motion passes through without any sign in the numbers but a great condition
+    /// number.
     pub(super) fn change_points(&self) -> Option<String> {
         let linkage = &self.linkage;
         let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
@@ -45,12 +46,12 @@ impl Calculation {
         })
     }
 
-    /// Positions that can be assembled, but lie behind a gap, seen from the first one: it may be too narrow for a position to
-    /// fall into it. Where one falls into it, its error says where the mechanism can be assembled.
+    /// Positions that can be assembled, but are beyond a gap, seen from the first position. The gap may be too narrow
+    /// to contain a position; if it contains one, the error of that position says where the mechanism can be assembled.
     pub(super) fn barriers(&self) -> Option<String> {
         let linkage = &self.linkage;
         let input = &linkage.mechanism.input;
-        // Nothing is solved again where nothing is behind a gap.
+        // Nothing is solved again if no position is beyond a gap.
         (0..input.positions).find(|index| linkage.barrier(input.coordinate(*index)).is_some())?;
         let mut position = linkage.position();
         let mut solves = |index: usize| linkage.solve_index(index, Order::Place, &mut position).is_ok();
@@ -83,7 +84,7 @@ impl Calculation {
         Some(note)
     }
 
-    /// Where links run through infinity: what is calculated behind is another assembly.
+    /// Where links run through infinity: beyond it, the positions belong to another assembly.
     pub(super) fn poles(&self) -> Option<String> {
         let linkage = &self.linkage;
         let words: Vec<String> = linkage
@@ -104,8 +105,8 @@ impl Calculation {
         })
     }
 
-    /// Whether two coordinates are one place of the input link. A mechanism whose cycle takes several turns comes to each of
-    /// its change points in several of them.
+    /// Whether two coordinates are one place of the input link. A mechanism whose cycle takes several turns passes each
+    /// of its change points in several of them.
     fn are_one(&self, a: f64, b: f64) -> bool {
         let apart = (a - b).abs();
         if !self.linkage.angular() {
@@ -116,7 +117,7 @@ impl Calculation {
         within.min(turn - within) < SAME
     }
 
-    /// Whether the scene may come to a coordinate, in any turn.
+    /// Whether the scene may reach a coordinate, in any turn.
     fn visits(&self, coordinate: f64) -> bool {
         let mechanism = &self.linkage.mechanism;
         let input = &mechanism.input;
@@ -131,7 +132,7 @@ impl Calculation {
         matches!(mechanism.motion, Some(Motion::Transient { .. })) || (low..=high).contains(&next)
     }
 
-    /// A coordinate as a reader wants it.
+    /// A coordinate as shown to a reader.
     fn show(&self, coordinate: f64) -> String {
         if self.linkage.angular() {
             // A place within rounding of a whole turn is 0.

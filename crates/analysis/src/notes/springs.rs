@@ -7,10 +7,10 @@ use super::listed;
 use crate::Calculation;
 
 impl Calculation {
-    /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, though their free
-    /// length wants one.
+    /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, even with a
+    /// free length.
     pub(super) fn springs_without_direction(&self) -> Vec<String> {
-        /// Ends that are nearer, in parts of the scale of the mechanism, meet.
+        /// Ends nearer to each other than this part of the scale of the mechanism meet.
         const NEAR: f64 = 1e-12;
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
         let mut position = linkage.position();

@@ -1,11 +1,11 @@
-//! Which groups loads act on, and which reactions are zero because nothing reaches a group.
+//! Which groups carry loads, and which reactions are zero because no load reaches a group.
 
 use assur_mechanism::{Balance, GROUND, LinkId, Mechanism};
 use assur_structure::Structure;
 
-/// By link: whether something acts on it, or (`heavy`) its mass counts.
+/// By link: whether a load acts on it, or (`heavy`) its mass counts.
 ///
-/// A load that happens to be zero is a load: the plan looks at what the scene gives, not at numbers.
+/// A load whose value happens to be zero is a load: the plan considers what the scene defines, not numbers.
 fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
     let mut loaded: Vec<bool> = (0..mechanism.links.len()).map(|id| id != GROUND && heavy(id)).collect();
     let forces = mechanism.forces.iter().map(|force| force.at.link);
@@ -36,8 +36,8 @@ pub(crate) fn is_heavy(mechanism: &Mechanism, link: LinkId) -> bool {
     mechanism.links[link].mass > 0.0 || mechanism.links[link].inertia > 0.0
 }
 
-/// By group: whether its reactions can differ from zero. The groups are gone through from the last to the first: one carries
-/// a load if its links have one of their own, or if a group behind it that carries one hangs on them.
+/// By group: whether its reactions can differ from zero. The groups are visited from the last to the first: one carries
+/// a load if its links have one of their own, or if a later group that carries one is attached to them.
 pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> {
     let moves = mechanism.motion.is_some();
     let mut links = loaded(mechanism, |link| weight(mechanism, link) || moves && is_heavy(mechanism, link));
@@ -58,8 +58,8 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> 
     carrying
 }
 
-/// Whether a load that is always against the motion acts outside the input link: PF1 beside PF2 shows whether its point is at
-/// rest.
+/// Whether a load that is always against the motion acts outside the input link: PF1 together with PF2 shows whether
+/// its point is at rest.
 pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
     let far = |link: LinkId| link != GROUND && link != mechanism.input.link;
     let against = |direction| matches!(direction, assur_mechanism::Direction::AgainstMotion);

@@ -1,7 +1,7 @@
-//! What a scene needs.
+//! What must be calculated for a scene.
 //!
-//! [`Plan::of`] reads the content of a mechanism and what it asks for, and says which stages are run, which groups must be
-//! solved and to which order. The calculation obeys the plan. Nothing is calculated here.
+//! [`Plan::of`] examines the content of a mechanism and the requested results, and decides which stages are run, which
+//! groups must be solved, and up to which order. The calculation follows the plan. Nothing is calculated here.
 
 mod carry;
 mod needs;
@@ -11,12 +11,12 @@ use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
 
-/// What results show, in the order of the scene.
+/// The content of results, in the order of the scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Wanted {
     /// Moving links.
     pub links: Vec<LinkId>,
-    /// Points, each with the link that it is read from: the one that is known first.
+    /// Points, each with the link in which it is evaluated: the one that is known first.
     pub points: Vec<(PointId, Place)>,
     /// Slides.
     pub slides: Vec<SlideId>,
@@ -28,19 +28,19 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq)]
 #[expect(clippy::struct_excessive_bools, reason = "each stage is run or not, on its own")]
 pub struct Plan {
-    /// What results show.
+    /// The content of the results.
     pub wanted: Wanted,
-    /// By group: whether anything that is asked for depends on it.
+    /// By group: whether any requested result depends on it.
     pub groups_needed: Vec<bool>,
-    /// By group: whether its reactions can differ from zero, by what the scene puts on its links and on the groups behind it.
+    /// By group: whether its reactions can differ from zero, by the loads on its links and on the groups after it.
     pub groups_carrying: Vec<bool>,
-    /// Whether the force analyzer goes group by group.
+    /// Whether the force analyzer solves group by group.
     pub by_groups: bool,
     /// J is the same at every coordinate, by structure: dJ/dq is zero and not computed.
     pub inertia_constant: bool,
-    /// Up to which order transfer functions are calculated.
+    /// Highest order of transfer functions that is calculated.
     pub order: Order,
-    /// What needs that order, in words.
+    /// The reason for that order, in words.
     pub order_for: Vec<&'static str>,
     /// Velocities and accelerations are wanted.
     pub velocities: bool,
@@ -62,13 +62,13 @@ impl Wanted {
 }
 
 impl Plan {
-    /// The plan for a mechanism; `by_groups`: whether the force analyzer goes group by group, so that groups without a load
-    /// can be left alone.
+    /// The plan for a mechanism; `by_groups`: whether the force analyzer solves group by group, so that groups without
+    /// a load can be left out.
     pub fn of(mechanism: &Mechanism, structure: &Structure, by_groups: bool) -> Self {
         let moves = mechanism.motion.is_some();
         let heavy = (1..mechanism.links.len()).any(|link| carry::is_heavy(mechanism, link));
         let wanted = needs::wanted(mechanism, structure);
-        // With `[output]`, forces are wanted only where reactions are.
+        // With `[output]`, forces are requested only where reactions are.
         let asked = mechanism.output.is_none() || !wanted.reactions.is_empty();
         let dynamics = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
         let forces = asked && (moves || mechanism.has_loads());

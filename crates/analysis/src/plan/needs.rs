@@ -1,4 +1,4 @@
-//! What is asked for, and which groups it depends on.
+//! The requested results, and the groups on which they depend.
 
 use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Place};
 use assur_structure::Structure;
@@ -6,7 +6,7 @@ use assur_structure::Structure;
 use crate::plan::carry::{self, group_of};
 use crate::plan::{Plan, Wanted};
 
-/// What `[output]` names, or everything, without repetition and in the order of the scene.
+/// The results that `[output]` names, or all, without repetition and in the order of the scene.
 pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure) -> Wanted {
     let Some(output) = &mechanism.output else { return everything(mechanism, structure) };
     Wanted {
@@ -36,7 +36,7 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
     pins.map(|(id, _)| PairId::Pin(id)).chain(slides).collect()
 }
 
-/// The groups that the wanted results and the loads depend on.
+/// The groups on which the requested results and the loads depend.
 ///
 /// A method that treats the mechanism as one system needs all of them.
 pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
@@ -54,7 +54,7 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) 
     behind(structure, links)
 }
 
-/// The links whose motion is wanted.
+/// The links whose motion is requested.
 fn shown(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
     let slides = wanted.slides.iter().map(|&slide| &mechanism.slides[slide]);
     let points = wanted.points.iter().map(|(_, place)| place.link);
@@ -67,7 +67,7 @@ fn shown(mechanism: &Mechanism, wanted: &Wanted) -> Vec<LinkId> {
         .collect()
 }
 
-/// The groups of these links, and the groups that they hang on.
+/// The groups of these links, and the groups on which these depend.
 fn behind(structure: &Structure, mut links: Vec<LinkId>) -> Vec<bool> {
     let mut needed = vec![false; structure.groups.len()];
     while let Some(link) = links.pop() {
@@ -81,7 +81,8 @@ fn behind(structure: &Structure, mut links: Vec<LinkId>) -> Vec<bool> {
     needed
 }
 
-/// Where a point is read: in the link that is known first (ground, input link, then the groups in their order).
+/// The link in which a point is evaluated: the one that is known first (ground, input link, then the groups in their
+/// order).
 fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place {
     let rank = |place: &&Place| match group_of(structure, place.link) {
         None if place.link == GROUND => 0,
@@ -89,6 +90,6 @@ fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place
         Some(group) => group + 2,
     };
     let places = &mechanism.points[point].places;
-    // A point always has a place; the ground's origin stands in for one that has none.
+    // A point always has a place; for one without, the ground's origin is used.
     places.iter().min_by_key(rank).copied().unwrap_or(Place { link: GROUND, at: [0.0; 2] })
 }

@@ -1,4 +1,4 @@
-//! Up to which order transfer functions are needed, and what needs it.
+//! Which order of transfer functions is needed, and for what.
 
 use assur_group::Order;
 use assur_mechanism::Mechanism;
@@ -6,7 +6,7 @@ use assur_structure::Structure;
 
 use crate::plan::{Plan, carry};
 
-/// The order of a plan whose stages are decided, with what needs it in words.
+/// The order for a plan whose stages are decided, with its reason in words.
 pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> (Order, Vec<&'static str>) {
     let shows = !plan.wanted.has_no_motion();
     let second = [

@@ -5,10 +5,10 @@ use serde::Serialize;
 
 use crate::results::{Cycle, Dynamics, Integration, MotionSample, PositionResult, StructureReport};
 
-/// Everything that one calculation of a scene found. Sections that don't apply are absent.
+/// All results of one calculation of a scene. Sections that don't apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Analysis {
-    /// Version of the form of the results: 1.
+    /// Version of the format of the results: 1.
     pub format: u32,
     /// Title of the scene; may be empty.
     pub title: String,
@@ -30,10 +30,10 @@ pub struct Analysis {
     /// How a transient motion was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub integration: Option<Integration>,
-    /// Why the motion that was asked for is not found; what does not depend on it is given nevertheless.
+    /// Why the requested motion is not found; results that do not depend on it are given nevertheless.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub no_motion: Option<String>,
-    /// What had to be left out, and what was decided on the way.
+    /// What had to be left out, and what was decided during the calculation.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// Reactions over the cycle, contacts, plans.
@@ -45,7 +45,7 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// The version of the form that is written.
+    /// The version of the format that is written.
     pub const FORMAT: u32 = 1;
 
     /// Whether a position, the motion, or a check, failed.

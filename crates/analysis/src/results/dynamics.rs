@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::results::Named;
 
-/// What was found about the motion under loads and drive; what does not apply is absent.
+/// Results on the motion under loads and drive; those that do not apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Dynamics {
     /// Moment of inertia of the flywheel, without the rotor, kg m².
@@ -65,13 +65,13 @@ pub struct RegimeReport {
     pub resistance_work: f64,
     /// Time of a cycle, s.
     pub cycle_time: f64,
-    /// What a small change of the speed is multiplied by over a cycle; below 1 the regime is stable.
+    /// The factor by which a small change of the speed is multiplied over a cycle; below 1 the regime is stable.
     pub multiplier: f64,
     /// Flywheel and rotor reduced to the input, kg m².
     pub shaft_inertia: f64,
     /// The wanted unevenness is met without a flywheel.
     pub flywheel_needless: bool,
-    /// What it cost to find it.
+    /// Cost of the solution.
     #[serde(flatten)]
     pub effort: Effort,
     /// Iteration to the periodic regime from the mean speed (S fig. 10).
@@ -99,11 +99,11 @@ pub struct RegimePoint {
     pub load: f64,
     /// Reduced inertia without flywheel and rotor, kg m².
     pub inertia: f64,
-    /// Its derivative by the coordinate.
+    /// Its derivative with respect to the coordinate.
     pub inertia_derivative: f64,
 }
 
-/// The point to which loads and masses are reduced beside the input link (E eqs. 4-6).
+/// The point to which loads and masses are reduced, in addition to the input link (E eqs. 4-6).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PointReport {
     /// Its name.
@@ -120,7 +120,7 @@ pub struct MotorReport {
     /// Catalogue; absent where the scene gives rated data.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub catalogue: Option<String>,
-    /// What its plate says.
+    /// Its rated data.
     #[serde(flatten)]
     pub rated: RatedData,
     /// Mass of the motor, kg.
@@ -134,10 +134,10 @@ pub struct MotorReport {
     pub diameter: Option<f64>,
     /// How it works in the regime.
     pub work: MotorWork,
-    /// Other motors that would do, the best first; only where it was chosen.
+    /// Other suitable motors, the best first; only if the motor was chosen.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub runners_up: Vec<RunnerUp>,
-    /// What to look at: values that the source does not print, limits that are near.
+    /// Warnings: values that the source does not give, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
@@ -166,7 +166,7 @@ pub struct MotorWork {
     pub working_section: Vec<[f64; 2]>,
 }
 
-/// Another motor that would do.
+/// Another suitable motor.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunnerUp {
     /// Designation.
@@ -177,7 +177,7 @@ pub struct RunnerUp {
     pub power: f64,
     /// Rated speed, rad/s.
     pub rated_speed: f64,
-    /// Ratio that it would need.
+    /// The ratio that it needs.
     pub ratio: f64,
     /// Mass, kg.
     #[serde(skip_serializing_if = "Option::is_none")]

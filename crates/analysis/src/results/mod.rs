@@ -1,7 +1,7 @@
-//! What was found, as plain data.
+//! The results as plain data.
 //!
-//! [`Analysis`] serializes to the JSON of the program. Everything is SI, angles in rad. What a stage found stands here as the
-//! stage gives it; own types are those that results alone need.
+//! [`Analysis`] serializes to the JSON of the program. Everything is SI, angles in rad. Results of a stage keep that
+//! stage's types; the types here are those that only results need.
 
 mod analysis;
 mod cycle;

@@ -38,7 +38,7 @@ pub struct MotionSample {
     /// The moment (N m) or force (N) that the drive must apply.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balancing: Option<f64>,
-    /// What holds the motion at rest or at its speed, where anything does.
+    /// The load that holds the motion at rest or at its speed, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holding: Option<Holding>,
 }
@@ -61,9 +61,9 @@ pub struct Integration {
     pub equation: String,
     /// Why this integrator.
     pub reason: String,
-    /// Relative tolerance asked of it.
+    /// Requested relative tolerance.
     pub tolerance: f64,
-    /// What it cost.
+    /// Cost of the solution.
     #[serde(flatten)]
     pub statistics: Statistics,
     /// The state in which the motion ended.
@@ -88,7 +88,7 @@ pub struct Energy {
     pub potential_start: f64,
     /// Potential energy of weights and springs at the end, J.
     pub potential_end: f64,
-    /// Largest change of kinetic and potential energy over the largest kinetic energy: the drift where the machine is
-    /// conservative, else the work of the other loads.
+    /// Largest change of the sum of kinetic and potential energy, divided by the largest kinetic energy: the drift of
+    /// the solution where the machine is conservative, else the work of the other loads.
     pub change: f64,
 }

@@ -1,4 +1,4 @@
-//! What was found in one position.
+//! The results of one position.
 
 use std::sync::Arc;
 
@@ -32,8 +32,8 @@ pub struct PairReaction {
     pub forces: Vec<(Arc<str>, [f64; 2])>,
     /// Slides: the moment on the sliding link about its point, N m.
     pub moment: Option<f64>,
-    /// Slides: where along the guide, from the point of the sliding link in the guide's direction, the force alone
-    /// would do the same, m; `None` for a pin and where there is no force.
+    /// Slides: where along the guide, from the point of the sliding link in the guide's direction, the force alone is
+    /// equivalent, m; `None` for a pin and where there is no force.
     pub offset: Option<f64>,
 }
 
@@ -75,7 +75,8 @@ pub struct PositionResult {
     /// Second derivatives by time, with a motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accelerations: Option<Rates>,
-    /// All moving links reduced to the input coordinate; no motor, no flywheel, no balancing load.
+    /// The inertia of all moving links and their loads, reduced to the input coordinate; no motor, no flywheel, no
+    /// balancing load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduced: Option<Reduced>,
     /// Reactions by pin or slide.
@@ -84,7 +85,7 @@ pub struct PositionResult {
     /// The balancing moment (N m) or force (N).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balancing: Option<f64>,
-    /// Reactions and balancing load by cause, where they were asked for.
+    /// Reactions and balancing load by cause, if requested.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub by_cause: Option<ByCause>,
     /// By index of the group: 1 / |dimensionless determinant|, how near it is to a singular position.
