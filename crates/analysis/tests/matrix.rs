@@ -1,8 +1,6 @@
 //! Every shipped scene under every kind of motion, with every kind of load, in both directions: the checks hold, and a load of
 //! the wrong sign is caught. Of all combinations a spread runs, so that the test takes seconds.
 
-#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
-
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_force::Loads;

@@ -41,7 +41,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(what: &'static str, detail: impl ToString) -> Self {
+    fn new(what: &'static str, detail: impl std::fmt::Display) -> Self {
         Self { what, detail: detail.to_string() }
     }
 }

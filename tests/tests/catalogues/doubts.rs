@@ -8,8 +8,8 @@ use super::plausibility::{Doubt, doubts};
 fn motors(rows: &[&str]) -> Vec<Motor> {
     let header =
         "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,max_torque_ratio,source\n";
-    let rows: String = rows.iter().map(|row| format!("{row},by hand\n")).collect();
-    parse_table("TEST", &format!("{header}{rows}")).unwrap()
+    let rows: Vec<String> = rows.iter().map(|row| format!("{row},by hand")).collect();
+    parse_table("TEST", &format!("{header}{}\n", rows.join("\n"))).expect("the table is well-formed")
 }
 
 fn of(row: &str, flags: &[&str]) -> Vec<Doubt> {
