@@ -15,12 +15,12 @@ pub(crate) enum Bound {
     NotNegative,
     /// Greater than 0.
     Positive,
-    /// An angle that is a direction: a few turns at most.
+    /// An angle that is a direction.
     Direction,
 }
 
-/// The greatest angle of a direction, rad, four turns: more means degrees without their unit.
-const MOST_DIRECTION: f64 = 8.0 * std::f64::consts::PI;
+/// The greatest angle of a direction, rad, 1000 turns: beyond, a direction has lost four of its 16 digits.
+const MOST_DIRECTION: f64 = 1000.0 * std::f64::consts::TAU;
 
 /// Shown beside a number out of range.
 const OUT_OF_RANGE: &str = "results would have no digits: is the unit right?";
@@ -52,7 +52,7 @@ impl Entry<'_> {
             Bound::Any => (true, ""),
             Bound::NotNegative => (value >= 0.0, "must not be negative"),
             Bound::Positive => (value > 0.0, "must be greater than 0"),
-            Bound::Direction => (value.abs() <= MOST_DIRECTION, "is a direction and at most four turns"),
+            Bound::Direction => (value.abs() <= MOST_DIRECTION, "is a direction and at most 1000 turns"),
         };
         if !holds {
             self.fault(format!("`{}` {limit}, got {}", shown(&self.name), self.written()), such_as(wanted));
