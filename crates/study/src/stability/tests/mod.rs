@@ -66,6 +66,8 @@ fn healthiest(linkage: &Linkage) -> Option<f64> {
 
 /// Rows as those of a mechanism of this name that approaches what the words say.
 fn named(mut rows: Vec<Row>, name: &str, words: &str) -> Vec<Row> {
-    rows.iter_mut().for_each(|row| row.place = format!("{name}, {words}"));
+    for row in &mut rows {
+        row.place = format!("{name}, {words}");
+    }
     rows
 }

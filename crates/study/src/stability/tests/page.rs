@@ -73,14 +73,18 @@ fn table(section: &Section) -> String {
         let line = lines.entry((&row.place, &row.method, row.quantity)).or_default();
         line.factor =
             line.factor.max(row.error.filter(|error| *error > 0.0).map_or(0.0, |error| error / row.bound));
-        let Some(column) = heads.iter().position(|head| *head == row.distance) else { continue };
+        let Some(column) = heads.iter().position(|head| head.total_cmp(&row.distance).is_eq()) else {
+            continue;
+        };
         let found = row.error.map(digits);
         let kept = line.digits.entry(column).or_insert(found);
         *kept = (*kept).zip(found).map(|(a, b)| a.min(b));
     }
     let mut text = "| walk | method | quantity | factor |".to_owned();
-    heads.iter().for_each(|head| write!(text, " {head:.0e} |").unwrap());
-    text += &format!("\n| --- | --- | --- | ---: |{}\n", " ---: |".repeat(heads.len()));
+    for head in &heads {
+        write!(text, " {head:.0e} |").unwrap();
+    }
+    writeln!(text, "\n| --- | --- | --- | ---: |{}", " ---: |".repeat(heads.len())).unwrap();
     for ((place, method, quantity), line) in lines {
         write!(text, "| {place} | `{method}` | {quantity} | {:.3} |", line.factor).unwrap();
         for column in 0..heads.len() {
