@@ -1,4 +1,4 @@
-//! What the readers of loads, motion and drive know of the rest of the scene.
+//! Facts about the rest of the scene that the readers of loads, motion and drive need.
 
 use assur_mechanism::Input;
 
@@ -7,23 +7,23 @@ use crate::linkage::Linkage;
 use crate::units::Dimension;
 use crate::walk::Entry;
 
-/// What is known when links, slides and input are read.
+/// What is known after links, slides and input have been read.
 #[derive(Debug)]
 pub(crate) struct Context<'s> {
     pub(crate) linkage: &'s Linkage,
-    /// `None`: the input is faulty.
+    /// `None` if the input is faulty.
     pub(crate) input: Option<&'s Input>,
     /// Whether there is a `[motion]`.
     pub(crate) moves: bool,
 }
 
 impl Context<'_> {
-    /// Dimension of the input coordinate; `None` where the input is faulty, so that one fault doesn't cause others.
+    /// Dimension of the input coordinate; `None` if the input is faulty, which must not cause further faults.
     pub(crate) fn coordinate(&self) -> Option<Dimension> {
         self.input.map(|input| coordinate_of(input.pair))
     }
 
-    /// The dimension that belongs to an input that turns, or to one that slides.
+    /// The dimension for a rotating or for a sliding input.
     pub(crate) fn by_input(&self, turns: Dimension, slides: Dimension) -> Option<Dimension> {
         self.coordinate().map(|coordinate| if coordinate == Dimension::Angle { turns } else { slides })
     }
@@ -43,7 +43,7 @@ impl Context<'_> {
         self.input.map_or(1.0, Input::sign)
     }
 
-    /// Notes that something of a load needs a motion, where there is none.
+    /// Notes that a part of a load needs a motion, if the scene has none.
     pub(crate) fn need_motion(&self, entry: &Entry<'_>, what: &str) {
         if !self.moves {
             entry.fault(

@@ -1,4 +1,4 @@
-//! TOML files with faults that point at the place. A scene is read this way; so may be other files beside it.
+//! TOML files with faults that are reported with their place: scenes, and other files that the program reads.
 
 use toml::de::DeTable;
 
@@ -9,19 +9,20 @@ use crate::SceneErrors;
 use crate::error::Faults;
 use crate::text::shown;
 
-/// The greatest file that is read, in bytes: a scene has some kilobytes, tables of a hundred thousand rows some megabytes.
+/// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
+/// megabytes.
 pub const MOST_BYTES: usize = 8 << 20;
 
-/// Faults of syntax that are reported: the parser's recovery after the first few invents more.
+/// Number of syntax faults that are reported; later ones are often only consequences of the first.
 const SYNTAX_FAULTS: usize = 3;
 
-/// Reads a TOML file: `what` it is, with an article ("a scene"), the keys that it knows, and how its tables become a
-/// value. `file_name` is only repeated in errors.
+/// Reads a TOML file. `what` names its kind with an article ("a scene"), then come its known keys and a function that
+/// turns its tables into a value. `file_name` appears only in errors.
 ///
 /// # Errors
 ///
-/// [`SceneErrors`] with every fault: of the syntax, or else those that were noted while reading. Then the value, made
-/// from what was left, is thrown away.
+/// [`SceneErrors`] with every fault: those of the syntax or, if it is correct, those noted while reading. The value
+/// that was built in spite of faults is discarded.
 ///
 /// # Examples
 ///
@@ -66,7 +67,7 @@ pub fn read<T>(
     }
 }
 
-/// What the parser says, with the key that it does not name.
+/// The parser's message, with the duplicate key that it does not name.
 fn syntax_words(message: &str, piece: Option<&str>) -> String {
     match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
         Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),

@@ -21,13 +21,13 @@ const KEYS: &[&str] = &[
     "flywheel_on",
 ];
 const MOTOR_KEYS: &[&str] = &["power", "synchronous_speed", "rated_speed", "max_torque_ratio", "inertia"];
-/// What has a meaning only where there is a motor.
+/// Keys that have a meaning only with a motor.
 const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];
 const CHARACTERISTICS: &[(&str, Characteristic)] =
     &[("kloss", Characteristic::Kloss), ("linear", Characteristic::Linear)];
 const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("motor", FlywheelPlace::Motor)];
 
-/// Reads the drive; `motion` is what `[motion]` says, if it could be read.
+/// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
     let section = root.get("drive")?.section("the drive", KEYS)?;
     check_motion(&section, motion, context);
@@ -63,7 +63,7 @@ fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Contex
     }
 }
 
-/// Keys that would be without effect.
+/// Notes keys that would have no effect.
 fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     let motor = section.get("motor");
     if motor.is_none() {
@@ -88,7 +88,7 @@ fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     }
 }
 
-/// What "solve" needs to be solvable.
+/// Checks what a value "solve" requires of the motion.
 fn check_solved(section: &Section<'_>, motion: Option<&Motion>) {
     let wanted = |key: &str| section.get(key).filter(|entry| entry.value.as_str() == Some("solve"));
     if matches!(motion, Some(Motion::Transient { .. })) {
@@ -171,7 +171,7 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     Some(Torque::Motor { motor: motor?, catalogue, max_speed, characteristic })
 }
 
-/// Rated data are no choice from a catalogue.
+/// Notes keys of a catalogue motor where the motor is given by its rated data.
 fn refuse_with_rated(section: &Section<'_>) {
     for entry in ["catalogue", "max_motor_speed"].iter().filter_map(|key| section.get(key)) {
         let message =

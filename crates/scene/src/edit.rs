@@ -1,5 +1,5 @@
-//! The numbers of a scene's text: found by key, listed, and replaced with nothing else touched, so that comments, order
-//! and spelling of the rest stay to the byte.
+//! Finds, lists and replaces the numbers in a scene's text. Comments, order and spelling of everything else are
+//! preserved byte by byte.
 
 mod find;
 mod key;
@@ -16,16 +16,16 @@ pub use key::Key;
 pub use number::{decimal, quoted, split};
 pub use values::{SceneValue, bare};
 
-/// Where a number or a text stands.
+/// Place of a number or a text in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// Bytes of the file, quotes included.
+    /// Bytes of the file that it takes, quotes included.
     pub span: Range<usize>,
     /// The text of a string; `None` for a bare number.
     pub text: Option<String>,
 }
 
-/// The text of a scene, taken apart but not judged.
+/// The parsed text of a scene, which may have faults.
 #[derive(Debug)]
 pub struct Document<'a> {
     text: &'a str,
@@ -33,16 +33,16 @@ pub struct Document<'a> {
 }
 
 impl<'a> Document<'a> {
-    /// Takes a text apart; what is no TOML is left out.
+    /// Parses a text; parts that are not TOML are left out.
     pub fn of(text: &'a str) -> Self {
         Self { text, table: DeTable::parse_recoverable(text).0 }
     }
 
-    /// The place of a key.
+    /// Finds the place of a key.
     ///
     /// # Errors
     ///
-    /// What is wrong with the key, and what there is instead.
+    /// A message about the key, with the keys that exist instead.
     pub fn find(&self, key: &Key) -> Result<Place, String> {
         find::find(self.table.get_ref(), &key.0)
     }
@@ -53,7 +53,7 @@ impl<'a> Document<'a> {
     }
 }
 
-/// The text of a scene with other TOML in some places, which don't overlap.
+/// Returns the text of a scene with new TOML in some places, which must not overlap.
 pub fn replaced<'v>(scene: &str, values: impl IntoIterator<Item = (&'v Range<usize>, &'v str)>) -> String {
     let mut values: Vec<_> = values.into_iter().collect();
     values.sort_by_key(|(span, _)| span.start);

@@ -1,4 +1,4 @@
-//! Faults of a scene: gathered with byte ranges, given out with lines and columns.
+//! Faults of a scene: collected with byte ranges, returned with lines and columns.
 
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
@@ -10,13 +10,13 @@ pub struct SceneError {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Bytes of the file that are at fault.
+    /// Bytes of the file that are wrong.
     pub span: Range<usize>,
     /// What is wrong, one line.
     pub message: String,
-    /// What to write instead, beside the place; may be empty.
+    /// A correction, shown beside the place; may be empty.
     pub label: String,
-    /// What is allowed.
+    /// What is allowed there.
     pub help: Option<String>,
     /// Bytes of the line of the file.
     pub(crate) source: Range<usize>,
@@ -25,17 +25,18 @@ pub struct SceneError {
 /// All the faults of a scene, or of another file, in the order of the file; never empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneErrors {
-    /// The name of the file as it was given.
+    /// The name of the file as given by the caller.
     pub file: String,
     /// The faults, the first ones if there are very many.
     pub errors: Vec<SceneError>,
-    /// How many more there are.
+    /// Number of further faults.
     pub more: usize,
     /// The text of the file.
     pub(crate) text: String,
 }
 
-/// Faults that are kept; the rest are counted. Nobody reads more, and a file of many megabytes may have one in every word.
+/// Greatest number of faults that are kept; the rest are counted. A file of many megabytes may have one in every
+/// word.
 const MOST_FAULTS: usize = 1000;
 
 impl std::error::Error for SceneErrors {}
@@ -55,14 +56,14 @@ impl Fault {
         Self { span, message: message.into(), label: String::new(), help: None }
     }
 
-    /// What to write instead, shown beside the place.
+    /// A correction, shown beside the place.
     #[must_use]
     pub fn label(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
         self
     }
 
-    /// What is allowed.
+    /// What is allowed there.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -70,18 +71,18 @@ impl Fault {
     }
 }
 
-/// Lines and columns of places that are asked for in the order of the file.
+/// Finds lines and columns of places, which must come in the order of the file.
 struct Lines<'t> {
     text: &'t str,
-    /// Start and number of the line that was asked for last.
+    /// Start and number of the line found last.
     line: (usize, usize),
-    /// The place that was asked for last, and its column.
+    /// The place found last, and its column.
     last: (usize, usize),
 }
 
 impl<'t> Lines<'t> {
     fn of(text: &'t str) -> Self {
-        // A byte order mark is no part of the first line.
+        // A byte order mark does not belong to the first line.
         let mark = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         Self { text, line: (mark, 1), last: (mark, 1) }
     }
@@ -110,7 +111,7 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// The nearest boundary of a character at or before `at`.
+/// The nearest character boundary at or before `at`.
 fn floor(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
@@ -119,7 +120,7 @@ fn floor(text: &str, at: usize) -> usize {
     at
 }
 
-/// Gathers faults, so that a reader can go on and find the next one.
+/// Collects faults while reading continues.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     kept: RefCell<Vec<Fault>>,
@@ -127,7 +128,7 @@ pub(crate) struct Faults {
 }
 
 impl Faults {
-    /// Notes a fault; `make` is asked only while faults are kept.
+    /// Notes a fault; `make` is called only while faults are kept.
     pub(crate) fn note(&self, make: impl FnOnce() -> Fault) {
         if self.kept.borrow().len() < MOST_FAULTS {
             let fault = make();
@@ -145,7 +146,7 @@ impl Faults {
         self.kept.borrow().is_empty()
     }
 
-    /// All of them in the order of the file; empty where there were none.
+    /// All faults in the order of the file; empty if there were none.
     pub(crate) fn into_errors(self, file: &str, text: &str) -> SceneErrors {
         let mut faults = self.kept.into_inner();
         faults.sort_by_key(|fault| fault.span.start);

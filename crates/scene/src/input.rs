@@ -12,10 +12,10 @@ use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 const KEYS: &[&str] = &["link", "from", "positions", "cycle", "direction", "to"];
-/// More positions than anybody reads; a slip of the keyboard must not fill the memory.
+/// More positions than anyone reads; the limit keeps a typing error from filling the memory.
 pub(crate) const MOST: usize = 1_000_000;
 
-/// Reads the input; `None` where its link or pair is not known.
+/// Reads the input; `None` if its link or pair is not known.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
     let Some(entry) = root.get("input") else {
         root.missing("input", "add [input] with `link`, the link that drives the others");
@@ -36,7 +36,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
     Some(Input { link: link?.0, pair: pair?, from, positions, range, direction })
 }
 
-/// What the coordinate of an input is.
+/// The dimension and meaning of an input's coordinate.
 pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
     match pair {
         InputPair::Pin(_) => Dimension::Angle,
@@ -44,7 +44,7 @@ pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
     }
 }
 
-/// The one pair between the link and the ground.
+/// The single pair between the link and the ground.
 fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
     let stands = |id: usize, link| linkage.points[id].places.iter().any(|place| place.link == link);
     let pins =

@@ -1,4 +1,4 @@
-//! `[[spring]]` and `[[contact]]`: what acts between two links.
+//! `[[spring]]` and `[[contact]]`: loads between two links.
 
 use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring};
 
@@ -14,7 +14,7 @@ use crate::walk::{Entry, Section};
 const SPRING_KEYS: &[&str] = &["name", "between", "stiffness", "length", "damping"];
 const CONTACT_KEYS: &[&str] = &["name", "link", "center", "radius", "angle", "force", "friction", "during"];
 
-/// `[[spring]]`.
+/// Reads a `[[spring]]`.
 pub(crate) fn springs(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Spring> {
     let sections =
         root.get("spring").map(|entry| entry.sections("a spring", SPRING_KEYS)).unwrap_or_default();
@@ -60,7 +60,7 @@ fn stands(context: &Context<'_>, point: PointId, link: LinkId) -> bool {
     context.linkage.points[point].places.iter().any(|place| place.link == link)
 }
 
-/// A point, alone or as "link.point". A pin is at one place in all its links, so that any of them will do.
+/// A point, alone or as "link.point". Any link of a pin may be taken, since a pin is at one place in all its links.
 fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
     let text = entry.text("a point, or \"link.point\"")?;
     let linkage = context.linkage;
@@ -89,7 +89,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
     place.map(|place| (id, *place))
 }
 
-/// `[[contact]]`.
+/// Reads a `[[contact]]`.
 pub(crate) fn contacts(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Contact> {
     let sections =
         root.get("contact").map(|entry| entry.sections("a contact", CONTACT_KEYS)).unwrap_or_default();

@@ -1,7 +1,7 @@
-//! Scene files: TOML with units to a [`Mechanism`], or every fault with its line.
+//! Reads scene files: TOML with units becomes a [`Mechanism`], or a list of all faults with their lines.
 //!
-//! The one way in is [`read`], which is pure: text in, mechanism out. Nothing here opens a file or prints. Inside, a
-//! fault is noted and reading goes on, so that one run shows all that is wrong; see [`SceneErrors`].
+//! The entry point is [`read`], a pure function from text to mechanism. Nothing here opens a file or prints. After a
+//! fault the reader continues, so that one run shows all that is wrong; see [`SceneErrors`].
 
 mod context;
 pub mod document;
@@ -37,7 +37,7 @@ use walk::Section;
 pub use error::{SceneError, SceneErrors};
 pub use units::{Dimension, UnitError, quantity};
 
-/// A commented scene that runs, to begin a new one with.
+/// A commented, complete scene as a start for a new one.
 pub const STARTER: &str = include_str!("starter.toml");
 
 const KEYS: &[&str] = &[
@@ -45,12 +45,12 @@ const KEYS: &[&str] = &[
     "contact", "balance", "motion", "drive", "output",
 ];
 
-/// Reads a scene. `file_name` is only repeated in errors.
+/// Reads a scene. `file_name` appears only in errors.
 ///
 /// # Errors
 ///
-/// [`SceneErrors`] with every fault: of the TOML syntax, or else of keys, kinds of values, units, names, and of what
-/// the scene says as a whole.
+/// [`SceneErrors`] with every fault: those of the TOML syntax or, if it is correct, those of keys, kinds of values,
+/// units, names and the scene as a whole.
 ///
 /// # Examples
 ///
@@ -65,8 +65,8 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     document::read(file_name, text, "a scene", KEYS, scene)
 }
 
-/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["motion", "integrator"]`; `None`
-/// where the scene has no such key. `file_name` is only repeated.
+/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["motion", "integrator"]`;
+/// `None` if the scene has no such key. `file_name` appears only in the error.
 pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Option<SceneErrors> {
     let (document, _) = DeTable::parse_recoverable(text);
     let (last, tables) = path.split_last()?;
@@ -78,12 +78,12 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Op
     Some(faults.into_errors(file_name, text))
 }
 
-/// Reads what TOML has read. Where faults were noted, the mechanism is not sound.
+/// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
 fn scene(root: &Section<'_>) -> Mechanism {
     let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
     let (mut linkage, firsts) = links::read(root);
     slides::read(root, &mut linkage, &firsts);
-    // A point with a fault stands at the origin until then.
+    // A point with a fault is at the origin until then.
     if root.faults.is_empty() {
         links::refuse_points(root, &linkage);
     }
@@ -109,7 +109,7 @@ fn scene(root: &Section<'_>) -> Mechanism {
     Mechanism { links: linkage.links, points: linkage.points, slides: linkage.slides, input, ..mechanism }
 }
 
-/// What stands in for a mechanism while there are faults.
+/// Placeholder for the mechanism of a scene with faults.
 fn nothing() -> Mechanism {
     Mechanism {
         title: String::new(),

@@ -1,4 +1,4 @@
-//! Names of links, points and slides, and what stands behind them.
+//! The links, points and slides of a scene by name.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub(crate) struct Linkage {
 }
 
 impl Linkage {
-    /// The link that an entry names.
+    /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
         let name = entry.text("the name of a link")?;
         let found = self.links.iter().position(|link| link.name == name);
@@ -30,7 +30,7 @@ impl Linkage {
         found
     }
 
-    /// The moving link that an entry names.
+    /// The moving link named by an entry.
     pub(crate) fn moving(&self, entry: &Entry<'_>, why: &str) -> Option<LinkId> {
         let link = self.link(entry)?;
         if link == GROUND {
@@ -40,7 +40,7 @@ impl Linkage {
         Some(link)
     }
 
-    /// The point that an entry names.
+    /// The point named by an entry.
     pub(crate) fn point(&self, entry: &Entry<'_>) -> Option<PointId> {
         let name = entry.text("the name of a point")?;
         let found = self.point_named(name);
@@ -55,7 +55,7 @@ impl Linkage {
         self.names.get(name).copied()
     }
 
-    /// Adds a place of a point, which may be new.
+    /// Adds a point of a link; the point may be new or a pin.
     pub(crate) fn add_place(&mut self, name: &str, place: Place) {
         if let Some(known) = self.point_named(name) {
             self.points[known].places.push(place);
@@ -81,7 +81,7 @@ impl Linkage {
         entry.fault(format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name)), label);
     }
 
-    /// Points of a link with their coordinates.
+    /// Names and coordinates of the points of a link.
     fn points_of(&self, link: LinkId) -> impl Iterator<Item = (&str, [f64; 2])> + Clone {
         let place =
             move |point: &Point| point.places.iter().find(|place| place.link == link).map(|place| place.at);
@@ -93,7 +93,8 @@ impl Linkage {
         self.location(entry, link).map(|at| Place { link, at })
     }
 
-    /// The same as coordinates in the frame of the link, m.
+    /// Coordinates of a place fixed in a link, in the frame of the link, m: one of its points, [x, y], or a number on
+    /// its x axis.
     pub(crate) fn location(&self, entry: &Entry<'_>, link: LinkId) -> Option<[f64; 2]> {
         let Some(name) = entry.value.as_str() else {
             return coordinates(entry);
@@ -101,7 +102,7 @@ impl Linkage {
         if let Some((_, at)) = self.points_of(link).find(|point| point.0 == name) {
             return Some(at);
         }
-        // A text that begins with a digit is a length on the x axis, as it is in `points`.
+        // As in `points`, a text that begins with a digit is a length on the x axis.
         if name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '\u{2212}')) {
             return coordinates(entry);
         }

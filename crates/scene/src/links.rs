@@ -12,7 +12,7 @@ use crate::walk::{Entry, Section};
 const GROUND_KEYS: &[&str] = &["points"];
 const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
 
-/// Reads the ground and the links; the first point of each link comes with them.
+/// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
     linkage.links.push(massless("ground"));
@@ -27,7 +27,7 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     if links.is_empty() && entry.is_none_or(|entry| entry.value.is_table()) {
         root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
     }
-    // All the points before the masses: a center may be named by a point.
+    // All points are read before the masses, because a center of mass may be given by a point.
     let sections: Vec<_> = links.iter().map(|entry| add_link(&mut linkage, &mut firsts, entry)).collect();
     for (index, section) in sections.iter().enumerate() {
         if let Some(section) = section {
@@ -37,10 +37,11 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     (linkage, firsts)
 }
 
-/// Pins nearer than this, in parts of the greatest coordinate of the scene, are at one place.
+/// Pins nearer than this (relative to the greatest coordinate of the scene) coincide.
 const SAME_PLACE: f64 = 1e-12;
 
-/// Refuses links without a slide whose pins all lie at one place: they turn freely about it, nothing determines their angle.
+/// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
+/// determined.
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
     let links = root.get("link").map(|entry| entry.named("tables [link.NAME]", "")).unwrap_or_default();
     let slides = |link: LinkId| linkage.slides.iter().any(|slide| slide.link == link || slide.on == link);
@@ -68,14 +69,14 @@ fn massless(name: &str) -> Link {
     Link { name: name.to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 }
 }
 
-/// The link joins the list even where it is faulty, so that its name is known.
+/// A faulty link is added too: its name is then known to the rest of the scene.
 fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry<'a>) -> Option<Section<'a>> {
     check_name(entry, "link");
     if entry.name == "ground" {
         entry.fault("the ground is no moving link", "its points stand in [ground]");
     }
     if entry.name == "moment" {
-        // In results the moment of a slide stands beside the forces on its links, under this name.
+        // In results the moment of a slide is listed beside the forces on its links, under this name.
         let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
         entry.faults.push(fault.label("results use it: choose another name"));
     }
@@ -101,7 +102,7 @@ fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2
     first.unwrap_or_default()
 }
 
-/// Names are printed in tables and written as "link.point".
+/// Names are printed in tables and used in "link.point".
 fn check_name(entry: &Entry<'_>, what: &str) {
     let name = &entry.name;
     if name.trim().is_empty() || name.contains('.') || name.chars().any(is_unprintable) {
@@ -123,7 +124,7 @@ fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Se
     (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());
 }
 
-/// The center of a link with one point is there.
+/// The center of mass of a link with one point is at this point by default.
 fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option<[f64; 2]> {
     let count = section.get("points").and_then(|entry| Some(entry.value.as_table()?.len()));
     if count == Some(1) {

@@ -1,4 +1,4 @@
-//! `gravity`, `[[force]]`, `[[moment]]`: what acts on single links.
+//! `gravity`, `[[force]]`, `[[moment]]`: loads on single links.
 
 use assur_mechanism::{Direction, Force, Moment};
 
@@ -14,7 +14,7 @@ use crate::walk::Section;
 const FORCE_KEYS: &[&str] = &["name", "link", "at", "angle", "frame", "value", "against_motion"];
 const MOMENT_KEYS: &[&str] = &["name", "link", "value"];
 
-/// `gravity`: a size, straight down, or [gx, gy].
+/// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
     if entry.value.is_array() {
@@ -27,7 +27,7 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     Some([0.0, -size])
 }
 
-/// `[[force]]`.
+/// Reads a `[[force]]`.
 pub(crate) fn forces(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Force> {
     let sections = root.get("force").map(|entry| entry.sections("a force", FORCE_KEYS)).unwrap_or_default();
     sections.iter().enumerate().filter_map(|(index, section)| force(section, index, context, names)).collect()
@@ -66,7 +66,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-/// `[[moment]]`.
+/// Reads a `[[moment]]`.
 pub(crate) fn moments(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Moment> {
     let sections =
         root.get("moment").map(|entry| entry.sections("a moment", MOMENT_KEYS)).unwrap_or_default();

@@ -59,7 +59,7 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> 
     }
 }
 
-/// A known key of another kind would be without effect.
+/// Notes a key that belongs to another kind of motion and would have no effect.
 fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
     for entry in section.entries() {
         let name = entry.name.as_str();
@@ -78,7 +78,7 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
     let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
     let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
-    // The scene format applies the direction to the speed; the acceleration is that of the coordinate.
+    // In the scene format the direction applies to the speed; the acceleration is that of the coordinate.
     Some(Motion::Prescribed { speed: context.sign() * speed, acceleration })
 }
 
@@ -98,7 +98,7 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance })
 }
 
-/// "rest", "turn", a time, or a way of the input.
+/// Reads "rest", "turn", a time, or a displacement of the input.
 fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
     let Some(text) = entry.value.as_str() else {
         return entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time);
@@ -109,7 +109,7 @@ fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
         _ => {}
     }
     let way = context.coordinate().unwrap_or(Dimension::Angle);
-    // A way out of range is a way.
+    // A displacement out of range is still a displacement.
     let found = quantity(text, way);
     let is_way = matches!(found, Ok(_) | Err(UnitError::TooLarge { .. } | UnitError::TooSmall { .. }));
     let is_way = is_way && !is_bare(text, way);

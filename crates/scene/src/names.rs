@@ -1,4 +1,4 @@
-//! Names of loads: each is a name in reports, so that no two may be the same.
+//! Names of loads, which must be unique because reports refer to them.
 
 use std::collections::BTreeSet;
 
@@ -6,12 +6,12 @@ use crate::error::Fault;
 use crate::text::shown;
 use crate::walk::Section;
 
-/// The names given so far.
+/// The names used by loads that are already read.
 #[derive(Debug, Default)]
 pub(crate) struct LoadNames(BTreeSet<String>);
 
 impl LoadNames {
-    /// The `name` of a load, or the one made for it.
+    /// The `name` of a load, or its default name.
     pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> String) -> String {
         let entry = section.get("name");
         let given = entry.as_ref().and_then(|entry| entry.text("a name"));

@@ -1,4 +1,4 @@
-//! Numbers and quantities of the file.
+//! Numbers and quantities in the file.
 
 use toml::de::DeValue;
 
@@ -6,7 +6,7 @@ use crate::text::{did_you_mean, shown};
 use crate::units::{Dimension, UnitError, is_bare, quantity, within};
 use crate::walk::{Entry, Section};
 
-/// What a number must be besides finite.
+/// The range of a number, besides being finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Bound {
     /// Anything.
@@ -19,14 +19,15 @@ pub(crate) enum Bound {
     Direction,
 }
 
-/// The greatest angle of a direction, rad, 1000 turns: beyond, a direction has lost four of its 16 digits.
+/// The greatest angle of a direction, rad, 1000 turns: a greater one would lose more than four of its 16 digits.
 const MOST_DIRECTION: f64 = 1000.0 * std::f64::consts::TAU;
 
-/// Shown beside a number out of range.
+/// Hint for a number out of range.
 const OUT_OF_RANGE: &str = "results would have no digits: is the unit right?";
 
 impl Entry<'_> {
-    /// A bare number (SI) or a text with a unit. `None` for the dimension: a fault elsewhere hides it, any will do.
+    /// Reads a bare number (SI) or a text with a unit. Without a dimension (which another fault has hidden) any unit
+    /// is accepted.
     pub fn quantity(&self, wanted: impl Into<Option<Dimension>>) -> Option<f64> {
         let wanted = wanted.into();
         match self.value {
@@ -43,7 +44,7 @@ impl Entry<'_> {
         }
     }
 
-    /// The same within a bound.
+    /// Reads a number or a text with a unit, within a bound.
     pub(crate) fn bounded(&self, wanted: impl Into<Option<Dimension>>, bound: Bound) -> Option<f64> {
         let wanted = wanted.into();
         let value = self.quantity(wanted)?;
@@ -60,7 +61,7 @@ impl Entry<'_> {
         holds.then_some(value)
     }
 
-    /// The value as it stands in the file.
+    /// The value as it is written in the file.
     pub(crate) fn written(&self) -> String {
         match self.value {
             DeValue::String(text) => format!("\"{}\"", shown(text)),
@@ -153,7 +154,7 @@ fn such_as(wanted: Dimension) -> String {
 }
 
 impl Section<'_> {
-    /// The quantity of a key, or `default` where the key is absent or wrong.
+    /// The quantity of a key, or `default` if the key is absent or wrong.
     pub(crate) fn quantity_or(
         &self,
         key: &str,

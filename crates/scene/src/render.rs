@@ -7,9 +7,9 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 use crate::error::{SceneError, SceneErrors};
 use crate::text::is_unprintable;
 
-/// Faults that are printed; the rest are counted.
+/// Greatest number of faults that are printed; the rest are counted.
 const MOST: usize = 20;
-/// Columns of a source line that are printed.
+/// Greatest number of columns of a source line that are printed.
 const WIDEST: usize = 100;
 /// Columns that are kept before the place where a long line is cut.
 const BEFORE: usize = 40;
@@ -44,7 +44,7 @@ fn render(f: &mut fmt::Formatter<'_>, errors: &SceneErrors, error: &SceneError) 
     Ok(())
 }
 
-/// The source line fit to print, the columns before the marked part, and its columns.
+/// The source line as it is printed, the columns before the marked part, and the columns of the marked part.
 fn excerpt(text: &str, error: &SceneError) -> (String, usize, usize) {
     let line = error.source.clone();
     let (start, end) = (error.span.start.min(line.end), error.span.end.min(line.end));
@@ -63,7 +63,7 @@ fn excerpt(text: &str, error: &SceneError) -> (String, usize, usize) {
     (format!("{head}{mark}{tail}..."), before, marked)
 }
 
-/// Tabs become four spaces, characters that don't show or change what is beside them a question mark.
+/// Replaces tabs by four spaces, and characters that are invisible or change the text beside them by a question mark.
 fn printable(piece: &str) -> String {
     let piece = piece.replace('\t', "    ");
     piece.chars().map(|c| if is_unprintable(c) { '?' } else { c }).collect()

@@ -55,7 +55,7 @@ fn name(section: &Section<'_>, linkage: &Linkage, default: &str) -> String {
     name.to_owned()
 }
 
-/// Slides of a link on the ground, either way round.
+/// Slides between a link and the ground, in either order.
 pub(crate) fn on_ground(linkage: &Linkage, link: usize) -> Vec<usize> {
     let joins = |slide: &Slide| slide.link == link && slide.on == GROUND;
     (0..linkage.slides.len()).filter(|&index| joins(&linkage.slides[index])).collect()

@@ -1,10 +1,10 @@
-//! Words for messages.
+//! Text for messages.
 
-/// The longest piece of a scene that a message repeats, in characters.
+/// The longest piece of a scene that a message quotes, in characters.
 const LONGEST: usize = 40;
 
-/// Whether a character is a control character, or one that has no width or turns the direction of writing: a name with it
-/// looks like another one.
+/// Whether a character is a control character, has no width or changes the direction of writing: a name that contains
+/// it looks like another name.
 pub(crate) fn is_unprintable(c: char) -> bool {
     let is_invisible = matches!(c,
         '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
@@ -18,7 +18,7 @@ pub(crate) fn brief(value: f64) -> String {
     if plain.len() <= 12 { plain } else { format!("{value:.4e}") }
 }
 
-/// A piece of the scene as a message can repeat it: one line, no control characters, not endless.
+/// A piece of the scene as a message quotes it: one line, without control characters, of limited length.
 pub(crate) fn shown(piece: &str) -> String {
     let mut out: String =
         piece.chars().take(LONGEST).map(|c| if is_unprintable(c) { '?' } else { c }).collect();
@@ -28,7 +28,7 @@ pub(crate) fn shown(piece: &str) -> String {
     out
 }
 
-/// The known word that is spelled nearly as `word`; the first of equally near ones.
+/// The known word with nearly the same spelling as `word`; the first of equally near ones.
 pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     // A third of the letters may be wrong: `lenght` for `length`, but not `mm` for `kg`.
     let limit = (word.chars().count() / 3).max(1);
@@ -44,12 +44,12 @@ pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
     best.map(|(_, candidate)| candidate)
 }
 
-/// "did you mean `x`?", or nothing.
+/// "did you mean `x`?", or an empty text.
 pub(crate) fn did_you_mean(near: Option<&str>) -> String {
     near.map(|near| format!("did you mean `{}`?", shown(near))).unwrap_or_default()
 }
 
-/// Names in a row, at most a dozen: "A, B, C".
+/// A list of names, at most a dozen: "A, B, C".
 pub(crate) fn row<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
     let names: Vec<String> = names.into_iter().map(shown).collect();
     let more = names.len().saturating_sub(12);

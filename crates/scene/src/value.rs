@@ -20,7 +20,7 @@ const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
 const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
 const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
 
-/// More rows than anybody measures.
+/// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ enum Kind {
     Stroke,
 }
 
-/// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke can be followed.
+/// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke a table can use.
 pub(crate) fn read(
     entry: &Entry<'_>,
     dimension: Dimension,
@@ -62,7 +62,7 @@ pub(crate) fn read(
     }
 }
 
-/// What the table is over; where that is not said, the keys are checked against all.
+/// The argument of the table; if `over` is missing, the keys are checked against those of all tables.
 fn kind(entry: &Entry<'_>) -> Option<Kind> {
     let mut over = entry.named("a table", "").into_iter().filter(|key| key.name == "over");
     if let Some(over) = over.next() {
@@ -102,7 +102,7 @@ fn plain(
     Some(Value::Table { over, table, repeat })
 }
 
-/// Rows beyond the cycle of a table that repeats would never be reached.
+/// Rows of a repeating table beyond the cycle would never be reached.
 fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
     let (Some(first), Some(last)) = (table.rows.first(), table.rows.last()) else {
         return;
@@ -151,7 +151,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
     Some(Table { rows, shape })
 }
 
-/// Rows [argument, value], the arguments not decreasing.
+/// Reads rows [argument, value] with arguments that do not decrease.
 fn rows(
     entry: &Entry<'_>,
     argument: impl Into<Option<Dimension>>,

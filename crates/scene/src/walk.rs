@@ -1,7 +1,8 @@
-//! Tables and values of the file, each with its place and with the name that a message gives it.
+//! Tables and values of the file, each with its place and the name that messages use for it.
 //!
-//! A reader asks a [`Section`] for a key and the [`Entry`] for a value of a kind. What is wrong is noted and answered
-//! with `None`, so that the reader goes on; what it builds from defaults then is thrown away with the faults.
+//! A reader takes keys from a [`Section`] and values of a given kind from an [`Entry`]. A wrong value is noted as a
+//! fault and returned as `None`; the reader continues with a default, and the result is discarded together with the
+//! faults.
 
 use std::ops::Range;
 
@@ -11,13 +12,13 @@ use toml::de::{DeTable, DeValue};
 use crate::error::{Fault, Faults};
 use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
 
-/// A table of the file whose keys are known.
+/// A table of the file with a known set of keys.
 #[derive(Debug, Clone)]
 pub struct Section<'a> {
     table: &'a DeTable<'a>,
-    /// What the table is, with an article: "a spring".
+    /// Its kind with an article: "a spring".
     pub(crate) what: &'static str,
-    /// Its header, or all of an inline table.
+    /// Its header; for an inline table the whole table.
     pub(crate) span: Range<usize>,
     known: &'static [&'static str],
     pub(crate) faults: &'a Faults,
@@ -26,12 +27,12 @@ pub struct Section<'a> {
 /// A value of the file.
 #[derive(Debug, Clone)]
 pub struct Entry<'a> {
-    /// Its key, or what a message calls it.
+    /// Its key, or another name for messages.
     pub name: String,
-    /// Where the key stands; for an element of a list, where the element stands.
+    /// Place of the key; for an element of a list, place of the element.
     pub key: Range<usize>,
     pub(crate) value: &'a DeValue<'a>,
-    /// Where the value stands.
+    /// Place of the value.
     pub span: Range<usize>,
     pub(crate) faults: &'a Faults,
 }
@@ -61,13 +62,13 @@ impl<'a> Section<'a> {
         format!("{} knows: {}", self.what, self.known.join(", "))
     }
 
-    /// The value of a key.
+    /// The value of a key, if it is present.
     pub fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (name, value) = self.table.get_key_value(key)?;
         Some(Entry::new(name.get_ref().to_string(), name.span(), value, self.faults))
     }
 
-    /// The value of a key that must be there.
+    /// The value of a required key; a missing one is noted as a fault.
     pub(crate) fn need(&self, key: &str) -> Option<Entry<'a>> {
         let entry = self.get(key);
         if entry.is_none() {
@@ -76,7 +77,7 @@ impl<'a> Section<'a> {
         entry
     }
 
-    /// Notes that a key is missing, and why it is wanted.
+    /// Notes a missing key, and why it is needed.
     pub(crate) fn missing(&self, key: &str, why: &str) {
         let label = if why.is_empty() { format!("add `{key} = ...`") } else { why.to_owned() };
         let message = format!("{} needs `{key}`", self.what);
@@ -109,12 +110,12 @@ impl<'a> Entry<'a> {
         self.faults.push(Fault::new(self.span.clone(), message).label(label));
     }
 
-    /// Notes a fault that is made elsewhere.
+    /// Notes a fault.
     pub fn note(&self, fault: Fault) {
         self.faults.push(fault);
     }
 
-    /// Notes that nobody knows the key, which is a `what`, and the known one that is spelled nearly so.
+    /// Notes an unknown key, described as a `what`, with the known key of nearly the same spelling.
     pub fn unknown<'k>(
         &self,
         what: &str,
@@ -139,7 +140,7 @@ impl<'a> Entry<'a> {
         self.fault(message, label);
     }
 
-    /// A table whose keys are names of the user's.
+    /// A table whose keys are names chosen by the user.
     pub fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
         if let DeValue::Table(table) = self.value {
             return entries(table, self.faults);
@@ -170,7 +171,7 @@ impl<'a> Entry<'a> {
         self.list("a list of tables").iter().filter_map(|item| item.section(what, known)).collect()
     }
 
-    /// The elements of a list; each bears the name of the list.
+    /// The elements of a list; messages name each by the list.
     pub fn list(&self, wanted: &str) -> Vec<Self> {
         let DeValue::Array(array) = self.value else {
             self.wrong(wanted, "");
@@ -223,7 +224,7 @@ impl<'a> Entry<'a> {
         text.map(|text| text.chars().map(|c| if is_unprintable(c) { ' ' } else { c }).collect())
     }
 
-    /// One of some words.
+    /// One of several given words.
     pub fn choice<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
         let list = row(words.iter().map(|word| word.0));
         let text = self.text(&format!("one of: {list}"))?;
@@ -246,7 +247,7 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// What a value is, with an article.
+/// The kind of a value, with an article.
 pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",

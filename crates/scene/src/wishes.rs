@@ -1,4 +1,4 @@
-//! `[assembly]`, `[balance]`, `[output]`: what is wanted of the linkage.
+//! `[assembly]`, `[balance]`, `[output]`: the wanted assembly, balancing load and results.
 
 use assur_mechanism::{Balance, GROUND, LinkId, Output, PairId, PointId, SlideId};
 
@@ -11,7 +11,7 @@ use crate::walk::{Entry, Section};
 const BALANCE_KEYS: &[&str] = &["link", "at", "angle"];
 const OUTPUT_KEYS: &[&str] = &["points", "links", "slides", "reactions"];
 
-/// `[assembly]`: rough places of points.
+/// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [f64; 2])> {
     let Some(entry) = root.get("assembly") else {
         return Vec::new();
@@ -43,7 +43,7 @@ fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
     Some(id)
 }
 
-/// `[balance]`: what keeps the motion, if not the input.
+/// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> {
     let section = root.get("balance")?.section("the balance", BALANCE_KEYS)?;
     let link = section.need("link").and_then(|entry| linkage.moving(&entry, "the ground carries any load"));
@@ -61,7 +61,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
     }
 }
 
-/// `[output]`: what is asked for.
+/// Reads `[output]`: the wanted results.
 pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
     let section = root.get("output")?.section("the output", OUTPUT_KEYS)?;
     Some(Output {

@@ -1,4 +1,4 @@
-//! Links in given poses and the pairs that are put between them: what samples and specimens are made of.
+//! Links in given poses and the pairs that are put between them, the basis of samples and specimens.
 
 use assur_group::{PairSort, Pattern};
 use nalgebra::DMatrix;
@@ -17,13 +17,13 @@ pub(crate) struct Pose {
 }
 
 impl Pose {
-    /// Where a point of the link lies in the ground's frame.
+    /// Position of a point of the link in the ground's frame.
     pub(crate) fn world(&self, at: [f64; 2]) -> [f64; 2] {
         let (s, c) = self.angle.sin_cos();
         [self.x + c * at[0] - s * at[1], self.y + s * at[0] + c * at[1]]
     }
 
-    /// The point of the link that lies at a place of the ground's frame.
+    /// The point of the link that is at a place of the ground's frame.
     pub(crate) fn local(&self, world: [f64; 2]) -> [f64; 2] {
         let (s, c) = self.angle.sin_cos();
         let [dx, dy] = [world[0] - self.x, world[1] - self.y];
@@ -31,7 +31,7 @@ impl Pose {
     }
 }
 
-/// A pair that joins two bodies where they lie.
+/// A pair that joins two bodies in their given poses.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Join {
     /// The bodies; of an outer pair the link of the group first.
@@ -42,8 +42,8 @@ pub(crate) struct Join {
     pub(crate) guide: Option<f64>,
 }
 
-/// The pairs of a pattern as bodies and sorts, in the order inner, outer; pairs of any sort are drawn, one in three a
-/// slide.
+/// The pairs of a pattern as bodies and sorts, in the order inner, outer. Pairs of either sort are drawn, one in
+/// three as a slide.
 pub(crate) fn drawn_pairs(
     rng: &mut Rng,
     pattern: &Pattern,
@@ -63,7 +63,7 @@ pub(crate) fn drawn_pairs(
 
 /// The matrix of the constraints of a group in a given arrangement, two rows for each pair and three columns for each
 /// link; lengths in units of `size`.
-///
+/// Derived directly from the places of the pairs, independently of the program's equations.
 /// Written from the pairs where they lie, so that it owes nothing to the equations of the program.
 pub(crate) fn constraints(
     links: &[usize],
@@ -95,7 +95,7 @@ pub(crate) fn constraints(
     matrix
 }
 
-/// Smallest over greatest singular value of such a matrix: 0 at a singular position.
+/// Smallest over greatest singular value of the matrix of constraints: 0 at a singular position.
 pub(crate) fn regularity(matrix: &DMatrix<f64>) -> f64 {
     let values = matrix.singular_values();
     values.min() / values.max()

@@ -1,4 +1,4 @@
-//! One sample with the kernel that is held to it.
+//! A sample with the kernel under test.
 
 use assur_group::plane::vector;
 use assur_group::{AssurGroup, Body, GroupError, GroupPlugin, Number, Order, PairGeometry, kernel_of};
@@ -6,19 +6,19 @@ use assur_number::Real;
 
 use crate::sample::Sample;
 
-/// What a kind did wrong.
+/// A failed check.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{check} (seed {seed}): {what}")]
 pub struct Fault {
-    /// The check.
+    /// Name of the check.
     pub check: &'static str,
-    /// The sample.
+    /// Description of the sample.
     pub seed: u64,
-    /// The numbers.
+    /// The measured numbers.
     pub what: String,
 }
 
-/// A sample and the kernel of it in f64.
+/// A sample and its kernel in f64.
 #[derive(Debug)]
 pub(crate) struct Case {
     /// The kind.
@@ -27,12 +27,12 @@ pub(crate) struct Case {
     pub(crate) sample: Sample,
     /// Its kernel.
     pub(crate) kernel: Box<dyn AssurGroup>,
-    /// For the message.
+    /// Description for messages.
     pub(crate) seed: u64,
 }
 
 impl Case {
-    /// Builds the kernel; a fault where the kind refuses the group, or declares another number of ways than it has.
+    /// Builds the kernel; a fault if the kind refuses the group, or declares another number of ways than it has.
     pub(crate) fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
         let fault = |what| Fault { check: "build", seed, what };
         if plugin.pattern.find(&sample.frame).is_none() {
@@ -50,12 +50,12 @@ impl Case {
         Fault { check, seed: self.seed, what: what.into() }
     }
 
-    /// A failed call as a fault.
+    /// A failed call of the kernel as a fault.
     pub(crate) fn called<R>(&self, check: &'static str, result: Result<R, GroupError>) -> Result<R, Fault> {
         result.map_err(|error| self.fault(check, error.to_string()))
     }
 
-    /// Places the bodies in a way; `None` where a kind whose number of ways varies does not have it here.
+    /// Places the bodies in a way; `None` if a kind with a varying number of ways does not have this one here.
     pub(crate) fn placed(&self, bodies: &mut [Body<f64>], way: usize) -> Result<Option<f64>, Fault> {
         match self.kernel.place(bodies, way) {
             Err(GroupError::NoAssembly { .. }) if self.plugin.ways.varies => Ok(None),
@@ -77,7 +77,7 @@ impl Case {
         Err(self.fault(check, format!("{what} differs by {difference:.3e}, allowed {limit:.1e}")))
     }
 
-    /// The kernel in another number.
+    /// The kernel in another number type.
     pub(crate) fn kernel_in<T: Number>(&self) -> Result<Box<dyn AssurGroup<T>>, Fault> {
         kernel_of::<T>(self.plugin, &self.sample.frame)
             .map_err(|error| self.fault("build", error.to_string()))
@@ -96,7 +96,7 @@ impl Case {
         Ok(bodies)
     }
 
-    /// Greatest violation of a pair: lengths in m, angles as sines.
+    /// Greatest error of a pair's constraints: lengths in m, angles as sines.
     pub(crate) fn residual<T: Real>(&self, bodies: &[Body<T>]) -> f64 {
         let mut worst = 0.0_f64;
         for pair in self.sample.frame.pairs() {

@@ -1,9 +1,9 @@
 //! Support for tests: the conformance suite that every registered kind of group must pass, and random mechanisms.
 //!
-//! The test of a plugin is one line, `assur_testkit::conformance("rrr")`. The suite makes random groups of the pattern
-//! that the plugin declares, of any class: it chooses the poses of all bodies first and reads the pairs off them, so
-//! that the place that the kind must find is known. It knows no formula of a kind: it judges by the pairs, by
-//! equilibrium, by work, and by differences in 32 digits.
+//! The test of a plugin is one line, `assur_testkit::conformance("rrr")`. The suite constructs random groups of the
+//! pattern that the plugin declares, of any class: it draws the poses of all bodies first and fits the pairs to them,
+//! so the correct poses are known. The suite contains no formula of a kind: it checks the constraints of the pairs,
+//! equilibrium, virtual power, and differences in 32 digits.
 
 mod arrangement;
 mod case;
@@ -21,25 +21,25 @@ use assur_number::Dd;
 use case::Case;
 use sample::Sample;
 
-/// Regular samples, and as many singular ones, that a kind must pass.
+/// Number of regular samples, and of singular ones, in the suite.
 const SAMPLES: u64 = 60;
 
-/// Holds a registered kind of group to the whole suite.
+/// Tests a registered kind of group with the whole suite.
 ///
 /// # Panics
 ///
-/// With the check, the seed and the numbers, where the kind fails; the suite is for tests.
+/// If the kind fails, with the check, the seed and the numbers; the suite is for tests.
 pub fn conformance(name: &str) {
     if let Err(fault) = judge(name) {
         panic!("group `{name}` does not conform: {fault}");
     }
 }
 
-/// Holds a registered kind of group to the whole suite, for a test of the suite itself.
+/// Tests a registered kind of group with the whole suite, and returns a failure as a value.
 ///
 /// # Errors
 ///
-/// The first [`Fault`].
+/// The first [`Fault`] found.
 pub fn judge(name: &str) -> Result<(), Fault> {
     let broken = |what: String| Fault { check: "registry", seed: 0, what };
     let all = groups().map_err(|error| broken(error.to_string()))?;
@@ -60,12 +60,12 @@ pub fn judge(name: &str) -> Result<(), Fault> {
     tried.enough()
 }
 
-/// Reactions of a group of a registered kind under these loads, by the kernel in f64 and in 32 digits (rounded), from
-/// the same poses of the outer bodies; first way of assembly.
+/// Reactions of a group of a registered kind under these loads, by the kernel in f64 and in 32 digits (rounded), with
+/// the same poses of the outer bodies, in the first way of assembly.
 ///
 /// # Panics
 ///
-/// Where the kind is not registered or refuses the group; the function is for tests.
+/// If the kind is not registered or refuses the group; the function is for tests.
 pub fn reactions(
     name: &str,
     frame: &GroupFrame,

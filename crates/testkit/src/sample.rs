@@ -1,4 +1,4 @@
-//! Random groups by construction: the poses of all bodies first, then the pairs that fit them.
+//! Random groups by construction: first the poses of all bodies, then pairs that fit them.
 
 use assur_group::{Body, GroupFrame, Pair, PairGeometry, Pattern};
 use assur_number::Real;
@@ -9,13 +9,13 @@ use crate::arrangement::{Join, Pose, constraints, drawn_pairs, regularity};
 /// Joints of one link are at least this far apart, m; the region of all joints is 2 m wide.
 const APART: f64 = 0.2;
 
-/// Regularity of the constraints below which a sample is drawn anew.
+/// Samples with a smaller ratio of singular values of the constraints are drawn anew.
 const LEAST_REGULARITY: f64 = 0.02;
 
-/// Arrangements that are drawn for one sample at most.
+/// Greatest number of arrangements that are drawn for one sample.
 const TRIES: usize = 40;
 
-/// Steps between two arrangements in which a change of sign of the determinant is looked for.
+/// Number of steps between two arrangements in the search for a change of sign of the determinant.
 const STEPS: u32 = 16;
 
 /// How a body moves with the coordinate q: value, first and second derivative at q = 0 of x, y (m) and the angle (rad).
@@ -57,11 +57,13 @@ impl Path {
 pub(crate) struct Sample {
     /// The group.
     pub(crate) frame: GroupFrame,
-    /// Bodies, the ground first: those outside the group move like this; those of the group are here at q = 0.
+    /// Bodies, the ground first. Bodies outside the group have this motion; those of the group have this pose at q =
+    /// 0.
     paths: Vec<Path>,
 }
 
-/// Bodies outside the group, one for each outer pair: mostly different ones, sometimes the ground, sometimes all one.
+/// Draws the bodies outside the group, one for each outer pair: mostly different ones, sometimes the ground,
+/// sometimes all one.
 fn outside(rng: &mut Rng, pairs: usize) -> Vec<usize> {
     let all_one = rng.chance(1.0 / 6.0);
     let body = |k: usize| match k {
@@ -74,7 +76,7 @@ fn outside(rng: &mut Rng, pairs: usize) -> Vec<usize> {
 }
 
 impl Sample {
-    /// A random group of a pattern, well away from its singular positions; `None` where many draws found none.
+    /// A random group of a pattern, well away from its singular positions; `None` if many draws found none.
     pub(crate) fn regular(rng: &mut Rng, pattern: &Pattern) -> Option<Self> {
         (0..TRIES).find_map(|_| {
             let draft = Draft::new(rng, pattern);
@@ -84,11 +86,11 @@ impl Sample {
         })
     }
 
-    /// A random group of a pattern at a singular position, to rounding; `None` where many draws found none.
+    /// A random group of a pattern at a singular position, to rounding; `None` if many draws found none.
     ///
-    /// Between two arrangements of pairs on the same poses the determinant of the constraints changes its sign: the
-    /// arrangement at which it does is found by bisection. Each arrangement closes, because the pairs are read off the
-    /// poses.
+    /// Between two arrangements of pairs on the same poses the determinant of the constraints changes its sign; the
+    /// arrangement at the change is found by bisection. Each arrangement can be assembled, because its pairs are
+    /// fitted to the poses.
     pub(crate) fn singular(rng: &mut Rng, pattern: &Pattern) -> Option<Self> {
         (0..TRIES).find_map(|_| {
             let draft = Draft::new(rng, pattern);
@@ -109,18 +111,19 @@ impl Sample {
                 if is_positive(middle) == start { low = middle } else { high = middle }
             }
             let joins = between(low);
-            // An arrangement whose neighbors are no better is singular by its sorts of pairs, not by its position.
+            // An arrangement with no less singular neighbors is singular because of its sorts of pairs, not because
+            // of its position.
             let neighbor = regularity(&draft.matrix(&between(low + 0.25 / f64::from(STEPS))));
             (neighbor > 1e-4 && are_apart(&joins)).then(|| draft.sample(rng, &joins))
         })
     }
 
-    /// All bodies where the pairs were read off them.
+    /// All bodies in the poses to which the pairs were fitted.
     pub(crate) fn built(&self) -> Vec<Body<f64>> {
         self.paths.iter().map(|path| path.at(0.0)).collect()
     }
 
-    /// All bodies at q; those of the group a little beside their place at q = 0, for a kind that iterates.
+    /// All bodies at q; those of the group near their pose at q = 0, as a start for a kind that iterates.
     pub(crate) fn bodies<T: Real>(&self, q: T) -> Vec<Body<T>> {
         let beside = |(i, path): (usize, &Path)| {
             if self.frame.column(i).is_none() {
@@ -152,14 +155,14 @@ impl Join {
     }
 }
 
-/// Whether the joints of each body are well apart.
+/// Whether the joints of each body are sufficiently far apart.
 fn are_apart(joins: &[Join]) -> bool {
     let apart = |a: &Join, b: &Join| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]) > APART;
     let common = |a: &Join, b: &Join| a.bodies.iter().any(|body| b.bodies.contains(body));
     joins.iter().enumerate().all(|(i, a)| joins[..i].iter().all(|b| !common(a, b) || apart(a, b)))
 }
 
-/// Poses of all bodies, and which of them the pairs of the group shall join.
+/// Draws the poses of all bodies, and which of them the pairs of the group join.
 struct Draft {
     paths: Vec<Path>,
     links: Vec<usize>,
@@ -189,7 +192,7 @@ impl Draft {
         constraints(&self.links, joins, |body| [self.paths[body].x[0], self.paths[body].y[0]], 1.0)
     }
 
-    /// Reads the pairs off the poses; the scene may name links and pairs, and the bodies of a pair, in any order.
+    /// Fits the pairs to the poses; links, pairs and the bodies of a pair are put in any order, as in scenes.
     fn sample(self, rng: &mut Rng, joins: &[Join]) -> Sample {
         let mut links = self.links;
         if rng.chance(0.5) {

@@ -1,4 +1,4 @@
-//! Positions and transfer functions, group after group.
+//! Positions and transfer functions, group by group.
 
 use std::f64::consts::TAU;
 
@@ -9,11 +9,12 @@ use assur_worksheet::plugin_for;
 
 use crate::{Work, WorkingError};
 
-/// Where the equations of a kind miss the program's values by more than this part, they say nothing there.
+/// If the equations of a kind differ from the program's values by more than this fraction, they are singular there
+/// and not used.
 const AGREEMENT: f64 = 1e-7;
 
 impl Work<'_> {
-    /// Positions, PF1 and PF2 of one group and of all points and slides on its links.
+    /// Writes positions, PF1 and PF2 of one group and of all points and slides on its links.
     pub(crate) fn group(&mut self, group: usize) -> Result<(), WorkingError> {
         let found = &self.linkage.structure.groups[group];
         let links: Vec<_> = found.frame.links.iter().map(|&link| self.sheet.body_name(link)).collect();
@@ -46,7 +47,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Whether the poses on the sheet are those of the program.
+    /// Whether the poses on the sheet agree with those of the program.
     fn agrees(&self, links: &[usize]) -> bool {
         let scale = self.linkage.structure.scale;
         links.iter().all(|&link| {
@@ -79,7 +80,7 @@ impl Work<'_> {
         }
     }
 
-    /// Displacement of a slide and its derivatives; the point stays on the line.
+    /// Writes the displacement of a slide and its derivatives; the point stays on the line.
     fn slide(&mut self, pair: usize) {
         let PairId::Slide(id) = self.linkage.structure.pairs[pair].source else { return };
         let slide = self.linkage.mechanism.slides[id].clone();

@@ -1,4 +1,4 @@
-//! What holds for every line of a working.
+//! The conventions of a working.
 
 use crate::Work;
 
@@ -28,12 +28,12 @@ const FORCES: [&str; 4] = [
     "Assumptions: pairs without friction; weights and inertia at the centers of mass.",
 ];
 
-/// Where a joint has more than two links.
+/// Added if a joint has more than two links.
 const SHARES: &str = "In a joint B of more than two links, Rx_B_s_t_r is the share of links s and t alone; the reaction of B on r \
                       is the sum of its shares.";
 
 impl Work<'_> {
-    /// The first part: signs, symbols, assumptions.
+    /// Writes the first section: signs, symbols, assumptions.
     pub(crate) fn conventions(&mut self, index: usize, forces: bool) {
         let mechanism = &self.linkage.mechanism;
         let title = if mechanism.title.is_empty() { "Working" } else { mechanism.title.as_str() };

@@ -1,4 +1,4 @@
-//! Forces: loads, the groups from the last to the first, the input link, and the check by powers.
+//! Forces: loads, the groups from the last to the first, the input link, and a check by power.
 
 use assur_force::Loads;
 use assur_mechanism::{Balance, InputPair};
@@ -7,7 +7,7 @@ use assur_worksheet::{Expr, Load, plugin_for};
 use crate::{Work, WorkingError};
 
 impl Work<'_> {
-    /// All forces; the balancing load, where it is determined.
+    /// Writes all forces; the balancing load is returned if it is determined.
     pub(crate) fn forces(&mut self, loads: &Loads) -> Result<Option<f64>, WorkingError> {
         self.loads(loads);
         let elsewhere = self.balance();
@@ -43,7 +43,8 @@ impl Work<'_> {
         Ok(self.general_reactions(group))
     }
 
-    /// A balancing load elsewhere, from powers: the loads and it do no work together.
+    /// Writes a balancing load that does not act on the input, from the condition that it and the loads have no power
+    /// together.
     fn balance(&mut self) -> Option<Expr> {
         let mechanism = &self.linkage.mechanism;
         let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));

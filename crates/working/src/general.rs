@@ -9,7 +9,7 @@ use assur_worksheet::{Expr, Load, Point, Pose};
 use crate::Work;
 
 impl Work<'_> {
-    /// Places and derivatives of the links as given, then both sides of the equations of each pair.
+    /// Writes places and derivatives of the links as given, then both sides of the equations of each pair.
     pub(crate) fn general_motion(&mut self, group: usize) {
         let frame = self.linkage.structure.groups[group].frame.clone();
         let places = 3 * frame.links.len();
@@ -53,7 +53,7 @@ impl Work<'_> {
         self.sheet.set_pose(link, Pose { base, at, phi });
     }
 
-    /// PF0, PF1, PF2 of a place as a body carries it, written.
+    /// Writes PF0, PF1, PF2 of a place as a point of a body.
     fn side(&mut self, body: usize, at: [f64; 2], place: [f64; 2]) -> [[Expr; 2]; 3] {
         let name = format!("{}_{}", self.sheet.place_name(body, at), self.sheet.tag(body));
         if self.sheet.pose(body).is_none() {
@@ -80,7 +80,7 @@ impl Work<'_> {
         }
     }
 
-    /// The point of `a` stays on the line of `b`: equal components across it; equal turns.
+    /// Writes the equations of a slide: the point of `a` is on the line of `b`, and both have the same rotation.
     fn slide_sides(&mut self, pair: &Pair) {
         let PairGeometry::Slide { point, through, angle, tilt } = pair.geometry else { return };
         let place = self.bodies[pair.a].point(point);
@@ -93,7 +93,7 @@ impl Work<'_> {
         for (of, pf) in [("a", &on_a), ("b", &on_b)] {
             self.sheet.work(&format!("n{of}_{tag}"), &across(&t, &pf[0]), units.0[0]);
         }
-        // n (A' - B') = w s and n (A'' - B'') = e s + 2 w t (A' - B') - w² n (A - B), the last of which is zero.
+        // n (A' - B') = w s and n (A'' - B'') = e s + 2 w t (A' - B') - w² n (A - B), where the last term is zero.
         let d = |order: usize| [0, 1].map(|i| &on_a[order][i] - &on_b[order][i]);
         let (d0, d1, d2) = (d(0), d(1), d(2));
         let sides = [
@@ -116,7 +116,8 @@ impl Work<'_> {
         }
     }
 
-    /// Reactions as given, then equilibrium of each link: the reactions' sum against that of the loads.
+    /// Writes reactions as given, then the equilibrium of each link: the sum of its reactions against that of its
+    /// loads.
     pub(crate) fn general_reactions(&mut self, group: usize) -> bool {
         let frame = self.linkage.structure.groups[group].frame.clone();
         let mut loads = self.numeric_loads();

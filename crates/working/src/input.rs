@@ -1,4 +1,4 @@
-//! The input link: its place is given by the coordinate.
+//! The input link, whose position is given by the coordinate.
 
 use assur_mechanism::{GROUND, InputPair, Range};
 use assur_worksheet::{Expr, Pose};
@@ -6,7 +6,7 @@ use assur_worksheet::{Expr, Pose};
 use crate::Work;
 
 impl Work<'_> {
-    /// Coordinate and input link.
+    /// Writes the coordinate and the motion of the input link.
     pub(crate) fn input(&mut self, index: usize) {
         let input = &self.linkage.mechanism.input;
         let link = input.link;
@@ -47,7 +47,7 @@ impl Work<'_> {
         self.sheet.work("q", &(from + way * at / steps), unit)
     }
 
-    /// The displacement is that of the slide's point along the guide; either of the two bodies may carry the guide.
+    /// The displacement is that of the slide's point along the guide; the guide is on either of the two bodies.
     fn sliding(&mut self, slide: usize, q: &Expr) {
         let found = self.linkage.mechanism.slides[slide].clone();
         let link = self.linkage.mechanism.input.link;

@@ -1,9 +1,9 @@
-//! The working of one position: the equations of the input link and of every group with this position's numbers put in,
-//! in solving order, then the forces from the last group to the input link, so that a reader follows by hand.
+//! The working of one position: the equations of the input link and of every group with the numbers of this position,
+//! in solving order, then the forces from the last group to the input link, in the form of a calculation by hand.
 //!
-//! The equations of a kind stand with its plugin ([`assur_worksheet::WorkingPlugin`]); a kind without its own, and a
-//! position in which they say nothing (0/0), are worked by the general linear system. Knows no kind by name, no file and
-//! no terminal.
+//! The equations of a kind are in its plugin ([`assur_worksheet::WorkingPlugin`]). For a kind without its own
+//! equations, and in a position where they are singular (0/0), the general linear system is used. This crate is
+//! independent of concrete kinds, of files and of the terminal.
 
 mod chain;
 mod conventions;
@@ -22,13 +22,13 @@ use assur_worksheet::{Reaction, Section, Sheet, Units, WorkingRegistryError};
 /// The working of one position.
 #[derive(Debug, Clone)]
 pub struct Working {
-    /// Its parts in order.
+    /// Its sections in order.
     pub sections: Vec<Section>,
-    /// Groups (counted from 0) whose positions were not worked by equations of their kind.
+    /// Groups (counted from 0) whose positions were calculated by the general linear system.
     pub general: Vec<usize>,
-    /// The reactions found, each on a link of its group.
+    /// The reactions, each on a link of its group.
     pub reactions: Vec<Reaction>,
-    /// The balancing moment (N m) or force (N), where there are loads and it is determined.
+    /// The balancing moment (N m) or force (N), if there are loads and it is determined.
     pub balancing: Option<f64>,
 }
 
@@ -39,36 +39,37 @@ pub enum WorkingError {
     /// There is no such position.
     #[error("there is no position {index}: the scene has positions 0 to {last}")]
     Index {
-        /// The position asked for.
+        /// The number of the wanted position.
         index: usize,
-        /// The last one.
+        /// The number of the last position.
         last: usize,
     },
     /// The mechanism can't be assembled there.
     #[error(transparent)]
     Position(#[from] PositionError),
-    /// The plugins are at odds.
+    /// Two plugins provide a working for one kind.
     #[error(transparent)]
     Registry(#[from] WorkingRegistryError),
 }
 
-/// What the parts of a working share.
+/// Data that all parts of a working use.
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) bodies: &'a [Body<f64>],
     pub(crate) state: State,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,
-    /// Whether kinds may write their own equations; otherwise all are worked by the linear system.
+    /// Whether kinds may write their own equations; otherwise the general linear system is used for all.
     pub(crate) own: bool,
 }
 
 impl Working {
-    /// Works position `index` of a scene; with `loads` its forces as well, at the speed and acceleration of `state`.
+    /// Writes the working of position `index` of a scene; with `loads` also its forces, at the speed and acceleration
+    /// of `state`.
     ///
     /// # Errors
     ///
-    /// [`WorkingError`] where the position does not exist or can't be assembled.
+    /// [`WorkingError`] if the position does not exist or can't be assembled.
     pub fn of(
         linkage: &Linkage,
         loads: Option<&Loads>,
@@ -107,7 +108,7 @@ impl Working {
         Ok(Self { sections: work.sheet.sections, general: work.general, reactions, balancing })
     }
 
-    /// As plain text of at most [`assur_worksheet::WIDTH`] columns.
+    /// The working as plain text of at most [`assur_worksheet::WIDTH`] columns.
     pub fn text(&self) -> String {
         assur_worksheet::text(&self.sections)
     }

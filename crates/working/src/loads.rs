@@ -9,11 +9,11 @@ use assur_worksheet::{Expr, Load, Point, symbol_of};
 use crate::Work;
 
 impl Work<'_> {
-    /// Writes every load and puts it on its link.
+    /// Writes every load and adds it to its link.
     pub(crate) fn loads(&mut self, loads: &Loads) {
         let mut each: Vec<(Cause, usize, Wrench<f64>)> = Vec::new();
         loads.by_cause(&self.state, self.bodies, &mut |cause, link, wrench| {
-            // Force and moment of one inertia come apart, and so do the two ends of a spring.
+            // Force and moment of one inertia load are separate entries, and so are the two ends of a spring.
             if each.last().is_none_or(|(last, ..)| *last != cause) {
                 each.push((cause, link, Wrench::ZERO));
             }

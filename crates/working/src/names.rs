@@ -1,4 +1,4 @@
-//! What things are called in a working.
+//! Names in a working.
 
 use std::collections::BTreeSet;
 
@@ -6,8 +6,8 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, Mechanism, Place};
 use assur_worksheet::{Names, symbol_of};
 
-/// Names of all bodies, pairs and places that a working may speak of. A pair of a joint of more than two links is named by its
-/// links too: what it exerts is a share of the joint's reaction.
+/// Names of all bodies, pairs and places in a working. The name of a pair in a joint of more than two links contains
+/// its links, because its reaction is only a part of the joint's reaction.
 pub(crate) fn of(linkage: &Linkage) -> Names {
     let mechanism = &linkage.mechanism;
     let mut places = Places { found: Vec::new(), used: BTreeSet::new() };

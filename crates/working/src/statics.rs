@@ -6,7 +6,7 @@ use assur_worksheet::Expr;
 use crate::Work;
 
 impl Work<'_> {
-    /// Reaction at the ground, and the balancing moment or force at the input.
+    /// Writes the reaction at the ground, and the balancing moment or force at the input.
     pub(crate) fn input_reactions(&mut self) -> Expr {
         let pair = self.linkage.structure.pairs[0].pair;
         let link = self.linkage.mechanism.input.link;
@@ -25,7 +25,7 @@ impl Work<'_> {
         }
     }
 
-    /// The drive takes the part along the guide, the guide the one across.
+    /// The balancing force is the component along the guide; the guide exerts the component across it.
     fn sliding_reaction(&mut self, a: usize, point: [f64; 2]) -> Expr {
         let link = self.linkage.mechanism.input.link;
         let at = self.sheet.point(a, point);

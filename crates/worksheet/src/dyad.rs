@@ -1,22 +1,23 @@
-//! What the workings of all dyads share.
+//! Functions that the workings of several dyads use.
 
 use assur_group::SlideJoint;
 
 use crate::{Expr, Guide, Point, Pose, Rod, Sheet};
 
 impl Sheet {
-    /// Direction of the guide of a slide, carried by the body outside or by the other link.
+    /// Writes the direction of the guide of a slide, whose carrier is an outer body or the other link.
     pub fn guide_of(&mut self, slide: &SlideJoint<f64>) -> Guide {
         self.guide(slide.id, slide.body, slide.along_angle)
     }
 
-    /// Sets the pose of a rod of which one end and the angle are known; writes the angle from the vector along it.
+    /// Sets the pose of a rod with one known end, and writes its angle from the vector along it.
     pub fn rod_angle(&mut self, body: usize, rod: &Rod, along: &[Expr; 2]) -> Expr {
         let [x, y] = along;
         self.link_angle(body, &(y.atan2(x) - &rod.beta))
     }
 
-    /// The second derivative that the turn alone gives to the end of a vector: -phi'^2 r. Written under the name `n`.
+    /// Writes, under the name `n`, the part of the second derivative of the end of a vector that comes from rotation
+    /// alone: -phi'^2 r.
     pub fn normal_part(&mut self, of: &str, rate: &Expr, along: &[Expr; 2]) -> [Expr; 2] {
         let square = rate.squared();
         let unit = self.units.length[2];
@@ -24,18 +25,19 @@ impl Sheet {
         self.components("n", of, &parts, unit)
     }
 
-    /// A length of a group that the scene fixes; nothing where it is 0.
+    /// Writes a constant length of a group; zero is left out.
     pub fn fixed_length(&mut self, name: &str, value: f64, what: &str) -> Expr {
         let name = self.local(name);
         if value == 0.0 { Expr::zero() } else { self.given(&name, value, "m", what) }
     }
 
-    /// Sets the pose of a link by a point of it and its angle with derivatives.
+    /// Sets the pose of a link from one of its points and its angle with derivatives.
     pub fn place(&mut self, body: usize, base: &Point, at: [f64; 2], phi: [Expr; 3]) {
         self.set_pose(body, Pose { base: base.clone(), at, phi });
     }
 
-    /// Writes the angle of a link that can't turn against a body, and its equal derivatives; sets the pose.
+    /// Writes the angle of a link that can't rotate relative to a body, with the derivatives of that body's angle;
+    /// sets the pose.
     pub fn place_turned(&mut self, body: usize, base: &Point, at: [f64; 2], from: &Expr, carrier: usize) {
         let phi = self.link_angle(body, from);
         let [_, first, second] = self.angle(carrier);
@@ -50,12 +52,12 @@ pub fn along(t: &[Expr; 2], v: &[Expr; 2]) -> Expr {
     &t[0] * &v[0] + &t[1] * &v[1]
 }
 
-/// Component along its normal, the direction turned by +90 degrees.
+/// Component along the normal of a direction, which is the direction rotated by +90 degrees.
 pub fn across(t: &[Expr; 2], v: &[Expr; 2]) -> Expr {
     &t[0] * &v[1] - &t[1] * &v[0]
 }
 
-/// The vector with these components along a direction and its normal.
+/// The vector with the given components along a direction and along its normal.
 pub fn compose(t: &[Expr; 2], along: &Expr, across: &Expr) -> [Expr; 2] {
     [along * &t[0] - across * &t[1], along * &t[1] + across * &t[0]]
 }

@@ -8,15 +8,15 @@ use crate::figure::rounded;
 
 /// An expression of named quantities; cheap to clone.
 ///
-/// Parts that vanish by structure (the velocity of a fixed point) are [`Expr::zero`] and drop out where it is built, as they
-/// do in a working by hand.
+/// Parts that vanish by structure (the velocity of a fixed point) are [`Expr::zero`] and are dropped when an
+/// expression is built, as in a calculation by hand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expr(pub(crate) Rc<Node>);
 
 /// A node of the tree.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Node {
-    /// A number that belongs to the formula: 2, 180.
+    /// A constant of the formula: 2, 180.
     Number(f64),
     Pi,
     /// A named quantity.
@@ -34,7 +34,7 @@ pub(crate) enum Node {
     Call(&'static str, Vec<Expr>),
 }
 
-/// A value, and the size of what was added up to it: rounding is relative to that.
+/// A value, and the size of the terms added to get it, which determines its rounding error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Measured {
     pub(crate) value: f64,
@@ -46,17 +46,17 @@ impl Expr {
         Self(Rc::new(node))
     }
 
-    /// A number that belongs to the formula itself.
+    /// A constant of the formula.
     pub fn number(value: f64) -> Self {
         Self::new(Node::Number(value))
     }
 
-    /// What vanishes by structure.
+    /// An expression that vanishes by structure.
     pub fn zero() -> Self {
         Self::number(0.0)
     }
 
-    /// The ratio of circumference to diameter.
+    /// The number pi.
     pub fn pi() -> Self {
         Self::new(Node::Pi)
     }
@@ -75,7 +75,7 @@ impl Expr {
         matches!(&*self.0, Node::Number(value) if (*value - 1.0).abs() == 0.0)
     }
 
-    /// Its square.
+    /// Square of the expression.
     #[must_use]
     pub fn squared(&self) -> Self {
         if self.is_zero() || self.is_one() {
@@ -84,19 +84,19 @@ impl Expr {
         Self::new(Node::Square(self.clone()))
     }
 
-    /// Its square root.
+    /// Square root of the expression.
     #[must_use]
     pub fn sqrt(&self) -> Self {
         self.called("sqrt")
     }
 
-    /// Its sine (rad).
+    /// Sine of the expression (rad).
     #[must_use]
     pub fn sin(&self) -> Self {
         if self.is_zero() { Self::zero() } else { self.called("sin") }
     }
 
-    /// Its cosine (rad).
+    /// Cosine of the expression (rad).
     #[must_use]
     pub fn cos(&self) -> Self {
         if self.is_zero() { Self::number(1.0) } else { self.called("cos") }
@@ -117,7 +117,7 @@ impl Expr {
         self.evaluate(None).value
     }
 
-    /// Its value and size; with `digits`: from the symbols as they are printed.
+    /// Value and size of the expression; with `digits`, from the symbols as printed.
     pub(crate) fn evaluate(&self, digits: Option<usize>) -> Measured {
         let of = |part: &Self| part.evaluate(digits);
         match &*self.0 {
@@ -188,7 +188,7 @@ fn add(a: &Expr, b: &Expr) -> Expr {
     }
     match &*b.0 {
         Node::Negative(b) => Expr::new(Node::Difference(a.clone(), b.clone())),
-        // From left to right, so that no sum needs parentheses.
+        // Evaluated from left to right, so that no sum needs parentheses.
         Node::Sum(c, d) => add(&add(a, c), d),
         Node::Difference(c, d) => subtract(&add(a, c), d),
         _ => Expr::new(Node::Sum(a.clone(), b.clone())),

@@ -1,9 +1,9 @@
-//! Numbers as they are printed in a working.
+//! Formatting of the numbers in a working.
 
-/// Decimal exponents that are written out; others get the form 1.5e-7.
+/// Range of decimal exponents printed without an exponent; other numbers have the form 1.5e-7.
 const PLAIN: std::ops::RangeInclusive<i32> = -5..=5;
 
-/// A number with so many significant digits, and half a unit of its last digit.
+/// Formats a number with so many significant digits; returns it with half a unit of its last digit.
 pub(crate) fn significant(value: f64, digits: usize) -> (String, f64) {
     if value == 0.0 || !value.is_finite() {
         return (if value == 0.0 { "0".to_owned() } else { value.to_string() }, 0.5);
@@ -19,7 +19,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> (String, f64) {
     (format!("{mantissa}e{exponent}"), half)
 }
 
-/// The same without zeros at the end.
+/// A formatted number without trailing zeros.
 pub(crate) fn shortest(value: f64, digits: usize) -> String {
     let (text, _) = significant(value, digits);
     let (mantissa, exponent) = text.split_once('e').map_or((text.as_str(), None), |(m, e)| (m, Some(e)));
@@ -28,9 +28,9 @@ pub(crate) fn shortest(value: f64, digits: usize) -> String {
     exponent.map_or_else(|| trimmed.to_owned(), |exponent| format!("{trimmed}e{exponent}"))
 }
 
-/// A zero that is what summands of this size leave, with as many decimals as their own digits reach.
+/// Formats a zero that remains of terms of this size, with as many decimals as the digits of the terms have.
 pub(crate) fn zero(size: f64, digits: usize) -> (String, f64) {
-    /// More decimals than a reader follows.
+    /// Greatest number of decimals.
     const MOST: i32 = 15;
     if size == 0.0 || !size.is_finite() {
         return ("0".to_owned(), 0.5e-15);

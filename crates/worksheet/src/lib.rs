@@ -1,15 +1,16 @@
-//! The working of a calculation by hand: equations in symbols, with numbers put in, and their results.
+//! The working of a calculation by hand: equations in symbols, with numbers substituted, and their results.
 //!
-//! * [`Expr`]: an equation's right side; one tree is written in symbols, written with numbers, and evaluated, so that the
-//!   three can't differ.
-//! * [`Sheet`]: collects [`Line`]s in [`Section`]s, and knows the symbols of points, links and loads so far.
-//! * [`WorkingPlugin`]: the registry entry by which a kind of group brings its own equations. A kind without an entry is
-//!   worked by the general linear system; nothing needs a change for it.
+//! * [`Expr`]: the right side of an equation. One tree is printed in symbols, printed with numbers, and evaluated, so
+//! the three always agree.
+//! * [`Sheet`]: collects [`Line`]s in [`Section`]s, and the symbols of points, links and loads.
+//! * [`WorkingPlugin`]: the registry entry by which a kind of group provides its own equations. A kind without an
+//! entry uses the general linear system.
 //!
-//! Intermediate values are carried with all digits; each line shows as many digits of its numbers as its own printed
-//! result needs, so that it recomputes from what is printed.
+//! Intermediate values are carried with all digits. Each line shows its numbers with as many digits as are needed to
+//! recompute its printed result from them.
 //!
-//! Knows no concrete group, no scene and no terminal. SI units; angles counter-clockwise.
+//! This crate is independent of concrete groups, of scenes and of the terminal. Units are SI; angles are
+//! counter-clockwise.
 
 pub mod dyad;
 mod expr;

@@ -1,4 +1,4 @@
-//! What a working consists of.
+//! The elements of a working.
 
 use crate::expr::Expr;
 use crate::figure::{significant, zero};
@@ -7,10 +7,10 @@ use crate::show::Show;
 /// Significant digits of a printed result.
 pub const RESULT_DIGITS: usize = 6;
 
-/// Digits that always suffice: a number of the program is exact with 17.
+/// Number of digits that always suffices: 17 digits give a double exactly.
 const ALL_DIGITS: usize = 17;
 
-/// A value below this part of what was added up to it is rounding, and counts as zero.
+/// A value smaller than this fraction of the terms added to get it is rounding, and counts as zero.
 const ROUNDING: f64 = 1e-12;
 
 /// One equation: name = text = substituted = result unit.
@@ -20,7 +20,7 @@ pub struct Line {
     pub name: String,
     /// Its formula in symbols.
     pub text: String,
-    /// The same with numbers put in; they recompute to `result`.
+    /// The formula with numbers substituted; they recompute to `result`.
     pub substituted: String,
     /// Its value, all digits.
     pub value: f64,
@@ -30,7 +30,7 @@ pub struct Line {
     pub half_unit: f64,
     /// Unit; may be empty.
     pub unit: String,
-    /// Significant digits of the numbers put in.
+    /// Significant digits of the substituted numbers.
     pub digits: usize,
 }
 
@@ -63,9 +63,9 @@ impl Line {
 /// A row of a working.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Entry {
-    /// Words, or an equation still without numbers.
+    /// Text, or an equation without numbers.
     Note(String),
-    /// A quantity that is given, with its value as printed and its unit.
+    /// A given quantity, with its value as printed and its unit.
     Given {
         /// The quantity.
         name: String,
@@ -75,7 +75,7 @@ pub enum Entry {
         result: String,
         /// Unit; may be empty.
         unit: String,
-        /// What it is; may be empty.
+        /// Description; may be empty.
         what: String,
     },
     /// An equation.

@@ -5,11 +5,11 @@ use crate::{Expr, Point, Sheet};
 /// A force at a point, or a moment, on a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
-    /// The force, N, and where it acts.
+    /// The force, N, and its point of application.
     pub force: Option<([Expr; 2], Point)>,
     /// A moment, N m, counter-clockwise.
     pub moment: Expr,
-    /// Whether the scene applies it (or inertia does); otherwise it is a reaction handed on.
+    /// Whether it is an applied or an inertia load; otherwise it is a reaction of another group.
     pub applied: bool,
 }
 
@@ -24,27 +24,27 @@ pub struct Reaction {
     pub force: [Expr; 2],
     /// The moment about `at`, N m.
     pub moment: Expr,
-    /// Where the force acts.
+    /// Point of application of the force.
     pub at: Point,
 }
 
 impl Sheet {
-    /// Puts a load on a link.
+    /// Adds a load to a link.
     pub fn load(&mut self, body: usize, load: Load) {
         self.loads[body].push(load);
     }
 
-    /// The reactions found so far.
+    /// The reactions that are already found.
     pub fn reactions(&self) -> &[Reaction] {
         &self.reactions
     }
 
-    /// The loads on a link so far.
+    /// The loads on a link that are already known.
     pub fn loads_on(&self, body: usize) -> &[Load] {
         &self.loads[body]
     }
 
-    /// Writes the sum of the forces on a link: loads of its own, and what later groups hand on.
+    /// Writes the sum of the forces on a link: its own loads, and the reactions of groups solved before.
     pub fn resultant(&mut self, body: usize) -> [Expr; 2] {
         let mut sum = [Expr::zero(), Expr::zero()];
         for (force, _) in self.loads[body].iter().filter_map(|load| load.force.as_ref()) {
@@ -79,8 +79,8 @@ impl Sheet {
         force
     }
 
-    /// Writes force and moment that a slide exerts on a link of the group: the force acts at `at`, along the normal of the
-    /// guide; the moment is about `at`.
+    /// Writes force and moment that a slide exerts on a link of the group. The force acts at `at`, along the normal
+    /// of the guide; the moment is about `at`.
     pub fn slide_reaction(
         &mut self,
         pair: usize,
@@ -96,7 +96,7 @@ impl Sheet {
         (force, moment)
     }
 
-    /// Keeps a reaction that is written already.
+    /// Stores a reaction that is already written.
     pub fn record(&mut self, pair: usize, on: usize, force: &[Expr; 2], moment: &Expr, at: &Point) {
         let (force, moment, at) = (force.clone(), moment.clone(), at.clone());
         self.reactions.push(Reaction { pair, on, force, moment, at });
@@ -107,7 +107,7 @@ impl Sheet {
         [x, self.work(&format!("{letter}y_{of}"), &force[1], "N")]
     }
 
-    /// Puts the opposite of a reaction on the body outside the group.
+    /// Adds the opposite of a reaction to the loads of the outer body.
     pub fn hand_on(&mut self, body: usize, at: &Point, force: &[Expr; 2], moment: &Expr) {
         if body != 0 {
             let force = Some(([-&force[0], -&force[1]], at.clone()));
@@ -132,7 +132,7 @@ impl Sheet {
 }
 
 impl Point {
-    /// Moment about another point of a force that acts here.
+    /// Moment of a force that acts here, about another point.
     pub fn moment_about(&self, about: &Self, force: &[Expr; 2]) -> Expr {
         if self.name == about.name {
             return Expr::zero();

@@ -8,14 +8,14 @@ use crate::{Expr, Sheet};
 /// A point and its transfer functions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// Its name in symbols.
+    /// Its name in the symbols.
     pub name: String,
-    /// PF0, PF1, PF2: x and y of each.
+    /// PF0, PF1, PF2, each with its x and y component.
     pub pf: [[Expr; 2]; 3],
 }
 
 impl Point {
-    /// Vector to this point from another, in the given order (0: m).
+    /// Vector from another point to this one, of the given order (0: m).
     pub fn from(&self, other: &Self, order: usize) -> [Expr; 2] {
         [0, 1].map(|i| &self.pf[order][i] - &other.pf[order][i])
     }
@@ -24,15 +24,15 @@ impl Point {
 /// A placed link: a point of it, and its angle with derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pose {
-    /// A known point of the link.
+    /// A point of the link whose position is known.
     pub base: Point,
-    /// The same in the frame of the link, m.
+    /// That point in the frame of the link, m.
     pub at: [f64; 2],
     /// Angle of the link's x axis (rad) and its derivatives.
     pub phi: [Expr; 3],
 }
 
-/// The distance of two points of a link, and its direction in the frame of the link.
+/// The distance between two points of a link, and its direction in the frame of the link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rod {
     /// Length, m.
@@ -53,7 +53,7 @@ pub struct Guide {
 const AXES: [&str; 2] = ["x", "y"];
 const PRIMES: [&str; 3] = ["", "'", "''"];
 
-/// Whether two places are written alike in the scene: no tolerance, they are copies.
+/// Whether two places have identical coordinates in the scene, without a tolerance, because they are copies.
 fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
     a[0] - b[0] == 0.0 && a[1] - b[1] == 0.0
 }
@@ -65,17 +65,17 @@ impl Sheet {
         pose.map_or_else(|| [Expr::zero(), Expr::zero(), Expr::zero()], |pose| pose.phi.clone())
     }
 
-    /// Pose of a body, once it is set.
+    /// Pose of a body, if it is already set.
     pub fn pose(&self, body: usize) -> Option<&Pose> {
         self.poses[body].as_ref()
     }
 
-    /// Sets the pose of a link, so that its points can be asked for.
+    /// Sets the pose of a link; after that its points can be calculated.
     pub fn set_pose(&mut self, body: usize, pose: Pose) {
         self.poses[body] = Some(pose);
     }
 
-    /// Name of a place of a body in symbols; one is made where the scene has none.
+    /// Name of a place of a body in the symbols; a new one is chosen if the scene has none.
     pub fn place_name(&mut self, body: usize, at: [f64; 2]) -> String {
         let same = |place: &&(usize, [f64; 2], String)| place.0 == body && is_same(place.1, at);
         if let Some((_, _, name)) = self.names.places.iter().find(same) {
@@ -86,7 +86,7 @@ impl Sheet {
         name
     }
 
-    /// Sets PF0, PF1 and PF2 of a point that a group has found.
+    /// Sets PF0, PF1 and PF2 of a point as found by a group.
     pub fn set_point(&mut self, body: usize, at: [f64; 2], pf: [[Expr; 2]; 3]) -> Point {
         let name = self.place_name(body, at);
         let point = Point { name, pf };
@@ -107,12 +107,12 @@ impl Sheet {
         })
     }
 
-    /// Writes both components of a quantity of this name: `Rx_B`, `Ry_B` for `R` and `B`.
+    /// Writes both components of a named quantity: `Rx_B`, `Ry_B` for `R` and `B`.
     pub fn components(&mut self, name: &str, of: &str, xy: &[Expr; 2], unit: &str) -> [Expr; 2] {
         [0, 1].map(|i| self.work_unless_zero(&format!("{name}{}_{of}", AXES[i]), &xy[i], unit))
     }
 
-    /// A point of a solved body; its equations are written where it was not asked for before.
+    /// A point of a solved body; its equations are written when it is used for the first time.
     pub fn point(&mut self, body: usize, at: [f64; 2]) -> Point {
         let name = self.place_name(body, at);
         if let Some(found) = self.points.iter().find(|point| point.name == name) {
@@ -132,7 +132,7 @@ impl Sheet {
         [place, [Expr::zero(), Expr::zero()], [Expr::zero(), Expr::zero()]]
     }
 
-    /// P = base + arm turned by phi; P' and P'' by the arm as it lies.
+    /// P = base + arm rotated by phi; P' and P'' from the rotated arm.
     fn carried(&mut self, body: usize, name: &str, at: [f64; 2], pose: &Pose) -> [[Expr; 2]; 3] {
         let base = &pose.base;
         if is_same(at, pose.at) {
@@ -147,7 +147,7 @@ impl Sheet {
         [pf0, pf1, pf2]
     }
 
-    /// Where a place of a posed body lies.
+    /// Position of a place of a body whose pose is set.
     fn turned(&mut self, body: usize, pose: &Pose, name: &str, at: [f64; 2]) -> [Expr; 2] {
         let [u, v] = self.arm(body, (&pose.base.name, pose.at), (name, at));
         let (c, s) = (pose.phi[0].cos(), pose.phi[0].sin());
@@ -155,7 +155,7 @@ impl Sheet {
         [x + (&u * &c - &v * &s), y + (&u * &s + &v * &c)]
     }
 
-    /// PF0, PF1 and PF2 of a place as a body carries it, as expressions; `place` is where it lies.
+    /// PF0, PF1 and PF2 of a place as a point of a body, as expressions; `place` is its position.
     pub fn carried_by(&mut self, body: usize, at: [f64; 2], place: &[Expr; 2]) -> [[Expr; 2]; 3] {
         let Some(pose) = self.poses[body].clone() else {
             return self.point(body, at).pf;
@@ -166,7 +166,7 @@ impl Sheet {
         [pf0, first, second]
     }
 
-    /// The vector between two places of a link in its frame; what is 0 in the scene vanishes.
+    /// The vector between two places of a link in its frame; components that are 0 in the scene are left out.
     fn arm(&mut self, body: usize, from: (&str, [f64; 2]), to: (&str, [f64; 2])) -> [Expr; 2] {
         let link = self.body_name(body).to_owned();
         [0, 1].map(|i| {
@@ -180,7 +180,7 @@ impl Sheet {
         })
     }
 
-    /// Length and direction between two places of a link.
+    /// Writes length and direction between two places of a link.
     pub fn rod(&mut self, body: usize, from: [f64; 2], to: [f64; 2]) -> Rod {
         let names = [self.place_name(body, from), self.place_name(body, to)];
         let [p, q] = &names;
@@ -196,7 +196,7 @@ impl Sheet {
         Rod { length, beta }
     }
 
-    /// Writes the angle of a link's x axis, brought into (-pi, pi] by a whole turn, and the same in degrees.
+    /// Writes the angle of a link's x axis, reduced to (-pi, pi], in radians and in degrees.
     pub fn link_angle(&mut self, body: usize, expr: &Expr) -> Expr {
         let tag = self.tag(body);
         let value = expr.value();
@@ -217,12 +217,12 @@ impl Sheet {
         self.work_unless_zero(&name, expr, self.units.angle[order])
     }
 
-    /// A constant angle of the scene; nothing where it is 0.
+    /// Writes a constant angle of the scene; zero is left out.
     pub fn fixed_angle(&mut self, name: &str, value: f64, what: &str) -> Expr {
         if value == 0.0 { Expr::zero() } else { self.given(name, value, "rad", what) }
     }
 
-    /// Direction of the guide of a pair, carried by a body at this angle of its frame.
+    /// Writes the direction of the guide of a pair, whose carrier has this angle.
     pub fn guide(&mut self, pair: usize, carrier: usize, angle: f64) -> Guide {
         let tag = self.pair_tag(pair);
         let known = ["alpha", "tx", "ty"].map(|name| self.find(&format!("{name}_{tag}")));
@@ -242,8 +242,8 @@ impl Sheet {
         Guide { alpha, t: [tx, ty] }
     }
 
-    /// Velocity (order 1) or acceleration (order 2) of the point of a body that lies under a point just now; `through` is a
-    /// known point of the body.
+    /// Writes the velocity (order 1) or acceleration (order 2) of the point of a body that momentarily coincides with
+    /// a given point; `through` is a known point of the body.
     pub fn under(&mut self, body: usize, through: &Point, point: &[Expr; 2], order: usize) -> [Expr; 2] {
         let [_, first, second] = self.angle(body);
         let arm = [&point[0] - &through.pf[0][0], &point[1] - &through.pf[0][1]];
@@ -255,7 +255,7 @@ impl Sheet {
         [x - &arm[1] * &second - &arm[0] * &square, y + &arm[0] * &second - &arm[1] * &square]
     }
 
-    /// Writes what is known of a point, for the head of a group.
+    /// Writes the known quantities of a point at the beginning of a group.
     pub fn outline(&mut self, what: &str, point: &Point) {
         let show = |expr: &Expr| crate::figure::shortest(expr.value(), 6);
         let pair = |order: usize| format!("({}, {})", show(&point.pf[order][0]), show(&point.pf[order][1]));
@@ -266,7 +266,7 @@ impl Sheet {
         self.note(known);
     }
 
-    /// Writes what is known of the angle of a body, for the head of a group.
+    /// Writes the known angle of a body at the beginning of a group.
     pub fn outline_angle(&mut self, what: &str, body: usize) {
         let name = self.body_name(body);
         let known = if self.poses[body].is_none() {

@@ -1,4 +1,4 @@
-//! The registry entry by which a kind of group brings its own equations.
+//! The registry entry by which a kind of group provides its own equations.
 
 use assur_group::{Body, BuildError, GroupFrame, inventory};
 
@@ -6,7 +6,7 @@ use crate::Sheet;
 
 /// Writes a part of the working of one placed group.
 ///
-/// `bodies` are solved; they say which assembly holds (signs of roots), nothing else is taken from them.
+/// `bodies` are solved; they only determine which assembly holds (the signs of roots).
 pub type Write = fn(&mut Sheet, &GroupFrame, &[Body<f64>]) -> Result<(), BuildError>;
 
 /// Entry of a kind's working in the registry: `inventory::submit! { WorkingPlugin { ... } }`.
@@ -16,15 +16,15 @@ pub struct WorkingPlugin {
     pub group: &'static str,
     /// The crate that registers it.
     pub crate_name: &'static str,
-    /// Writes positions, PF1 and PF2, and must set the pose of every link of the group.
+    /// Writes positions, PF1 and PF2; it must set the pose of every link of the group.
     pub motion: Write,
-    /// Writes the reactions in all pairs of the group, and must hand those of the outer pairs on.
+    /// Writes the reactions in all pairs of the group; it must pass those of the outer pairs to the outer bodies.
     pub reactions: Write,
 }
 
 inventory::collect!(WorkingPlugin);
 
-/// A fault of the registry itself: a mistake of the build, not of a scene.
+/// A fault of the registry: a mistake of the build, not of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("two workings are registered for group `{group}`: by {first} and {second}; remove one")]
 pub struct WorkingRegistryError {
@@ -36,11 +36,11 @@ pub struct WorkingRegistryError {
     pub second: &'static str,
 }
 
-/// The working of a kind; `None` if it brings none.
+/// The working of a kind of group; `None` if the kind provides none.
 ///
 /// # Errors
 ///
-/// [`WorkingRegistryError`] where two are registered.
+/// [`WorkingRegistryError`] if two workings are registered for the kind.
 pub fn plugin_for(group: &str) -> Result<Option<&'static WorkingPlugin>, WorkingRegistryError> {
     let all = inventory::iter::<WorkingPlugin>.into_iter();
     let mut found: Vec<_> = all.filter(|plugin| plugin.group == group).collect();

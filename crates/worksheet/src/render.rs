@@ -1,15 +1,15 @@
-//! A working as plain text.
+//! Prints a working as plain text.
 
 use crate::{Entry, Line, Section};
 
 /// Greatest width of a printed row, characters.
 pub const WIDTH: usize = 100;
 
-/// Indentation of the rows of an equation after the first, and of what wraps in them.
+/// Indentation of the further rows of an equation, and of wrapped text in them.
 const NEXT: &str = "      ";
 const WRAPPED: &str = "          ";
 
-/// The sections as plain text, ASCII but for names and units.
+/// The sections as plain text, in ASCII except for names and units.
 pub fn text(sections: &[Section]) -> String {
     let mut out = String::new();
     for section in sections {
@@ -41,7 +41,7 @@ fn join(result: &str, unit: &str) -> String {
     if unit.is_empty() { result.to_owned() } else { format!("{result} {unit}") }
 }
 
-/// On one row where it fits, else a row for each part.
+/// One row if it fits, otherwise a row for each part.
 fn equation(line: &Line, out: &mut String) {
     let mut parts = vec![line.text.as_str()];
     if line.substituted != line.text {
@@ -63,7 +63,7 @@ fn equation(line: &Line, out: &mut String) {
     }
 }
 
-/// Breaks at spaces, before a sign rather than after it; where there is none in reach, after a `*` or a comma.
+/// Breaks a row at spaces, before an operator; if there is no space within the width, after a `*` or a comma.
 fn wrap(words: &str, indent: &str, next: &str, out: &mut String) {
     let mut rest: Vec<char> = words.chars().collect();
     let mut indent = indent;
@@ -83,7 +83,7 @@ fn wrap(words: &str, indent: &str, next: &str, out: &mut String) {
 }
 
 fn cut(rest: &[char], room: usize) -> usize {
-    /// A row shorter than this looks torn.
+    /// Shortest row that a break may leave.
     const LEAST: usize = 20;
     let sign = |c: char| matches!(c, '+' | '-' | '=' | '*' | '/');
     let space = |i: &usize| rest[*i] == ' ' && !(sign(rest[*i - 1]) && rest.get(*i - 2) == Some(&' '));

@@ -1,50 +1,50 @@
-//! Collects the equations of a working and knows its symbols.
+//! Collects the equations of a working and their symbols.
 
 use std::collections::BTreeMap;
 
 use crate::figure::shortest;
 use crate::{Entry, Expr, Line, Load, Point, Pose, Reaction, Section};
 
-/// Digits with which a given number is printed.
+/// Number of digits of a given quantity.
 const GIVEN_DIGITS: usize = 9;
 
-/// What bodies, places and pairs are called in a working.
+/// Names of bodies, places and pairs in a working.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Names {
-    /// By body, the ground first.
+    /// Names of the bodies, the ground first.
     pub bodies: Vec<String>,
-    /// Places (body, coordinates in its frame, m) that have a name. One name in two bodies is a pin.
+    /// Named places (body, coordinates in its frame, m). A place with one name in two bodies is a pin.
     pub places: Vec<(usize, [f64; 2], String)>,
-    /// By pair of the chain.
+    /// Names of the pairs of the chain.
     pub pairs: Vec<String>,
 }
 
-/// Units of derivatives by the input coordinate.
+/// Units of derivatives with respect to the input coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Units {
-    /// Of a length: the first and the second derivative.
+    /// Units of a length and of its first and second derivatives.
     pub length: [&'static str; 3],
-    /// Of an angle.
+    /// Units of an angle and of its first and second derivatives.
     pub angle: [&'static str; 3],
 }
 
 impl Units {
-    /// Of a turning input.
+    /// Units for a rotating input.
     pub const ANGULAR: Self =
         Self { length: ["m", "m/rad", "m/rad²"], angle: ["rad", "rad/rad", "rad/rad²"] };
-    /// Of a sliding input.
+    /// Units for a sliding input.
     pub const LINEAR: Self = Self { length: ["m", "m/m", "m/m²"], angle: ["rad", "rad/m", "rad/m²"] };
 }
 
-/// The working as it grows.
+/// A working under construction.
 #[derive(Debug, Clone)]
 pub struct Sheet {
-    /// What is written so far.
+    /// The sections already written.
     pub sections: Vec<Section>,
     /// Units of derivatives.
     pub units: Units,
     pub(crate) names: Names,
-    /// Values of all symbols so far.
+    /// Values of all symbols already written.
     symbols: BTreeMap<String, f64>,
     pub(crate) points: Vec<Point>,
     pub(crate) poses: Vec<Option<Pose>>,
@@ -77,22 +77,22 @@ impl Sheet {
         self.sections.push(Section { title: title.to_owned(), entries: Vec::new() });
     }
 
-    /// Says which group (counted from 1) the next symbols belong to: see [`local`](Self::local).
+    /// Sets the group (counted from 1) to which the next symbols belong; see [`local`](Self::local).
     pub fn begin_group(&mut self, number: usize) {
         self.group = number;
     }
 
-    /// A symbol of the group that is being worked: `d` becomes `d_2` in group 2.
+    /// A symbol of the current group: `d` becomes `d_2` in group 2.
     pub fn local(&self, name: &str) -> String {
         format!("{name}_{}", self.group)
     }
 
-    /// Number of the group that is being worked, for symbols of several components: `Vx_2`.
+    /// Number of the current group, for symbols of several components: `Vx_2`.
     pub fn group_number(&self) -> String {
         self.group.to_string()
     }
 
-    /// Whether an equation so far had no finite result: it does not hold in this position.
+    /// Whether an equation already written has no finite result; the working is then not valid in this position.
     pub fn is_unfit(&self) -> bool {
         self.unfit
     }
@@ -106,12 +106,12 @@ impl Sheet {
         }
     }
 
-    /// Writes words, or an equation without numbers.
+    /// Writes a note: text, or an equation without numbers.
     pub fn note(&mut self, words: impl Into<String>) {
         self.push(Entry::Note(words.into()));
     }
 
-    /// A name that no symbol has so far.
+    /// A name that no symbol has yet.
     fn free(&self, name: &str) -> String {
         let taken = |name: &str| self.symbols.contains_key(name);
         if !taken(name) {
@@ -121,7 +121,7 @@ impl Sheet {
         numbered.into_iter().find(|name| !taken(name)).unwrap_or_default()
     }
 
-    /// Introduces a quantity that is given; the same name and value twice is one quantity, written once.
+    /// Introduces a given quantity; one with the same name and value is written only once.
     pub fn given(&mut self, name: &str, value: f64, unit: &str, what: &str) -> Expr {
         if self.symbols.get(name).is_some_and(|found| found.to_bits() == value.to_bits()) {
             return Expr::symbol(name, value);
@@ -135,7 +135,7 @@ impl Sheet {
         symbol
     }
 
-    /// Writes an equation and gives its result as a symbol. A name that is taken gets a number.
+    /// Writes an equation and returns its result as a symbol. If the name is in use, a number is added to it.
     pub fn work(&mut self, name: &str, expr: &Expr, unit: &str) -> Expr {
         let line = Line::new(self.free(name), expr, unit);
         self.symbols.insert(line.name.clone(), line.value);
@@ -145,17 +145,17 @@ impl Sheet {
         symbol
     }
 
-    /// As [`work`](Self::work); what vanishes by structure stays unwritten.
+    /// Writes an equation and returns its result as a symbol; an expression that is zero by structure is not written.
     pub fn work_unless_zero(&mut self, name: &str, expr: &Expr, unit: &str) -> Expr {
         if expr.is_zero() { Expr::zero() } else { self.work(name, expr, unit) }
     }
 
-    /// A symbol that was written before.
+    /// A symbol that is already written.
     pub fn find(&self, name: &str) -> Option<Expr> {
         self.symbols.get(name).map(|value| Expr::symbol(name, *value))
     }
 
-    /// A symbol of this group that was written before; without one, the sheet is unfit.
+    /// A symbol of this group that is already written; if there is none, the sheet becomes invalid.
     pub fn recall(&mut self, name: &str) -> Expr {
         let name = self.local(name);
         let found = self.find(&name);
@@ -163,23 +163,23 @@ impl Sheet {
         found.unwrap_or_else(|| Expr::symbol(&name, f64::NAN))
     }
 
-    /// Name of a body as it stands in symbols.
+    /// Name of a body as used in symbols.
     pub fn tag(&self, body: usize) -> String {
         symbol_of(&self.names.bodies[body])
     }
 
-    /// Name of a body in words.
+    /// Name of a body as used in text.
     pub fn body_name(&self, body: usize) -> &str {
         &self.names.bodies[body]
     }
 
-    /// Name of a pair as it stands in symbols.
+    /// Name of a pair as used in symbols.
     pub fn pair_tag(&self, pair: usize) -> String {
         symbol_of(&self.names.pairs[pair])
     }
 }
 
-/// A name as it stands in symbols: signs that could be read as an operation are replaced.
+/// A name as used in symbols: characters that could be read as an operation are replaced.
 pub fn symbol_of(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
 }

@@ -1,9 +1,9 @@
-//! An expression as text: in symbols, or with numbers put in.
+//! Prints an expression in symbols or with numbers substituted.
 
 use crate::expr::{Expr, Node};
 use crate::figure::shortest;
 
-/// How symbols are shown.
+/// How symbols are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Show {
     /// By name.
@@ -12,7 +12,7 @@ pub(crate) enum Show {
     Digits(usize),
 }
 
-/// How tightly the surroundings bind: a part that binds less needs parentheses.
+/// Binding strength of the context: a part with a weaker operator needs parentheses.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const DIVISOR: u8 = 3;
@@ -26,7 +26,7 @@ impl Expr {
     }
 }
 
-/// `first`: nothing stands before it within its parentheses, so that a minus needs none of its own.
+/// `first`: whether the part is the first one within its parentheses; its minus then needs no parentheses of its own.
 fn write(expr: &Expr, show: Show, tight: u8, first: bool, out: &mut String) {
     let own = binding(expr, show);
     let minus = own == SUM && !matches!(&*expr.0, Node::Sum(..) | Node::Difference(..));

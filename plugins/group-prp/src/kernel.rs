@@ -8,7 +8,7 @@ use assur_number::Real;
 
 use crate::PATTERN;
 
-/// One group PRP, its lengths in the number `T`.
+/// One group PRP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Prp<T> {
     frame: GroupFrame,
@@ -19,11 +19,11 @@ pub struct Prp<T> {
     pub(crate) pin: [[T; 2]; 2],
     /// From the point of each slide to the inner pin, along and across its guide, m.
     levers: [[T; 2]; 2],
-    /// Height of the inner pin's lines over the origins of the bodies with the guides, m.
+    /// Height of the inner pin's line above the origin of each body with a guide, m.
     heights: [T; 2],
 }
 
-/// The crossing of the two lines at one position.
+/// The intersection of the two lines in one position.
 #[derive(Debug)]
 pub struct Crossing<T> {
     c: [T; 2],
@@ -34,7 +34,7 @@ pub struct Crossing<T> {
     d: T,
 }
 
-/// The vector whose components along the normals of two directions are given.
+/// The vector with given components along the normals of two directions.
 #[inline]
 fn meet<T: Real>(t: &[[T; 2]; 2], b: [T; 2], inverse: T) -> [T; 2] {
     scaled(inverse, minus(scaled(b[0], t[1]), scaled(b[1], t[0])))
@@ -153,13 +153,14 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         GroupError::if_singular(d.abs())?;
         let n = t.map(perp);
         let given = self.links.map(|i| loads[i]);
-        // Along its guide each link leaves its load to the inner pin.
+        // Along its guide each link passes its load to the inner pin.
         let (one, two) = (dot(t[0], given[0].force()), dot(t[1], given[1].force()));
         let force = scaled(T::ONE / d, plus(scaled(two, n[0]), scaled(one, n[1])));
         self.inner.store(force, reactions);
         for (i, at_pin) in [(0, force), (1, opposite(force))] {
             let (load, [ahead, left]) = (given[i], self.levers[i]);
-            // Along the guide the pin holds the load of the link, however large its reaction is.
+            // The component of the pin's force along the guide balances the load of the link, however large the
+            // reaction is.
             let (along, across) = (-dot(t[i], load.force()), dot(n[i], at_pin));
             let normal = -(dot(n[i], load.force()) + across);
             let on_line = bodies[self.links[i]].arm(self.slides[i].own);

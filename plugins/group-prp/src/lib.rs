@@ -1,9 +1,10 @@
 //! Type 4: two links that slide on outer bodies and share a pin (PRP).
 //!
-//! Both angles are those of the outer bodies. The inner pin C lies on a parallel to each guide, at the height h over the
-//! origin O of its carrier: n1 (C - O1) = h1, n2 (C - O2) = h2. With b1, b2 for the right sides and D = t1 x t2, the sine
-//! of the angle between the guides, C = (b1 t2 - b2 t1) / D. The derivatives follow in the same way from the velocities
-//! and accelerations of the points under C, with Coriolis' terms 2 w t (C' - V).
+//! Both angles are those of the outer bodies. The inner pin C is on a parallel to each guide, at the height h above
+//! the origin O of its carrier: n1 (C - O1) = h1, n2 (C - O2) = h2. With b1, b2 for the right-hand sides and D = t1 x
+//! t2, the sine of the angle between the guides, C = (b1 t2 - b2 t1) / D. The derivatives follow from the
+//! corresponding equations for the velocities and accelerations of the carriers' points that coincide with C, with
+//! the Coriolis terms 2 w t (C' - V).
 
 mod kernel;
 mod working;

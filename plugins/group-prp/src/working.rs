@@ -10,7 +10,7 @@ inventory::submit! {
     WorkingPlugin { group: "prp", crate_name: env!("CARGO_PKG_NAME"), motion, reactions }
 }
 
-/// The vector whose components across two directions are given.
+/// The vector with given components across two directions.
 fn meet(t: &[[Expr; 2]; 2], b: &[Expr; 2], d: &Expr) -> [Expr; 2] {
     [0, 1].map(|i| (&b[0] * &t[1][i] - &b[1] * &t[0][i]) / d)
 }
@@ -26,11 +26,11 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
     let name = sheet.place_name(pairs.links[0], pairs.inner.own);
     let own = pairs.pin;
     let k = [0, 1].map(|i| {
-        let what = format!("{name} lies so far to the left of guide {}", i + 1);
+        let what = format!("distance of {name} to the left of guide {}", i + 1);
         sheet.fixed_length(&format!("k{}", i + 1), pairs.slides[i].offset(own[i]), &what)
     });
     sheet.note(format!(
-        "PF0: {name} is the crossing of two lines along the guides; D is the sine of their angle"
+        "PF0: {name} is the intersection of two lines along the guides; D is the sine of their angle"
     ));
     let (d_name, b_name) = (sheet.local("D"), sheet.local("b2"));
     let d = sheet.work(&d_name, &across(&t[0], &t[1]), "");
@@ -49,7 +49,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
     Ok(())
 }
 
-/// Across each guide the pin moves as the point of its carrier under it; Coriolis' part with a turning guide.
+/// Across each guide the pin moves like the coinciding point of its carrier; a rotating guide adds the Coriolis term.
 fn derive(
     sheet: &mut Sheet,
     pairs: &Prp<f64>,
@@ -61,7 +61,9 @@ fn derive(
     let name = sheet.place_name(pairs.links[0], pairs.inner.own);
     let units = sheet.units.length;
     let of = [1, 2].map(|i| sheet.local(&format!("under{i}")));
-    sheet.note(format!("PF1: across each guide {name} moves as the point of the carrier under it, with V"));
+    sheet.note(format!(
+        "PF1: across each guide {name} moves like the point of the carrier that coincides with it, with V"
+    ));
     let mut v = [(); 2].map(|()| [Expr::zero(), Expr::zero()]);
     let mut b = [Expr::zero(), Expr::zero()];
     for i in 0..2 {
@@ -71,7 +73,7 @@ fn derive(
         b[i] = sheet.work_unless_zero(&label, &across(&t[i], &v[i]), units[1]);
     }
     let c1 = sheet.vector(&name, 1, &meet(t, &b, d));
-    sheet.note("PF2: the same with W, and Coriolis' part kor where a guide turns");
+    sheet.note("PF2: the same with W, and the Coriolis part kor where a guide rotates");
     for i in 0..2 {
         let body = pairs.slides[i].body;
         let under = sheet.under(body, &through[i], c, 2);
@@ -94,7 +96,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let t = pairs.slides.each_ref().map(|slide| sheet.guide_of(slide).t);
     let d = sheet.recall("D");
     let given = pairs.links.map(|link| sheet.resultant(link));
-    sheet.note(format!("along its guide each link hands its load to {}", c.name));
+    sheet.note(format!("along its guide each link transmits its load to {}", c.name));
     let part = [0, 1].map(|i| {
         let name = sheet.local(&format!("F{}", i + 1));
         sheet.work_unless_zero(&name, &along(&t[i], &given[i]), "N")

@@ -1,8 +1,8 @@
 //! Type 5: a link with an outer pin slides on a link that slides on the other outer body (RPP).
 //!
-//! All angles are those of the second outer body g. With A the outer pin, P the point of link 2 on the guide of g (t2,
-//! n2), and t1, n1 the guide between the links: n1 (P - A) = k, n2 (P - O) = h; so P - A = (b1 t2 - b2 t1) / D with
-//! D = t1 x t2. Seen from g, A moves with v and a, and P with (n1 v / D) t2 and (n1 a / D) t2.
+//! All angles are those of the second outer body g. A is the outer pin, P the point of link 2 on the guide of g (with
+//! t2, n2), and t1, n1 belong to the guide between the links: n1 (P - A) = k, n2 (P - O) = h. Hence P - A = (b1 t2 -
+//! b2 t1) / D with D = t1 x t2. Relative to g, A moves with v and a, and P with (n1 v / D) t2 and (n1 a / D) t2.
 
 mod kernel;
 mod working;

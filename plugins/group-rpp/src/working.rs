@@ -21,10 +21,10 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), 
     let (theta, guides) = angles(sheet, &pairs);
     let t = guides.each_ref().map(|guide| guide.t.clone());
     let name = sheet.place_name(two, pairs.outer.own);
-    let what = format!("{name} lies so far to the left of {}, across the inner guide", a.name);
+    let what = format!("distance of {name} to the left of {}, across the inner guide", a.name);
     let k = sheet.fixed_length("k", pairs.across, &what);
     sheet.note(format!(
-        "PF0: {name} lies on the outer guide and keeps its distance from {} across the inner one",
+        "PF0: {name} is on the outer guide and keeps its distance from {} across the inner one",
         a.name
     ));
     let (d_name, b_name) = (sheet.local("D"), sheet.local("b"));
@@ -51,7 +51,7 @@ fn fixed(sheet: &mut Sheet, letter: &str, pair: usize, value: f64, what: &str) -
     sheet.fixed_angle(&name, value, what)
 }
 
-/// Angle of the link between the guides; inner and outer guide.
+/// Writes the angle of the link between the guides; returns inner and outer guide.
 fn angles(sheet: &mut Sheet, pairs: &Rpp<f64>) -> (Expr, [Guide; 2]) {
     sheet.note("the links can't turn against the body with the outer guide: all angles are known");
     let (inner, outer) = (&pairs.inner, &pairs.outer);
@@ -65,7 +65,7 @@ fn angles(sheet: &mut Sheet, pairs: &Rpp<f64>) -> (Expr, [Guide; 2]) {
     (theta, [Guide { alpha, t }, second])
 }
 
-/// Seen from the carrier g of the outer guide, the pin moves with v and a; the point P along the outer guide.
+/// Relative to the carrier g of the outer guide, the pin moves with v and a; the point P moves along the outer guide.
 fn derive(
     sheet: &mut Sheet,
     pairs: &Rpp<f64>,
@@ -89,7 +89,7 @@ fn derive(
     let u = sheet.work_unless_zero(&u_name, &(across(&t[0], &v) / d), units[1]);
     let relative = [0, 1].map(|i| &u * &t[1][i]);
     let p1 = sheet.vector(&name, 1, &plus(&under[1], &relative));
-    let words = if rate.is_zero() { "" } else { ", without and with Coriolis' part 2 phi' x (v, u)" };
+    let words = if rate.is_zero() { "" } else { ", without and with the Coriolis part 2 phi' x (v, u)" };
     sheet.note(format!("PF2: the same with the accelerations a and c{words}"));
     let twice = Expr::number(2.0) * &rate;
     let coriolis = |v: &[Expr; 2]| [-(&twice * &v[1]), &twice * &v[0]];
@@ -117,7 +117,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     };
     let d = sheet.recall("D");
     let forces = pairs.links.map(|link| sheet.resultant(link));
-    sheet.note(format!("along the outer guide {} hands its load to the inner one", sheet.body_name(two)));
+    sheet.note(format!("along the outer guide {} transmits its load to the inner one", sheet.body_name(two)));
     let name = sheet.local("N1");
     let normal = sheet.work_unless_zero(&name, &(along(&t2, &forces[1]) / d), "N");
     let inner = compose(&t1, &Expr::zero(), &normal);

@@ -33,14 +33,15 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     Ok(())
 }
 
-/// The right triangle of the outer pins and the guide: offset, way along the guide, direction of the guide.
+/// Writes the right triangle of the outer pins and the guide: offset, distance along the guide, direction of the
+/// guide.
 fn place(sheet: &mut Sheet, pairs: &Rpr<f64>, outer: &[Point; 2], ahead: bool) -> (Expr, Expr, [Expr; 2]) {
     let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
     let e =
-        sheet.fixed_length("e", pairs.e, &format!("{a} lies so far to the left of {b}, across the guide"));
+        sheet.fixed_length("e", pairs.e, &format!("distance of {a} to the left of {b}, across the guide"));
     let side = if ahead { "ahead of" } else { "behind" };
     let sign = if ahead { "+" } else { "-" };
-    sheet.note(format!("PF0: d from {b} to {a} has the parts e across and s along the guide;"));
+    sheet.note(format!("PF0: d from {b} to {a} has the components e across and s along the guide;"));
     sheet.note(format!("{a} lies {side} {b} in the direction t of the guide: sign {sign}"));
     let (d_name, s_name, t_name) = (sheet.local("d"), sheet.local("s"), sheet.pair_tag(pairs.inner.id));
     let d = outer[0].from(&outer[1], 0);
@@ -65,13 +66,13 @@ fn derive(
 ) {
     let [slider, guide] = pairs.links;
     let units = (sheet.units.length, sheet.units.angle);
-    sheet.note("PF1: both links turn alike; the part of d' across the guide is s phi', along it s' - e phi'");
+    sheet.note("PF1: both links rotate equally; the component of d' across the guide is s phi', along it s' - e phi'");
     let of = sheet.group_number();
     let d1 = outer[0].from(&outer[1], 1);
     let d1 = sheet.components("d'", &of, &d1, units.0[1]);
     let first = sheet.link_rate(guide, 1, &(across(t, &d1) / s));
     let slider_first = sheet.link_rate(slider, 1, &first);
-    sheet.note("PF2: with Coriolis' part 2 s' phi'");
+    sheet.note("PF2: with the Coriolis part 2 s' phi'");
     let d2 = outer[0].from(&outer[1], 2);
     let d2 = sheet.components("d''", &of, &d2, units.0[2]);
     let name = sheet.local("s'");
@@ -92,7 +93,9 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let t = sheet.guide_of(&pairs.inner).t;
     let s = sheet.recall("s");
     let forces = pairs.links.map(|link| sheet.resultant(link));
-    sheet.note("moments of both links about their outer pins know the normal force N only; its arm is s");
+    sheet.note(
+        "the moments of both links about their outer pins contain only the normal force N; its arm is s",
+    );
     let m = [0, 1].map(|i| sheet.moment_about(pairs.links[i], &outer[i]));
     let name = sheet.local("N");
     let normal = sheet.work_unless_zero(&name, &((&m[0] + &m[1]) / s), "N");

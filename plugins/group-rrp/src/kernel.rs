@@ -8,10 +8,10 @@ use assur_number::Real;
 
 use crate::PATTERN;
 
-/// Rounding that a length is allowed before the group counts as open, in units of the last place.
+/// Rounding of a length, in units of the last place, up to which the group can still be assembled.
 const SLACK: f64 = 8.0;
 
-/// One group RRP, its lengths in the number `T`.
+/// One group RRP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rrp<T> {
     frame: GroupFrame,
@@ -24,19 +24,21 @@ pub struct Rrp<T> {
     lever: [T; 2],
     /// From the outer to the inner pin, in the frame of the rod, m.
     rod: [T; 2],
-    /// What turns such a vector, placed, into the direction of the rod: mirrored rod / length².
+    /// Factor that turns this vector, rotated into the ground's frame, into the direction of the rod: mirrored vector
+    /// / length².
     unrod: [T; 2],
     length: T,
     inverse_length: T,
-    /// Height of the inner pin's line over the origin of the body with the guide, m.
+    /// Height of the inner pin's line above the origin of the body with the guide, m.
     height: T,
     /// Rounding of a length, m.
     slack: f64,
-    /// Size of the coordinates / length², 1/m: what their rounding does to the square of the determinant, by `delta`.
+    /// Size of the coordinates / length², 1/m: times `delta`, the effect of their rounding on the square of the
+    /// determinant.
     sensitivity: T,
 }
 
-/// The right triangle of rod and guide at one position.
+/// The right triangle of rod and guide in one position.
 #[derive(Debug)]
 pub struct Triangle<T> {
     /// A and C.
@@ -58,7 +60,7 @@ impl<T: Real> Rrp<T> {
     ///
     /// # Errors
     ///
-    /// [`BuildError`] for pairs that are not R-R-P, and for a rod whose two pins lie in one place.
+    /// [`BuildError`] for pairs that are not R-R-P, and for a rod whose two pins coincide.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
         let group = PATTERN.read(frame)?;
         let end = PinJoint::<T>::new(&group.outer[0])?;
@@ -97,7 +99,7 @@ impl<T: Real> Rrp<T> {
         [t, perp(t)]
     }
 
-    /// Refuses derivatives and reactions of which no digit would be left.
+    /// Returns an error if derivatives and reactions would have no correct digit.
     #[inline]
     fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
         let health = (sigma * self.inverse_length).abs();
@@ -192,7 +194,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     }
 
     fn resolution(&self, _: &[Body<T>]) -> f64 {
-        // The determinant is sqrt(ahead behind) / l, and the factor that is not small is 2 l.
+        // The determinant is sqrt(ahead behind) / l; the factor that is not small is 2 l.
         (2.0 * self.slack * self.inverse_length.to_f64()).sqrt()
     }
 
@@ -207,14 +209,14 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let [ahead, left] = self.lever;
         self.determined(sigma, delta)?;
         let [one, two] = self.links.map(|i| loads[i]);
-        // Along the guide link 2 gives the inner reaction; the moment about A then gives its part across.
+        // Along the guide the inner reaction balances link 2; the moment about A then gives the component across.
         let along = dot(t, two.force());
         let across = (delta * along - one.about(arms[0])) / sigma;
         let force = plus(scaled(along, t), scaled(across, n));
         self.inner.store(force, reactions);
         self.end.hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
-        // What is left on link 2: the guide carries it. The lever of the inner pin is one of the lengths, so that a large
-        // part across the guide leaves no rounding where it has no lever.
+        // The guide carries the rest of the load on link 2. The lever of the inner pin is one of the lengths, so a
+        // large component across the guide adds no rounding where its lever is zero.
         let normal = across - dot(n, two.force());
         let on_line = bodies[self.links[1]].arm(self.slide.own);
         let moment = ahead * across - left * along - two.about(on_line);

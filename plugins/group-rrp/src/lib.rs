@@ -6,8 +6,8 @@
 //!    A               C = A + delta n + sigma t,  delta = n (O - A) + h,  sigma = ± sqrt((l1 - delta)(l1 + delta))
 //! ```
 //!
-//! w1 = n (V - A') / sigma, with V the velocity of the point of g under C. The second order adds Coriolis' term
-//! 2 w t (C' - V) and the centripetal w1² delta.
+//! w1 = n (V - A') / sigma, where V is the velocity of the point of g that coincides with C. The second order adds
+//! the Coriolis term 2 w t (C' - V) and the centripetal term w1² delta.
 
 mod kernel;
 mod working;

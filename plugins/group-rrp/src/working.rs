@@ -21,7 +21,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let guide = sheet.guide_of(&pairs.slide);
     let name = sheet.place_name(rod, pairs.inner.own);
     let length = sheet.rod(rod, pairs.end.own, pairs.inner.own);
-    let what = format!("{name} lies so far to the left of the guide line");
+    let what = format!("distance of {name} to the left of the guide line");
     let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), &what);
     let number = bodies[rod].point(pairs.inner.own);
     let foot = bodies[rod].point(pairs.end.own);
@@ -33,7 +33,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
         "behind the foot: sign -"
     };
     sheet.note(format!("PF0: distance delta of {name} from {} across the guide, sigma along it;", a.name));
-    sheet.note(format!("{name} lies {side}"));
+    sheet.note(format!("{name} is {side}"));
     let (delta_name, sigma_name) = (sheet.local("delta"), sheet.local("sigma"));
     let delta = sheet.work(&delta_name, &(across(&guide.t, &through.from(&a, 0)) + k), "m");
     let l = &length.length;
@@ -57,7 +57,7 @@ fn slider_angle(sheet: &mut Sheet, pairs: &Rrp<f64>, guide: &Guide) -> Expr {
     &guide.alpha + tilt
 }
 
-/// PF1 and PF2 of the rod's angle and of the inner pin, which is entered into the sheet.
+/// Writes PF1 and PF2 of the rod's angle and of the inner pin, which is added to the sheet.
 fn derive(
     sheet: &mut Sheet,
     pairs: &Rrp<f64>,
@@ -70,7 +70,11 @@ fn derive(
     let name = sheet.place_name(rod, pairs.inner.own);
     let carrier = sheet.body_name(body).to_owned();
     let units = sheet.units.length;
-    let with = if body == 0 { "does not move" } else { "moves as the point of the carrier under it, with V" };
+    let with = if body == 0 {
+        "does not move"
+    } else {
+        "moves like the point of the carrier that coincides with it, with V"
+    };
     sheet.note(format!("PF1: across the guide on {carrier}, {name} {with}"));
     let of = sheet.local("under");
     let v = sheet.under(body, through, c, 1);
@@ -112,7 +116,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let guide = sheet.guide_of(&pairs.slide);
     let (one, two) = (sheet.resultant(rod), sheet.resultant(slider));
     sheet.note(format!(
-        "along the guide {} hands its load to {}; moments about {} give the part across",
+        "along the guide {} transmits its load to {}; moments about {} give the component across",
         sheet.body_name(slider),
         c.name,
         a.name

@@ -6,10 +6,10 @@ use assur_number::Real;
 
 use crate::PATTERN;
 
-/// Rounding that a squared distance is allowed before the group counts as open, in units of the last place.
+/// Rounding of a squared distance, in units of the last place, up to which the group can still be assembled.
 const SLACK: f64 = 8.0;
 
-/// One group RRR, its lengths in the number `T`.
+/// One group RRR, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rrr<T> {
     frame: GroupFrame,
@@ -19,7 +19,8 @@ pub struct Rrr<T> {
     pub(crate) inner: PinJoint<T>,
     /// From the outer to the inner pin of each link, in its frame, m.
     rods: [[T; 2]; 2],
-    /// What turns such a vector, placed, into the direction of the link: mirrored rod / length².
+    /// Factor that turns this vector, rotated into the ground's frame, into the direction of the link: mirrored
+    /// vector / length².
     unrods: [[T; 2]; 2],
     /// (l1 + l2)², m².
     stretched: T,
@@ -29,15 +30,16 @@ pub struct Rrr<T> {
     excess: T,
     /// 1 / (l1 l2), 1/m².
     inverse_product: T,
-    /// Lengths, m, for the gap of an error.
+    /// Lengths, m, for the gap in an error.
     lengths: [f64; 2],
     /// Rounding of d² near `stretched` and near `folded`, m².
     slack: [f64; 2],
-    /// (size of the coordinates / l1 l2)², 1/m²: what their rounding does to the square of the determinant, by d.
+    /// (size of the coordinates / l1 l2)², 1/m²: times d, the effect of their rounding on the square of the
+    /// determinant.
     sensitivity: T,
 }
 
-/// The triangle of the pins at one position.
+/// The triangle of the pins in one position.
 #[derive(Debug)]
 pub struct Triangle<T> {
     /// A and its arm on link 1; B and its arm on link 2.
@@ -54,7 +56,7 @@ impl<T: Real> Rrr<T> {
     ///
     /// # Errors
     ///
-    /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins lie in one place.
+    /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins coincide.
     pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
         let group = PATTERN.read(frame)?;
         let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
@@ -95,7 +97,7 @@ impl<T: Real> Rrr<T> {
         self.ends.each_ref().map(|end| end.place(bodies))
     }
 
-    /// Why there is no triangle: the gap, or a place that is not determined.
+    /// Why there is no triangle: a gap, or a direction that is not determined.
     #[cold]
     fn refusal(&self, square: T, far: T, near: T) -> GroupError {
         let [l1, l2] = self.lengths;
@@ -105,12 +107,12 @@ impl<T: Real> Rrr<T> {
         if open {
             GroupError::NoAssembly { gap_m: too_far.max(too_near) }
         } else {
-            // Equal links folded upon each other may point anywhere; or a number is NaN.
+            // Coincident equal links may point in any direction; or a number is NaN.
             GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
         }
     }
 
-    /// Refuses derivatives and reactions of which no digit would be left.
+    /// Returns an error if derivatives and reactions would have no correct digit.
     #[inline]
     fn determined(&self, r: &[[T; 2]; 2], d: T) -> Result<(), GroupError> {
         let health = (d * self.inverse_product).abs();
@@ -133,7 +135,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let pins = self.pins(bodies);
         let d = minus(pins[1], pins[0]);
         let square = dot(d, d);
-        // Two factors, each rounded relative to its own zero: l1² - alpha² d² would lose half the digits near both.
+        // Two factors, each accurate near its own zero: l1² - alpha² d² would lose half the digits near both.
         let (far, near) = (self.stretched - square, square - self.folded);
         if !(far.least() >= -self.slack[0]
             && near.least() >= -self.slack[1]
@@ -203,7 +205,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let d = minus(self.ends[1].place(bodies), self.ends[0].place(bodies));
         let square = dot(d, d).to_f64();
         let (stretched, folded) = (self.stretched.to_f64(), self.folded.to_f64());
-        // The determinant is sqrt(far near) / 2 l1 l2, and the factor that is not small is 4 l1 l2.
+        // The determinant is sqrt(far near) / 2 l1 l2; the factor that is not small is 4 l1 l2.
         let slack = self.slack[usize::from(2.0 * square < stretched + folded)];
         (slack * self.inverse_product.to_f64()).sqrt()
     }
@@ -218,7 +220,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let Triangle { arms, r, d, .. } = position;
         self.determined(r, *d)?;
         let [one, two] = self.links.map(|i| loads[i]);
-        // Moments about A and about B know the inner reaction only: r1 x F = -m1, r2 x F = m2.
+        // The moments about A and about B contain only the inner reaction: r1 x F = -m1, r2 x F = m2.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
         let k = -(T::ONE / *d);
         let force = plus(scaled(m2 * k, r[0]), scaled(m1 * k, r[1]));

@@ -6,7 +6,7 @@
 //!     A     B      alpha = (d² + l1² - l2²) / 2d²,  beta = ± sqrt(((l1+l2)² - d²)(d² - (l1-l2)²)) / 2d²
 //! ```
 //!
-//! With r1 = C - A, r2 = C - B and D = r1 x r2, the derivatives are w1 = V r2 / D, w2 = V r1 / D, where V = B' - A' for
+//! With r1 = C - A, r2 = C - B and D = r1 x r2, the derivatives are w1 = V r2 / D, w2 = V r1 / D. V is B' - A' for
 //! the first order, and B'' - A'' + w1² r1 - w2² r2 for the second.
 
 mod kernel;
@@ -45,7 +45,7 @@ inventory::submit! {
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "two links, three pins",
         pattern: PATTERN,
-        ways: Ways { most: 2, varies: false, words: "0: the inner pin left of the way from the outer pin of the first link to that of the second; 1: right" },
+        ways: Ways { most: 2, varies: false, words: "0: the inner pin left of the line from the outer pin of the first link to that of the second; 1: right" },
         iterates: false,
         singular: "the links in one line, stretched or folded: sin(phi2 - phi1) = 0",
         force_angle: ForceAngle::of_sine("transmission angle between the links"),

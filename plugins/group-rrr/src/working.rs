@@ -35,16 +35,16 @@ fn minus_numbers(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Two circles: the inner pin by its foot on the line of the outer pins, and its height over it.
+/// Writes the two circles: the inner pin from its foot on the line of the outer pins, and its height above it.
 fn place(sheet: &mut Sheet, pins: &Rrr<f64>, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [&outer[0].name, &outer[1].name];
     sheet.note(format!(
-        "PF0: circles about {a} and {b}. Of {a}-{b}, the foot of {name} cuts off the part alpha;"
+        "PF0: circles about {a} and {b}. The foot of {name} on {a}-{b} is at the fraction alpha of {a}-{b} from {a};"
     ));
     let (side, sign) = if left { ("left", "+") } else { ("right", "-") };
     sheet.note(format!(
-        "the height of {name} is the part beta, {side} of the way from {a} to {b}: sign {sign}"
+        "the height of {name} is the fraction beta of {a}-{b}, {side} of the line from {a} to {b}: sign {sign}"
     ));
     let d = outer[1].from(&outer[0], 0);
     let (local_d, alpha, beta) = (sheet.local("d"), sheet.local("alpha"), sheet.local("beta"));
@@ -65,7 +65,7 @@ fn place(sheet: &mut Sheet, pins: &Rrr<f64>, outer: &[Point; 2], rods: &[Rod; 2]
     sheet.vector(&name, 0, &[x, y])
 }
 
-/// PF1 and PF2 from the loop A - C - B, with the determinant D = r1 x r2.
+/// Writes PF1 and PF2 from the loop A - C - B, with the determinant D = r1 x r2.
 fn derive(
     sheet: &mut Sheet,
     pins: &Rrr<f64>,
@@ -77,9 +77,7 @@ fn derive(
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
     let [t1, t2] = pins.links.map(|link| sheet.tag(link));
-    sheet.note(format!(
-        "PF1: {a}' + phi'_{t1} x ({a}-{name}) is the same as {b}' + phi'_{t2} x ({b}-{name});"
-    ));
+    sheet.note(format!("PF1: {a}' + phi'_{t1} x ({a}-{name}) equals {b}' + phi'_{t2} x ({b}-{name});"));
     sheet.note("two equations for both phi', with the determinant D:");
     let local = sheet.local("D");
     let determinant = sheet.work(&local, &across(&r[0], &r[1]), "m²");
@@ -88,7 +86,9 @@ fn derive(
     let first = [0, 1].map(|i| sheet.link_rate(pins.links[i], 1, &solve(&v, i)));
     let turned = |rate: &Expr, r: &[Expr; 2]| [-(rate * &r[1]), rate * &r[0]];
     let c1 = sheet.vector(&name, 1, &plus(&outer[0].pf[1], &turned(&first[0], &r[0])));
-    sheet.note(format!("PF2: the same with the normal parts n of {name} about {a} and about {b} added"));
+    sheet.note(format!(
+        "PF2: the same equations with the normal parts n of {name} about {a} and about {b} added"
+    ));
     let normal = [0, 1].map(|i| sheet.normal_part(&format!("{name}_{}", outer[i].name), &first[i], &r[i]));
     let w = plus(&outer[1].from(&outer[0], 2), &minus(&normal[1], &normal[0]));
     let unit = sheet.units.length[2];
@@ -111,7 +111,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let r = [0, 1].map(|i| c.from(&outer[i], 0));
     let forces = pins.links.map(|link| sheet.resultant(link));
     sheet.note(format!(
-        "moments about {} and about {} know the reaction in {} only; the determinant is D again",
+        "the moments about {} and about {} contain only the reaction in {}; the determinant is D again",
         outer[0].name, outer[1].name, c.name
     ));
     let m = [0, 1].map(|i| sheet.moment_about(pins.links[i], &outer[i]));

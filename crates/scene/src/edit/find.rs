@@ -7,10 +7,10 @@ use super::Place;
 use super::key::{Step, shown};
 use crate::text::nearest;
 
-/// Names that a message lists.
+/// Greatest number of names that a message lists.
 const MOST: usize = 24;
 
-/// The value of a key, or what is wrong with the key.
+/// The value of a key, or an error about the key.
 pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, String> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
@@ -64,7 +64,7 @@ fn in_array<'a, 'b>(
     }
 }
 
-/// The name of a load, or the name or default name of a slide.
+/// The name of a load; of a slide its name or default name.
 pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
@@ -88,7 +88,7 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, String> {
     Ok(Place { span: at.span(), text })
 }
 
-/// Keys in the order of the file.
+/// Keys in the order in which they are in the file.
 fn keys(table: &DeTable<'_>) -> Vec<String> {
     let mut keys: Vec<_> = table.iter().collect();
     keys.sort_by_key(|(key, _)| key.span().start);
@@ -105,7 +105,7 @@ fn absent(owner: &str, steps: &[Step], depth: usize, name: &str, names: &[String
         steps[depth] = Step::Name(near.to_owned());
         format!("; did you mean `{}`?", shown(&steps))
     });
-    // A key that may be absent has a default; only what is written can be replaced.
+    // An absent key has its default; only a value that is written in the scene can be replaced.
     let default = "; what is left to its default must be written in the scene to be varied";
     let hint = near.unwrap_or_else(|| default.to_owned());
     format!("{owner} has no `{name}`{hint}; it has: {}", listed(names))

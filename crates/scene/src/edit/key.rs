@@ -9,8 +9,8 @@ pub(super) enum Step {
     Index(usize),
 }
 
-/// Where a value stands in a scene: `link.crank.points.A[0]`. A name with a point or bracket in it stands in quotes; an
-/// element of a list is named by its number, from 0, or by its `name`, a slide also by `<link>/<on>`.
+/// Path to a value in a scene: `link.crank.points.A[0]`. A name that contains a point or bracket is quoted. An
+/// element of a list is given by its number, from 0, or by its `name`; a slide also by `<link>/<on>`.
 ///
 /// # Examples
 ///
@@ -66,7 +66,7 @@ fn wrong_index(index: &str) -> String {
     format!("`[{index}]` is no element: write a whole number from 0")
 }
 
-/// The name at the beginning, and what follows it.
+/// The name at the beginning, and the text after it.
 fn name(text: &str) -> Result<(String, &str), String> {
     for quote in ['"', '\''] {
         if let Some(inside) = text.strip_prefix(quote) {

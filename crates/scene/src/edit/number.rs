@@ -1,6 +1,6 @@
 //! Numbers with units as text.
 
-/// A number and what follows it, the unit: "100 mm" is (100, "mm").
+/// A number and the unit that follows it: "100 mm" is (100, "mm").
 pub fn split(text: &str) -> Option<(f64, String)> {
     let text = text.replace('\u{2212}', "-");
     let number = |end: &usize| {
@@ -14,12 +14,12 @@ pub fn split(text: &str) -> Option<(f64, String)> {
     Some((value, unit.join(" ")))
 }
 
-/// Rounded to the 15 digits that every double keeps, so that decimal steps stay decimal: 0.12, not 0.12000000000000001.
+/// Rounds to the 15 digits that every double keeps, so decimal steps remain decimal: 0.12, not 0.12000000000000001.
 pub fn decimal(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
-/// A text as TOML has it.
+/// A text as a TOML string.
 pub fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }

@@ -1,4 +1,4 @@
-//! Every number of a scene, and other numbers in its place.
+//! Lists the numbers of a scene, and formats new values for them.
 
 use std::ops::Range;
 
@@ -16,23 +16,23 @@ use crate::units::is_unit;
 pub struct SceneValue {
     /// Its key, as [`Key`](super::Key) reads it.
     pub key: String,
-    /// Bytes of the file, quotes included.
+    /// Bytes of the file that the value takes, quotes included.
     pub span: Range<usize>,
-    /// As the file has it: `"100 mm"`, `0.25`.
+    /// Its text in the file: `"100 mm"`, `0.25`.
     pub written: String,
     number: f64,
     unit: String,
-    /// Whether only whole numbers are taken there.
+    /// Whether it must be a whole number.
     whole: bool,
 }
 
 impl SceneValue {
-    /// As the file would have it, moved from what it is now by so many per cent of what the file has; a count by at
-    /// least 1. The text of the file itself where that is the number again. `None` where there is nothing to take per
-    /// cent of: a zero, or no number now.
+    /// Text for the current value changed by a percentage of the file's value; a count changes by at least 1. If the
+    /// result is the file's value, its text is returned unchanged. `None` if the file's value is zero or the current
+    /// value is not a number.
     pub fn moved(&self, now: &str, per_cent: f64) -> Option<String> {
         let (number, unit) = split(&bare(now).replace('_', ""))?;
-        // In another unit the number of the file says nothing.
+        // A value in another unit can't be compared with that of the file.
         let base = if unit == self.unit { self.number } else { number };
         let step = base.abs() * per_cent / 100.0;
         let step = if self.whole { step.abs().round().max(1.0).copysign(per_cent) } else { step };
@@ -40,7 +40,7 @@ impl SceneValue {
         (step != 0.0).then(|| self.with(moved, &unit))
     }
 
-    /// As the file would have it, from what was typed; a number without a unit has the unit of the file.
+    /// Text for a value that was typed; a number without a unit takes the unit of the file.
     pub fn typed(&self, text: &str) -> String {
         let text = text.trim();
         match (text.parse(), split(text)) {
@@ -59,30 +59,30 @@ impl SceneValue {
     }
 }
 
-/// The shortest text that reads back as the number: a page of zeros says nothing.
+/// The shortest text that is read back as the same number, without rows of zeros.
 fn shortest(number: f64) -> String {
     let common = number == 0.0 || (1e-6..1e12).contains(&number.abs());
     if common { number.to_string() } else { format!("{number:e}") }
 }
 
-/// A value of the file as a reader wants it: without quotes.
+/// A value of the file without its quotes.
 pub fn bare(written: &str) -> String {
     written.trim_matches(['"', '\'']).to_owned()
 }
 
-/// All in the order of the file.
+/// All numbers in the order of the file.
 pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     let mut values = Vec::new();
     in_table(text, table, &mut Vec::new(), &mut values);
     values.sort_by_key(|value| value.span.start);
     if crate::read("", text).is_ok() {
-        // A zero does not move, and no count stands in a list: most integers need no trial.
+        // Zeros can't be changed by a percentage and counts are not in lists, so most integers need no trial.
         let may_count = |value: &&mut SceneValue| {
             value.written.replace('_', "").parse::<i64>().is_ok_and(|number| number != 0)
                 && !value.key.ends_with(']')
         };
         for value in values.iter_mut().filter(may_count) {
-            // The reader says what is a count: there is no second list of that.
+            // The reader of scenes decides what is a count, which avoids a second list of counts.
             let fraction = format!("{}.0", value.written);
             value.whole = crate::read("", &replaced(text, [(&value.span, fraction.as_str())])).is_err();
         }
@@ -125,7 +125,7 @@ fn in_value(text: &str, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, val
     }
 }
 
-/// Number and unit: of a bare number, or of a text that is a number with a known unit.
+/// Number and unit, of a bare number or of a text that is a number with a known unit.
 fn number(value: &DeValue<'_>, written: &str) -> Option<(f64, String)> {
     match value {
         DeValue::Integer(_) | DeValue::Float(_) => {

@@ -1,7 +1,7 @@
-//! What a scene measures.
+//! The kinds of quantities in a scene.
 
-/// Exponents of m, kg, s and rad. The angle counts, so that an angle is no number and 1/s no speed of rotation by
-/// accident.
+/// Exponents of m, kg, s and rad. The angle has its own exponent, which distinguishes an angle from a plain number
+/// and an angular speed from 1/s.
 pub(crate) type Powers = [i32; 4];
 
 /// A kind of quantity.
@@ -45,12 +45,13 @@ use Dimension as D;
 /// Dimension, its powers, its name, its usual units (SI first), an example, the greatest size in SI.
 type Row = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
 
-/// Sizes below this, other than 0, are refused: no measurement is so fine, and products of a few of them are no numbers.
+/// Absolute values below this, other than 0, are refused: no measurement is so fine, and products of several of them
+/// underflow.
 pub(crate) const LEAST: f64 = 1e-30;
 
-// The greatest sizes lie far beyond any machine, and near enough that results keep digits: an angle of 1e9 rad has 7 digits
-// left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest masses and speeds stay
-// numbers. docs/ranges.md tells them to the user.
+// The greatest values are far beyond any machine, but small enough for results to keep digits: an angle of 1e9 rad
+// has 7 digits left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest
+// masses and speeds stay finite. docs/ranges.md gives them to the user.
 const ROWS: [Row; 15] = [
     (D::Number, [0, 0, 0, 0], "a plain number", "", "0.5", 1e15),
     (D::Length, [1, 0, 0, 0], "a length", "m, mm, cm, km, um", "120 mm", 1e6),
@@ -78,7 +79,7 @@ const ROWS: [Row; 15] = [
 
 impl Dimension {
     fn row(self) -> &'static Row {
-        // The first row only to have an answer without a panic: a test finds each dimension in the table.
+        // The first row is a fallback without a panic; a test finds each dimension in the table.
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }
 
@@ -97,12 +98,12 @@ impl Dimension {
         self.units().split(", ").next().unwrap_or_default()
     }
 
-    /// A quantity of this kind as a scene has it: "4 kg".
+    /// An example of a quantity of this kind: "4 kg".
     pub fn example(self) -> &'static str {
         self.row().4
     }
 
-    /// The greatest size of a number of this kind in a scene, SI.
+    /// The greatest absolute value of a quantity of this kind in a scene, SI.
     pub(crate) fn most(self) -> f64 {
         self.row().5
     }
@@ -116,12 +117,12 @@ impl Dimension {
         }
     }
 
-    /// The quantity of a scene that has these powers.
+    /// The kind of quantity with these powers, if a scene has one.
     pub(crate) fn of(powers: Powers) -> Option<Self> {
         ROWS.iter().find(|row| row.1 == powers).map(|row| row.0)
     }
 
-    /// Whether a unit of these powers measures it: 1/s and 1/s² do for rotation, as the SI has it.
+    /// Whether a unit of these powers measures this kind; for rotation also 1/s and 1/s², as in the SI.
     pub(crate) fn accepts(self, powers: Powers) -> bool {
         let turning = matches!(self, Self::AngularSpeed | Self::AngularAcceleration);
         let own = self.row().1;

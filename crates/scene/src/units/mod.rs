@@ -1,4 +1,4 @@
-//! Quantities: a number and a unit to SI.
+//! Converts quantities, a number with a unit, to SI.
 
 mod dimension;
 mod parse;
@@ -22,13 +22,13 @@ pub enum UnitError {
         /// What was wanted.
         wanted: Dimension,
     },
-    /// A comma stands in the number.
+    /// The number contains a comma.
     #[error("has a comma in the number `{}`: the decimal sign is a point", shown(text))]
     Comma {
         /// The text.
         text: String,
     },
-    /// The number is so great that results would have no digits.
+    /// The number is so great that results would have no correct digits.
     #[error("is too large: `{}`, at most {:e} {}", shown(text), wanted.most(), wanted.si())]
     TooLarge {
         /// The text.
@@ -36,7 +36,7 @@ pub enum UnitError {
         /// What was wanted.
         wanted: Dimension,
     },
-    /// The number is not 0, but less than anything that can be measured.
+    /// The number is not 0, but smaller than anything that can be measured.
     #[error("is too small: `{}`, at least {:e} {} or 0", shown(text), dimension::LEAST, wanted.si())]
     TooSmall {
         /// The text.
@@ -49,7 +49,7 @@ pub enum UnitError {
     UnknownUnit {
         /// The unit, or the part of it that is unknown.
         unit: String,
-        /// A known unit that is spelled nearly so.
+        /// A known unit with nearly the same spelling.
         near: Option<String>,
         /// What was wanted.
         wanted: Dimension,
@@ -66,7 +66,7 @@ pub enum UnitError {
     },
 }
 
-/// An SI value if it lies in the range of its kind; `text` is how it was written.
+/// Returns an SI value if it is in the range of its kind; `text` is its text in the file.
 ///
 /// # Errors
 ///
@@ -95,13 +95,13 @@ pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
         let found = Dimension::of(scale.powers);
         return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, wanted });
     }
-    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. And pi
-    // comes last: 60 rpm is 2 pi rad/s to the last bit.
+    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. Pi comes
+    // last, so 60 rpm is 2 pi rad/s to the last bit.
     let value = number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns);
     within(value, text, wanted)
 }
 
-/// Whether a text is a unit, of whatever quantity.
+/// Whether a text is a unit of any quantity.
 pub(crate) fn is_unit(text: &str) -> bool {
     parse::unit(text, Dimension::Number).is_ok()
 }

@@ -4,7 +4,7 @@ use super::UnitError;
 use super::dimension::{Dimension, Powers};
 use crate::text::nearest;
 
-/// A unit: `up / down * pi^turns` of the SI unit with these powers.
+/// A unit: `up / down * pi^turns` times the SI unit with these powers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
     pub(super) up: f64,
@@ -103,7 +103,7 @@ pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
     let mut scale = Scale { up: 1.0, down: 1.0, turns: 0, powers: [0; 4] };
     let mut rest = text;
     let mut sign = 1;
-    // More factors than any unit has; the bound keeps the exponents small.
+    // More factors than any unit has; the limit keeps the exponents small.
     for _ in 0..12 {
         let end = rest.find(is_operator).unwrap_or(rest.len());
         let (factor, after) = rest.split_at(end);

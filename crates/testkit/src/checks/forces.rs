@@ -1,18 +1,18 @@
-//! Reactions.
+//! Checks of reactions.
 
 use assur_group::{Body, PairGeometry, Wrench, reactions_generally};
 
 use crate::Rng;
 use crate::case::{Case, Fault};
 
-/// What one call gave.
+/// Results of one call.
 struct Answer {
     given: Vec<Wrench<f64>>,
     loads: Vec<Wrench<f64>>,
     reactions: Vec<Wrench<f64>>,
 }
 
-/// All checks of the reactions, on random loads.
+/// All checks of the reactions, with random loads.
 pub(crate) fn all(case: &Case, way: usize, health: f64, rng: &mut Rng) -> Result<(), Fault> {
     let bodies = case.called("derive", case.solved(&*case.kernel, 0.0, way))?;
     let random = |_| Wrench { fx: rng.range(-1.0, 1.0), fy: rng.range(-1.0, 1.0), m: rng.range(-1.0, 1.0) };
@@ -29,7 +29,7 @@ fn parts(wrench: &Wrench<f64>) -> [f64; 3] {
     [wrench.fx, wrench.fy, wrench.m]
 }
 
-/// The closed forms and the transpose of J agree, in the pairs and in what they hand on.
+/// The closed forms agree with the transpose of J, in the reactions and in the loads passed to the outer bodies.
 fn general(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) -> Result<(), Fault> {
     let mut loads = answer.given.clone();
     let mut reactions = vec![Wrench::ZERO; answer.reactions.len()];
@@ -46,7 +46,8 @@ fn general(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) -> R
     Ok(())
 }
 
-/// Each link is in equilibrium; each outer body gets the opposite of what its pairs give; a guide gives no force along.
+/// Each link is in equilibrium; each outer body gets the opposite of the reactions of its pairs; a guide exerts no
+/// force along itself.
 fn equilibrium(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) -> Result<(), Fault> {
     let limit = 1e-13 / (health * health);
     let mut sums = answer.given.clone();
@@ -90,7 +91,8 @@ fn power_of(load: &Wrench<f64>, body: &Body<f64>) -> f64 {
     load.fx * body.x1 + load.fy * body.y1 + load.m * body.w1
 }
 
-/// Virtual power: what the loads on the links do, the outer bodies get. Joins derivatives and reactions.
+/// Virtual power: that of the loads on the links equals that of the forces on the outer bodies. Relates derivatives
+/// to reactions.
 fn power(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) -> Result<(), Fault> {
     let (mut inside, mut handed_on, mut size) = (0.0, 0.0, 1.0);
     for (i, body) in bodies.iter().enumerate() {

@@ -11,20 +11,20 @@ use assur_group::GroupError;
 use crate::Rng;
 use crate::case::{Case, Fault};
 
-/// Samples nearer to a singular position than this are left to the check of singular positions.
+/// Samples nearer to a singular position than this are only checked by the check of singular positions.
 const LEAST_HEALTH: f64 = 0.05;
 
-/// How often the checks that depend on luck came to something.
+/// How many samples were suitable for the checks that not every sample allows.
 #[derive(Debug, Default)]
 pub(crate) struct Tried {
     regular: usize,
     singular: usize,
-    /// How often a group was open in the check of gaps; `None` for a kind that is not held to it.
+    /// Number of gaps in the check of gaps; `None` for a kind to which it does not apply.
     open: Option<usize>,
 }
 
 impl Tried {
-    /// A suite that tried too little proves nothing.
+    /// Fails if too few samples were suitable: such a suite proves nothing.
     pub(crate) fn enough(&self) -> Result<(), Fault> {
         let few = self.regular < 20 || self.singular < 20 || self.open.is_some_and(|open| open < 10);
         if few {
@@ -53,15 +53,16 @@ pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(
     numbers::lanes(case, way, health)?;
     numbers::precisions(case, way, health)?;
     refusals::not_a_number(case, way)?;
-    // Of two links the least change of a length is a move of one outer body; of more it need not be.
+    // With two links the least change of a length equals a displacement of one outer body; with more links it need
+    // not.
     if case.plugin.pattern.links == 2 && case.plugin.ways.most > 1 {
         *tried.open.get_or_insert(0) += refusals::gap_closes(case, rng)?;
     }
     Ok(())
 }
 
-/// At a singular position one of the ways is refused as singular, or has a health of 0 up to the square root of rounding
-/// while the pairs still close; or rounding leaves the group open.
+/// At a singular position one of the ways is refused as singular, or has a health of 0 (up to the square root of
+/// rounding) while its pairs still close; or the group can't be assembled because of rounding.
 pub(crate) fn singular(case: &Case, tried: &mut Tried) -> Result<(), Fault> {
     tried.singular += 1;
     if case.plugin.iterates {
@@ -77,7 +78,8 @@ pub(crate) fn singular(case: &Case, tried: &mut Tried) -> Result<(), Fault> {
     last
 }
 
-/// A kind that iterates finds a health of 0 in the singular position itself; from there it may go to any assembly or give up.
+/// A kind that iterates finds a health of 0 at the singular position itself; from there it may reach any assembly or
+/// give up.
 fn singular_start(case: &Case) -> Result<(), Fault> {
     let mut bodies = case.sample.built();
     let health = case.kernel.health(&bodies);
@@ -97,7 +99,7 @@ fn singular_way(case: &Case, way: usize) -> Result<(), Fault> {
         }
         Ok(health) => fault(format!("health {health:.3e}, {:.3e} when asked", case.kernel.health(&bodies))),
         Err(GroupError::Singular { health }) if health.abs() < 1e-14 => Ok(()),
-        // Rounding may leave the group open by as much as rounding is.
+        // Rounding may leave a gap of its own size.
         Err(GroupError::NoAssembly { gap_m }) if gap_m < 1e-13 => Ok(()),
         Err(error) => fault(error.to_string()),
     }

@@ -1,11 +1,11 @@
-//! Derivatives.
+//! Checks of derivatives.
 
 use assur_group::{Body, Order, derive_generally};
 use assur_number::{Dd, Real};
 
 use crate::case::{Case, Fault};
 
-/// Step of the differences in 32 digits: truncation 1e-20, rounding 1e-22.
+/// Step of the differences in 32 digits: truncation error 1e-20, rounding error 1e-22.
 const STEP: f64 = 1e-10;
 
 /// PF1 and PF2 of a body.
@@ -13,7 +13,8 @@ fn derivatives(body: &Body<f64>) -> [[f64; 3]; 2] {
     [[body.x1, body.y1, body.w1], [body.x2, body.y2, body.w2]]
 }
 
-/// Greatest difference of PF1 and of PF2 of the group's links, each relative to its greatest size (at least 1).
+/// Greatest difference of PF1 and of PF2 of the group's links, each relative to its greatest absolute value (at least
+/// 1).
 pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> [f64; 2] {
     [0, 1].map(|order| {
         let (mut worst, mut size) = (0.0_f64, 1.0_f64);
@@ -51,10 +52,10 @@ pub(crate) fn solve_is_place_and_derive(case: &Case, way: usize, health: f64) ->
     case.within("solve", "PF1 alone", apart(case, &once, &bodies)[0], 0.0)
 }
 
-/// Rate of a link from its places (or first derivatives) on both sides.
+/// Derivative of a link's pose (or of its first derivative) from the values on both sides.
 fn rates(before: &Body<Dd>, after: &Body<Dd>) -> [[f64; 3]; 2] {
     let rate = |a: Dd, b: Dd| ((b - a) * Dd::ratio(0.5, STEP)).to_f64();
-    // The sine of the small angle between the directions is the angle, to STEP³.
+    // The sine of the small angle between the directions equals the angle up to STEP³.
     let turn = before.c * after.s - before.s * after.c;
     [
         [rate(before.x, after.x), rate(before.y, after.y), rate(Dd::ZERO, turn)],
@@ -62,7 +63,7 @@ fn rates(before: &Body<Dd>, after: &Body<Dd>) -> [[f64; 3]; 2] {
     ]
 }
 
-/// Central differences in double-double along the motion of the outer bodies.
+/// Compares with central differences in double-double along the motion of the outer bodies.
 pub(crate) fn agrees_with_differences(case: &Case, way: usize) -> Result<(), Fault> {
     let kernel = case.kernel_in::<Dd>()?;
     let at = |q: f64| case.called("differences", case.solved(&*kernel, Dd::from_f64(q), way));

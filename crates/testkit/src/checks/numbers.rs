@@ -1,4 +1,4 @@
-//! A kernel in other kinds of numbers.
+//! Checks of a kernel in other number types.
 
 use assur_group::Number;
 use assur_number::{Dd, F64x4, Lanes, Real};
@@ -6,10 +6,10 @@ use assur_number::{Dd, F64x4, Lanes, Real};
 use super::{motion, places};
 use crate::case::{Case, Fault};
 
-/// Positions of the four lanes.
+/// Coordinates of the four lanes.
 const LANES: [f64; 4] = [0.0, 0.004, -0.003, 0.007];
 
-/// Four positions side by side give what each gives alone: bit for bit, if the kind does not iterate.
+/// Four positions in lanes give the results of each alone: bit for bit, if the kind does not iterate.
 pub(crate) fn lanes(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let alone: Vec<_> = LANES.iter().filter_map(|&q| case.solved(&*case.kernel, q, way).ok()).collect();
     if alone.len() < LANES.len() {
@@ -21,7 +21,7 @@ pub(crate) fn lanes(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
         for &i in &case.sample.frame.links {
             for (one, all) in bodies[i].numbers().into_iter().zip(together[i].numbers()) {
                 let off = if one.to_bits() == all.0[lane].to_bits() { 0.0 } else { one - all.0[lane] };
-                // Only a kind that iterates decides for all lanes at once: its rounding is another one.
+                // An iterating kind decides for all lanes at once, which changes its rounding.
                 let rounding = 1e-12 / (health * health) * one.abs().max(1.0);
                 let limit = if case.plugin.iterates { rounding } else { 0.0 };
                 case.within("lanes", "a number", off, limit)?;
@@ -31,7 +31,8 @@ pub(crate) fn lanes(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Errors against 32 digits: of the place as 1/health, of PF1 as 1/health², of PF2 as 1/health⁴ at the worst.
+/// Bounds of errors relative to 32 digits: of the place as 1/health, of PF1 as 1/health², of PF2 as 1/health⁴ at the
+/// worst.
 fn errors<T: Number>(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let reference = case.called("precision", case.solved(&*case.kernel_in::<Dd>()?, Dd::ZERO, way))?;
     let tested = case.called("precision", case.solved(&*case.kernel_in::<T>()?, T::ZERO, way))?;
@@ -44,10 +45,10 @@ fn errors<T: Number>(case: &Case, way: usize, health: f64) -> Result<(), Fault> 
     case.within("precision", "PF2", second, unit / health.powi(4))
 }
 
-/// f64 and f32 against double-double; double-double by its own closure.
+/// f64 and f32 are compared with double-double; double-double is checked by the residuals of its pairs.
 pub(crate) fn precisions(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     errors::<f64>(case, way, health)?;
-    // Near a singular position f32 need not even find an assembly.
+    // Near a singular position f32 may not find an assembly at all.
     if health > 0.2 {
         errors::<f32>(case, way, health)?;
     }

@@ -1,10 +1,10 @@
-//! Places.
+//! Checks of places.
 
 use assur_group::Body;
 
 use crate::case::{Case, Fault};
 
-/// Greatest difference of the poses of the group's links.
+/// Greatest difference between the poses of the group's links.
 pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> f64 {
     let links = &case.sample.frame.links;
     let parts = links.iter().flat_map(|&i| {
@@ -14,7 +14,7 @@ pub(crate) fn apart(case: &Case, one: &[Body<f64>], two: &[Body<f64>]) -> f64 {
     parts.fold(0.0, |worst: f64, part| if part.is_nan() { f64::INFINITY } else { worst.max(part.abs()) })
 }
 
-/// One way gives the poses that the pairs were read off; which.
+/// One of the ways gives the poses from which the pairs were constructed; returns this way.
 pub(crate) fn recovers(case: &Case) -> Result<usize, Fault> {
     let built = case.sample.built();
     let mut least = f64::INFINITY;
@@ -30,7 +30,8 @@ pub(crate) fn recovers(case: &Case) -> Result<usize, Fault> {
     Err(case.fault("recovers", format!("no way gives the known place; the nearest is off by {least:.3e}")))
 }
 
-/// Every way satisfies the pairs, keeps the outer bodies and unit directions, and is an assembly of its own.
+/// Every way satisfies the pairs, leaves the outer bodies unchanged, keeps unit directions, and differs from the
+/// other ways.
 pub(crate) fn all_ways_close(case: &Case) -> Result<(), Fault> {
     let mut found: Vec<Vec<Body<f64>>> = vec![];
     for way in 0..case.kernel.ways() {
@@ -56,7 +57,7 @@ pub(crate) fn all_ways_close(case: &Case) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The health that `place` returns is the one of `health`, and lies between 0 and about 1.
+/// The health that `place` returns equals that of `health`, and is between 0 and about 1.
 pub(crate) fn health_is_consistent(case: &Case, bodies: &[Body<f64>], health: f64) -> Result<(), Fault> {
     let asked = case.kernel.health(bodies);
     case.within("health", "what `place` and `health` say", health.abs() - asked.abs(), 1e-13 / health.abs())?;

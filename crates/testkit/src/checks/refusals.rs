@@ -1,11 +1,11 @@
-//! What a kind must refuse.
+//! Inputs for which a kind must return an error.
 
 use assur_group::{Body, GroupError, Order};
 
 use crate::Rng;
 use crate::case::{Case, Fault};
 
-/// Directions that are tried to close a gap: the nearest of them wastes less than 1e-6 of it.
+/// Number of directions in which closing a gap is tried: the nearest of them loses less than 1e-6 of it.
 const DIRECTIONS: u32 = 3600;
 
 /// A NaN in any number of an outer body leads to an error, never to a result.
@@ -26,7 +26,7 @@ pub(crate) fn not_a_number(case: &Case, way: usize) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The gap of a group with one outer body moved by a vector; `None` if it can be assembled.
+/// The gap of a group after one outer body is displaced by a vector; `None` if it can be assembled.
 fn gap(case: &Case, outer: usize, by: [f64; 2]) -> Result<Option<f64>, Fault> {
     let mut bodies = case.sample.bodies(0.0);
     bodies[outer].x += by[0];
@@ -38,8 +38,8 @@ fn gap(case: &Case, outer: usize, by: [f64; 2]) -> Result<Option<f64>, Fault> {
     }
 }
 
-/// Moves an outer body until the group is open; then a move by the gap, in the best direction, closes it, and a move
-/// by less does not. How often it was open.
+/// Displaces an outer body until the group can't be assembled; then a displacement by the reported gap, in the best
+/// direction, must close it, and a smaller one must not. Returns the number of gaps found.
 pub(crate) fn gap_closes(case: &Case, rng: &mut Rng) -> Result<usize, Fault> {
     let mut open = 0;
     let outer = case.sample.outer();

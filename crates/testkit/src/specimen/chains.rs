@@ -1,4 +1,4 @@
-//! The input link and the groups of a specimen.
+//! Constructs the input link and the groups of a specimen.
 
 use assur_group::Pattern;
 use assur_mechanism::{GROUND, InputPair, LinkId};
@@ -6,14 +6,14 @@ use assur_mechanism::{GROUND, InputPair, LinkId};
 use super::draft::Draft;
 use crate::arrangement::{Join, constraints, drawn_pairs, regularity};
 
-/// Regularity of the constraints that a group shall have in the first position.
+/// Least ratio of singular values of a group's constraints in the first position.
 const LEAST_REGULARITY: f64 = 0.05;
 
-/// Arrangements of the pairs of a group that are tried before it is given up.
+/// Greatest number of arrangements of the pairs that are tried for a group.
 const TRIES: usize = 60;
 
 impl Draft {
-    /// The input link: pinned, or sliding on the ground; its pair and the coordinate of the first position.
+    /// Adds the input link, pinned or sliding on the ground; its pair and the coordinate of the first position.
     pub(crate) fn input(&mut self, sliding: bool) -> (InputPair, f64) {
         let link = self.link();
         if sliding {
@@ -25,13 +25,13 @@ impl Draft {
             let way = c * (start[0] - found.through[0]) + s * (start[1] - found.through[1]);
             return (InputPair::Slide(slide), way);
         }
-        // The frame of a crank mostly has its origin in the pin, but need not.
+        // The origin of a crank's frame is usually, but not always, in the pin.
         let world = if self.rng.chance(0.6) { self.poses[link].world([0.0; 2]) } else { self.place() };
         (InputPair::Pin(self.pin(link, GROUND, world)), self.poses[link].angle)
     }
 
-    /// A group of this pattern on these earlier bodies, one for each outer pair; `None` where no arrangement of its pairs
-    /// was found that is well away from a singular position.
+    /// Adds a group of this pattern on these earlier bodies, one for each outer pair; `None` if no arrangement of its
+    /// pairs was found that is well away from a singular position.
     pub(crate) fn group(&mut self, pattern: &Pattern, outside: &[LinkId]) -> Option<()> {
         let links: Vec<LinkId> = (0..pattern.links).map(|_| self.link()).collect();
         let (points, slides) = (self.points.clone(), self.slides.clone());
@@ -48,7 +48,8 @@ impl Draft {
         None
     }
 
-    /// Joins the first body to the second: by a slide, by a new pin, or by one that a body outside the group has.
+    /// Joins the first body to the second: by a slide, by a new pin, or by an existing pin of a body outside the
+    /// group.
     fn join(&mut self, bodies: [LinkId; 2], is_slide: bool, group: &[LinkId]) -> Join {
         let [link, body] = bodies;
         if is_slide {

@@ -1,4 +1,4 @@
-//! Links with the poses that they have in the first position, and pairs that are put where the links lie.
+//! Links with their poses in the first position, and pairs that are placed where the links are.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use crate::arrangement::Pose;
 #[derive(Debug)]
 pub(crate) struct Draft {
     pub(crate) rng: Rng,
-    /// Size of the region in which everything lies, m.
+    /// Size of the region that contains everything, m.
     pub(crate) size: f64,
     pub(crate) links: Vec<Link>,
     pub(crate) poses: Vec<Pose>,
@@ -33,12 +33,12 @@ impl Draft {
         Self { rng, size, links: vec![ground], poses: vec![pose], points: Vec::new(), slides: Vec::new() }
     }
 
-    /// A place of the region, m.
+    /// A random place in the region, m.
     pub(crate) fn place(&mut self) -> [f64; 2] {
         [self.rng.range(-1.0, 1.0) * self.size, self.rng.range(-1.0, 1.0) * self.size]
     }
 
-    /// A new link in a random pose, with one point of interest.
+    /// Adds a link in a random pose, with one point of interest.
     pub(crate) fn link(&mut self) -> LinkId {
         let id = self.links.len();
         let [x, y] = self.place();
@@ -59,7 +59,7 @@ impl Draft {
         id
     }
 
-    /// A new pin of two links at a place of the ground.
+    /// Adds a pin of two links at a place of the ground.
     pub(crate) fn pin(&mut self, a: LinkId, b: LinkId, world: [f64; 2]) -> PointId {
         let name = format!("P{}", self.points.len());
         let places = [a, b].map(|link| Place { link, at: self.poses[link].local(world) });
@@ -67,7 +67,7 @@ impl Draft {
         self.points.len() - 1
     }
 
-    /// Hangs a link on a pin, a point of interest or nothing yet of an earlier body; the place of the pin.
+    /// Joins a link to a pin, a point of interest or a new point of an earlier body; returns the place of the pin.
     pub(crate) fn hang(&mut self, link: LinkId, body: LinkId) -> [f64; 2] {
         let ready: Vec<PointId> =
             (0..self.points.len()).filter(|&id| self.holds(id, body) && !self.holds(id, link)).collect();
@@ -87,16 +87,17 @@ impl Draft {
         self.points[point].places.iter().any(|place| place.link == link)
     }
 
-    /// Where a point lies in the first position.
+    /// Position of a point in the first position.
     pub(crate) fn world_of(&self, point: PointId) -> [f64; 2] {
         let place = self.points[point].places[0];
         self.poses[place.link].world(place.at)
     }
 
-    /// A new slide of two links along a direction of the ground; either may carry the guide, the ground always does.
+    /// Adds a slide of two links along a direction of the ground; the guide is on either of them, but always on the
+    /// ground if it is one of them.
     pub(crate) fn slide(&mut self, a: LinkId, b: LinkId, direction: f64) -> SlideId {
         let (link, on) = if a == GROUND || (b != GROUND && self.rng.chance(0.5)) { (b, a) } else { (a, b) };
-        // One slide in three is central and straight: offset and tilt zero are cases of their own.
+        // One slide in three has zero offset and zero tilt, which are cases of their own.
         let simple = self.rng.chance(0.33);
         let point_at = if simple { [0.0; 2] } else { self.place() };
         let point = if simple { [0.0; 2] } else { self.poses[link].local(point_at) };

@@ -1,4 +1,4 @@
-//! Loads of every kind, a motion, and a balancing load elsewhere.
+//! Random loads of every kind, a motion, and a balancing load that does not act on the input.
 
 use assur_group::Order;
 use assur_kinematics::Linkage;
@@ -9,10 +9,10 @@ use assur_mechanism::{
 
 use super::draft::Draft;
 
-/// A place whose virtual velocity is less than this part of the usual one can't carry the balancing load.
+/// A place whose virtual velocity is less than this fraction of the usual one can't carry the balancing load.
 const LIVELY: f64 = 0.15;
 
-/// A force over the stroke of a point needs a stroke of at least this part of the region.
+/// A force over the stroke of a point needs a stroke of at least this fraction of the region.
 const LEAST_TRAVEL: f64 = 0.01;
 
 pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
@@ -80,7 +80,7 @@ fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
     Force { name: format!("force {index}"), at, direction, value }
 }
 
-/// How far a point goes along an axis, m.
+/// Stroke of a point along an axis, m.
 fn travel(mechanism: &Mechanism, at: Place, axis: f64) -> f64 {
     let Ok(linkage) = Linkage::compile(mechanism.clone()) else { return 0.0 };
     let mut position = linkage.position();
@@ -96,7 +96,7 @@ fn travel(mechanism: &Mechanism, at: Place, axis: f64) -> f64 {
     high - low
 }
 
-/// A size of up to some 100 N (times `unit`), constant or by a table.
+/// A random magnitude of up to about 100 N (times `unit`), constant or by a table.
 fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Value {
     let mut size = || draft.rng.signed(5.0, 120.0) * unit;
     let sizes = [size(), size(), size(), size()];
@@ -106,7 +106,7 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
         Table { rows, shape }
     };
     let input = &mechanism.input;
-    // Odd steps: a position on a jump has two right values.
+    // Odd steps avoid a position on a jump, where two values are right.
     match (draft.rng.below(6), mechanism.motion.as_ref(), input.period()) {
         (0, _, period) => {
             let step = period.unwrap_or(draft.size) * 0.273_1;
@@ -124,7 +124,7 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
     }
 }
 
-/// Between two points that stand in no common link.
+/// A spring between two points that have no common link.
 fn spring(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Option<Spring> {
     let count = mechanism.points.len();
     let (a, b) = (&mechanism.points[draft.rng.below(count)], &mechanism.points[draft.rng.below(count)]);
@@ -153,14 +153,14 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
     }
 }
 
-/// A place that moves well in every position; `None` where the one drawn does not.
+/// A random place whose velocity is sufficient in every position; `None` if that of the place drawn is not.
 fn balance(draft: &mut Draft, mechanism: &Mechanism) -> Option<Balance> {
     let linkage = Linkage::compile(mechanism.clone()).ok()?;
     let link = moving(draft, mechanism);
     let at = place_on(draft, link);
     let angle = draft.rng.angle();
     let turn = draft.rng.chance(0.5);
-    // Rates by the coordinate: 1 and a length, or 1/length and 1.
+    // Derivatives with respect to the coordinate: 1 and a length, or 1/length and 1.
     let (usual_turn, usual_way) = if turns(mechanism) { (1.0, draft.size) } else { (1.0 / draft.size, 1.0) };
     let mut position = linkage.position();
     let input: &Input = &mechanism.input;

@@ -1,8 +1,8 @@
-//! Test support: random mechanisms that are made by construction, so that they assemble, and a writer of scenes.
+//! Test support: random mechanisms that can be assembled by construction, and a writer of scenes.
 //!
-//! A pose of every link in the first position is drawn first; the pairs are then put where the links happen to lie.
-//! So any arrangement comes out alike: groups of all registered kinds in any order on any earlier bodies, guides on either
-//! link, offset and tilted, multiple joints, links of many points, pinned and sliding inputs.
+//! A pose of every link in the first position is drawn first; the pairs are then placed to fit these poses. Any
+//! arrangement is equally easy to construct: groups of all registered kinds in any order on any earlier bodies,
+//! guides on either link, offset and tilted, multiple joints, links of many points, pinned and sliding inputs.
 
 mod chains;
 mod draft;

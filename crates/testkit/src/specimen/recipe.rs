@@ -1,4 +1,4 @@
-//! What a specimen shall consist of, and how one is found.
+//! The parameters of a specimen, and the search for one.
 
 use std::f64::consts::TAU;
 
@@ -8,40 +8,40 @@ use assur_mechanism::{GROUND, Input, InputPair, Mechanism, Range, Sense};
 
 use super::draft::Draft;
 
-/// What a specimen shall consist of.
+/// The parameters of a specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Recipe {
     /// Number of groups, 1 to 5.
     pub groups: usize,
-    /// Groups of the registered kind of this name alone, or of any kinds.
+    /// The only registered kind of group to use, by name, or any kinds.
     pub only: Option<&'static str>,
-    /// Whether there are loads, a motion and a balancing load elsewhere.
+    /// Whether there are loads, a motion and a balancing load that does not act on the input.
     pub loads: bool,
 }
 
-/// A mechanism with the pose that it was constructed in.
+/// A mechanism with the poses in which it was constructed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Specimen {
     /// The mechanism.
     pub mechanism: Mechanism,
     /// Origin and angle of each link in the first position, the ground first.
     pub poses: Vec<[f64; 3]>,
-    /// Names of the kinds in the order in which they were put together.
+    /// Names of the kinds of its groups, in the order of construction.
     pub kinds: Vec<&'static str>,
     /// Smallest dimensionless determinant of a group over the positions.
     pub health: f64,
 }
 
-/// Positions closer to a singular one are not used.
+/// Positions with a smaller determinant are not used.
 const LEAST_HEALTH: f64 = 0.05;
 
-/// Constructions that are tried for one seed.
+/// Greatest number of constructions for one seed.
 const TRIES: u64 = 400;
 
-/// Positions of a range, and of a cycle.
+/// Number of positions of a range, and of a cycle.
 const POSITIONS: [usize; 2] = [5, 12];
 
-/// Names of the registered kinds of groups, for [`Recipe::only`]; none where the registry is faulty.
+/// Names of the registered kinds of groups, for [`Recipe::only`]; empty if the registry is faulty.
 pub fn kinds() -> Vec<&'static str> {
     groups().unwrap_or_default().iter().map(|kind| kind.name).collect()
 }
@@ -52,8 +52,8 @@ impl Recipe {
         Self { groups, only: None, loads: true }
     }
 
-    /// A mechanism by this recipe, the same for the same seed and the same registered kinds; `None` if none of many
-    /// constructions was healthy, or no such kind is registered.
+    /// Constructs a mechanism, the same for the same seed and the same registered kinds; `None` if none of many
+    /// constructions stayed away from singular positions, or if there is no such kind.
     pub fn specimen(&self, seed: u64) -> Option<Specimen> {
         let mut kinds = groups().ok()?;
         kinds.retain(|kind| self.only.is_none_or(|only| only == kind.name));
@@ -82,7 +82,7 @@ impl Recipe {
     }
 }
 
-/// So many earlier bodies, the ground and the newest ones more often; no two in a row are the same.
+/// Draws this number of earlier bodies, the ground and the newest ones more often; neighbors in the list differ.
 fn earlier_bodies(draft: &mut Draft, wanted: usize) -> Vec<usize> {
     let count = draft.links.len();
     let mut bodies: Vec<usize> = Vec::with_capacity(wanted);
@@ -99,7 +99,7 @@ fn earlier_bodies(draft: &mut Draft, wanted: usize) -> Vec<usize> {
     bodies
 }
 
-/// The parts in the order in which a reader of the scene meets them.
+/// The parts of the mechanism in the order in which a reader of the scene meets them.
 fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     let mut order: Vec<usize> = (0..draft.points.len()).collect();
     draft.points.iter_mut().for_each(|point| point.places.sort_by_key(|place| place.link));
@@ -134,7 +134,7 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     }
 }
 
-/// A whole cycle where the mechanism is healthy all over, else a range around the start in which it is.
+/// A whole cycle if the mechanism is nowhere near a singular position, otherwise such a range around the start.
 fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism, f64)> {
     let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { draft.size };
     let way = draft.rng.signed(0.2, 1.2) * unit;
@@ -163,8 +163,8 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
     None
 }
 
-/// Smallest determinant over `finer` times as many positions, so that none between them is skipped (guides that become
-/// parallel there would let the mechanism run through infinity); 0 where one can't be solved.
+/// Smallest determinant over `finer` times as many positions, which shows singular positions between the others
+/// (guides that become parallel would let links run to infinity); 0 if a position can't be solved.
 fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
     let mut position = linkage.position();
     let input = Input { positions: finer * input.positions, ..input.clone() };

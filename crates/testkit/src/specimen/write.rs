@@ -1,4 +1,4 @@
-//! A mechanism as the text of a scene, such that reading it gives the same mechanism again.
+//! Writes a mechanism as the text of a scene, from which the same mechanism is read again.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use assur_mechanism::{
 
 /// The text of a scene, all numbers in SI with all their digits.
 ///
-/// Covers what specimens have: no drive, no output, and only the prescribed motion.
+/// Covers only what specimens have: a prescribed motion, no drive and no output.
 pub fn scene_text(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     // Writing to a string can't fail.
@@ -98,7 +98,7 @@ fn value(value: &Value) -> String {
             format!("{{ over = {over:?}, table = {}, shape = {shape:?}{repeat} }}", rows(table))
         }
         Value::Stroke { axis, forward, back } => {
-            // A number stands for one row and takes the default shape.
+            // A table of one row is written as a number, with the default shape.
             let side = |table: &Table| match table.rows[..] {
                 [[_, size]] => format!("{size:?}"),
                 _ => rows(table),
@@ -168,7 +168,7 @@ fn write_motion(text: &mut String, m: &Mechanism) -> Out {
         None => {}
     }
     if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
-        // The scene counts the speed along the direction of the input.
+        // In the scene the speed is counted in the direction of the input.
         let along = m.input.sign() * speed;
         writeln!(text, "\n[motion]\nspeed = {along:?}\nacceleration = {acceleration:?}")?;
     }
