@@ -91,11 +91,13 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        let (position, health) = self.0.close(bodies, way)?;
+        // The position stays where it was written: a copy would wait for the writes to finish.
+        let closed = self.0.close(bodies, way);
+        let (position, health) = closed.as_ref().map_err(|failure| *failure)?;
         if order > Order::Place {
-            self.0.differentiate(bodies, &position, order)?;
+            self.0.differentiate(bodies, position, order)?;
         }
-        Ok(health)
+        Ok(*health)
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
