@@ -240,19 +240,21 @@ impl Follower<'_> {
 
     /// Whether a group jumps between a sample and the previous one because the kind's numbering of its ways changes.
     fn jump(&self, (group, way): (usize, u8), sample: usize, branch: &Branch) -> Option<Event> {
-        let poses = |sample: usize| self.poses(group, sample, branch);
-        let change = |sample: usize| pose_distance(&poses(sample), &poses(sample - 1), self.structure.scale);
-        if sample < 2 || change(sample) < LEAST_JUMP + JUMP_RATIO * change(sample - 1) {
+        let links = &self.chain.groups[group].frame().links;
+        let scale = self.structure.scale;
+        let poses = |sample: usize| links.iter().map(move |&link| &branch.poses[link][sample]);
+        let change = |sample: usize| pose_distance(poses(sample), poses(sample - 1), scale);
+        // Nearly all samples change by too little, whatever the one before does.
+        let jumps = |by: f64| by >= LEAST_JUMP && by >= LEAST_JUMP + JUMP_RATIO * change(sample - 1);
+        if sample < 2 || !jumps(change(sample)) {
             return None;
         }
-        let (from, to) = (poses(sample - 1), poses(sample));
         let is_before = |q: f64| {
             let found = self.place((group, way), q, branch);
-            let apart =
-                |one: &[Body<f64>], other: &[Body<f64>]| pose_distance(one, other, self.structure.scale);
             found.is_ok_and(|bodies| {
                 let own = self.own(group, &bodies);
-                apart(&own, &from) < apart(&own, &to)
+                let apart = |sample: usize| pose_distance(&own, poses(sample), scale);
+                apart(sample - 1) < apart(sample)
             })
         };
         let ends = bisect(branch.behind(group, sample - 1), branch.at(sample), 0.0, is_before);
@@ -301,10 +303,6 @@ impl Follower<'_> {
 
     fn own(&self, group: usize, bodies: &[Body<f64>]) -> Vec<Body<f64>> {
         self.chain.groups[group].frame().links.iter().map(|&link| bodies[link]).collect()
-    }
-
-    fn poses(&self, group: usize, sample: usize, branch: &Branch) -> Vec<Body<f64>> {
-        self.chain.groups[group].frame().links.iter().map(|&link| branch.poses[link][sample]).collect()
     }
 
     /// A meeting at the start of a full turn is found again at its end, and is counted there, once.

@@ -104,10 +104,14 @@ impl<'a> Samples<'a> {
 
 /// The greatest difference between two poses of the same links, of directions (rad) or of places (parts of the
 /// scale).
-pub(crate) fn pose_distance(one: &[Body<f64>], other: &[Body<f64>], scale: f64) -> f64 {
+pub(crate) fn pose_distance<'a, 'b>(
+    one: impl IntoIterator<Item = &'a Body<f64>>,
+    other: impl IntoIterator<Item = &'b Body<f64>>,
+    scale: f64,
+) -> f64 {
     let apart = |(a, b): (&Body<f64>, &Body<f64>)| {
         let place = (a.x - b.x).hypot(a.y - b.y) / scale;
         place.max((a.c - b.c).hypot(a.s - b.s))
     };
-    one.iter().zip(other).map(apart).fold(0.0, f64::max)
+    one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }
