@@ -72,7 +72,7 @@ fn syntax_words(message: &str, piece: Option<&str>) -> String {
     match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
         Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),
         None if message.starts_with("invalid unquoted key") => {
-            format!("not TOML: {message}; a name with other letters stands in quotes")
+            format!("not TOML: {message}; a name with other characters must be in quotes")
         }
         None => format!("not TOML: {message}"),
     }

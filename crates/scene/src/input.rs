@@ -56,7 +56,7 @@ fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair>
     }
     let name = shown(&linkage.links[link].name);
     if pairs.is_empty() {
-        let label = "a point that stands in [ground] too, or a [[slide]] on \"ground\"";
+        let label = "a point that is also in [ground], or a [[slide]] on \"ground\"";
         entry.fault(format!("the input link `{name}` is not joined to the ground"), label);
     } else {
         let names = pairs.iter().map(|pair| match *pair {
@@ -65,7 +65,7 @@ fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair>
         });
         let message =
             format!("the input link `{name}` is joined to the ground {} times: {}", pairs.len(), row(names));
-        entry.fault(message, "one pin or one slide is wanted");
+        entry.fault(message, "it must have exactly one pin or slide there");
     }
     None
 }

@@ -49,8 +49,8 @@ fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
     let linkage = context.linkage;
     let both = (0..linkage.links.len()).find(|&link| stands(context, p, link) && stands(context, q, link));
     if let Some(link) = both {
-        let message = format!("both ends stand in link `{}`", shown(&linkage.links[link].name));
-        entry.fault(message, "a spring there keeps its length; points of two links are wanted");
+        let message = format!("both ends are on link `{}`", shown(&linkage.links[link].name));
+        entry.fault(message, "such a spring keeps its length; give points of two different links");
         return None;
     }
     Some([first, second])
@@ -83,7 +83,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         let on = shown(&linkage.links[link].name);
         entry.fault(
             format!("point `{}` is not on link `{on}`", shown(point)),
-            format!("it stands in: {}", row(holders)),
+            format!("it belongs to: {}", row(holders)),
         );
     }
     place.map(|place| (id, *place))

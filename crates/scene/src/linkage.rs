@@ -123,7 +123,7 @@ impl Linkage {
         };
         let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());
         let message = format!(
-            "`{}`: point `{}` is not on link `{}`, it stands in: {}",
+            "`{}`: point `{}` is not on link `{}`, it belongs to: {}",
             shown(&entry.name),
             shown(name),
             shown(on),

@@ -73,7 +73,7 @@ fn massless(name: &str) -> Link {
 fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry<'a>) -> Option<Section<'a>> {
     check_name(entry, "link");
     if entry.name == "ground" {
-        entry.fault("the ground is no moving link", "its points stand in [ground]");
+        entry.fault("the ground is no moving link", "its points belong in [ground]");
     }
     if entry.name == "moment" {
         // In results the moment of a slide is listed beside the forces on its links, under this name.
@@ -107,9 +107,7 @@ fn check_name(entry: &Entry<'_>, what: &str) {
     let name = &entry.name;
     if name.trim().is_empty() || name.contains('.') || name.chars().any(is_unprintable) {
         let fault = Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
-        entry
-            .faults
-            .push(fault.label("a name is not empty and has neither a point nor characters that don't show"));
+        entry.faults.push(fault.label("a name must not be empty or contain a dot or invisible characters"));
     }
 }
 

@@ -204,11 +204,8 @@ impl<'a> Entry<'a> {
         };
         let text = text.as_ref();
         if text.trim().is_empty() || text.chars().any(is_unprintable) {
-            let got = if text.trim().is_empty() {
-                "an empty text"
-            } else {
-                "a text with characters that don't show"
-            };
+            let got =
+                if text.trim().is_empty() { "an empty text" } else { "a text with invisible characters" };
             self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
             return None;
         }

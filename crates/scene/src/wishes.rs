@@ -100,7 +100,7 @@ fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
         Some(id) if linkage.points[id].is_pin() => Some(PairId::Pin(id)),
         Some(_) => {
             let label = format!("pins: {}", crate::text::row(pins));
-            entry.fault(format!("point `{}` is no pin: it stands in one link", shown(name)), label);
+            entry.fault(format!("point `{}` is no pin: it belongs to one link only", shown(name)), label);
             None
         }
         None => {

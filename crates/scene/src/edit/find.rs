@@ -17,7 +17,7 @@ pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, Stri
         at = match at.get_ref() {
             DeValue::Table(table) => in_table(table, steps, depth)?,
             DeValue::Array(array) => in_array(array, steps, depth)?,
-            _ => return Err(format!("`{}` is one value, nothing is in it", shown(&steps[..depth]))),
+            _ => return Err(format!("`{}` is a single value without parts", shown(&steps[..depth]))),
         };
     }
     leaf(at, steps)
@@ -106,7 +106,7 @@ fn absent(owner: &str, steps: &[Step], depth: usize, name: &str, names: &[String
         format!("; did you mean `{}`?", shown(&steps))
     });
     // An absent key has its default; only a value that is written in the scene can be replaced.
-    let default = "; what is left to its default must be written in the scene to be varied";
+    let default = "; a default must be written in the scene before it can be varied";
     let hint = near.unwrap_or_else(|| default.to_owned());
     format!("{owner} has no `{name}`{hint}; it has: {}", listed(names))
 }

@@ -58,7 +58,7 @@ fn parse(text: &str) -> Result<Vec<Step>, String> {
             return Ok(steps);
         }
         rest =
-            rest.strip_prefix('.').ok_or_else(|| format!("a key goes on with `.` or `[`, not `{rest}`"))?;
+            rest.strip_prefix('.').ok_or_else(|| format!("a key continues with `.` or `[`, not `{rest}`"))?;
     }
 }
 
@@ -77,7 +77,7 @@ fn name(text: &str) -> Result<(String, &str), String> {
     let end = text.find(['.', '[']).unwrap_or(text.len());
     let name = text[..end].trim();
     if name.is_empty() {
-        return Err("a key is names joined by points, such as link.crank.mass".to_owned());
+        return Err("a key consists of names joined by dots, such as link.crank.mass".to_owned());
     }
     Ok((name.to_owned(), &text[end..]))
 }

@@ -8,7 +8,7 @@ fn fault(vary: &str) -> String {
 
 #[test]
 fn a_key_that_names_nothing_is_told_with_what_there_is() {
-    let default = "what is left to its default must be written in the scene to be varied";
+    let default = "a default must be written in the scene before it can be varied";
     for (key, problem) in [
         ("lnk.crank.mass", "the scene has no `lnk`; did you mean `link`?; it has: ground, link, slide, input, force, assembly".to_owned()),
         ("link.cranck.mass", "`link` has no `cranck`; did you mean `link.crank`?; it has: crank, rod, piston".to_owned()),
@@ -18,7 +18,7 @@ fn a_key_that_names_nothing_is_told_with_what_there_is() {
         ("link[0].mass", "`link` is no list; it has: crank, rod, piston".to_owned()),
         ("link.crank", "`link.crank` is a table; it has: points".to_owned()),
         ("ground.points.O", "`ground.points.O` is a list; it has: ground.points.O[0], ground.points.O[1]".to_owned()),
-        ("link.piston.mass.x", "`link.piston.mass` is one value, nothing is in it".to_owned()),
+        ("link.piston.mass.x", "`link.piston.mass` is a single value without parts".to_owned()),
     ] {
         assert_eq!(fault(&format!("{key}=1..2:3")), format!("`{key}`: {problem}"));
     }
@@ -53,10 +53,10 @@ fn a_parameter_that_is_written_otherwise_is_told() {
         ("link.crank.mass=..2:2", form),
         ("link.crank.mass=1..2:0", "N is `0`: write a whole number from 1"),
         ("link.crank.mass=1..2:-1", "N is `-1`: write a whole number from 1"),
-        ("link..mass=1..2:3", "a key is names joined by points, such as link.crank.mass"),
+        ("link..mass=1..2:3", "a key consists of names joined by dots, such as link.crank.mass"),
         ("link[x].mass=1..2:3", "`[x]` is no element: write a whole number from 0"),
         ("link[0.mass=1..2:3", "a `[` is not closed"),
-        ("link[0]mass=1..2:3", "a key goes on with `.` or `[`, not `mass`"),
+        ("link[0]mass=1..2:3", "a key continues with `.` or `[`, not `mass`"),
         ("link.'crank=1..2:3", "a quote is not closed"),
     ] {
         assert_eq!(fault(vary), format!("`{vary}`: {problem}"));
