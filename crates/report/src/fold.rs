@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Signs of units and formulas, and letters that have an ASCII twin.
+/// Signs of units and formulas, and letters that have an ASCII equivalent.
 const TWINS: &[(char, &str)] = &[
     ('·', "*"),
     ('×', "*"),

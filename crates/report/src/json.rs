@@ -9,7 +9,7 @@ use serde_json::ser::{Formatter, Serializer};
 /// A result can't be written as JSON.
 #[derive(Debug, thiserror::Error)]
 pub enum JsonError {
-    /// The writer refuses.
+    /// The writer fails.
     #[error("the result can't be written as JSON: {0}")]
     Write(#[from] serde_json::Error),
     /// A number is not finite.
@@ -17,11 +17,11 @@ pub enum JsonError {
     NotFinite(#[from] NotFinite),
 }
 
-/// A number of the results is not finite: nothing is written, in no form.
+/// A number of the results is not finite: nothing is written, in any format.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the number found for `{place}` is not finite, so the results are not written")]
 pub struct NotFinite {
-    /// Where it stands in the JSON: `positions[3].links.rocker.pf1`.
+    /// Its place in the JSON: `positions[3].links.rocker.pf1`.
     pub place: String,
 }
 
@@ -39,7 +39,7 @@ pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
     }
 }
 
-/// Where the first `null` stands, which a number that is not finite becomes; results hold no others.
+/// The place of the first `null`, which is written for a number that is not finite; results contain no others.
 fn null(value: &Value) -> Option<String> {
     match value {
         Value::Null => Some(String::new()),
@@ -59,7 +59,7 @@ struct Strict {
 }
 
 impl Formatter for Strict {
-    /// Results hold no empty options, so this is only asked for NaN and infinity.
+    /// Results contain no empty options, so this is only called for NaN and infinity.
     fn write_null<W: ?Sized + Write>(&mut self, _writer: &mut W) -> io::Result<()> {
         Err(io::Error::new(io::ErrorKind::InvalidData, "a number is not finite"))
     }

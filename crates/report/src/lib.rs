@@ -1,6 +1,6 @@
-//! The forms in which what was found is handed over: text, JSON, CSV; and what is calculated, explained in words.
+//! The output formats of results: text, JSON, CSV; and explanations in words of what is calculated.
 //!
-//! [`json`], [`text`] and [`csv`] write it to a string or a writer and touch no file. Everything is SI, angles in rad; only
+//! [`json`], [`text`] and [`csv`] write to a string or a writer, never to a file. Everything is SI, angles in rad; only
 //! the text report converts (degrees, millimeters).
 
 pub mod csv;

@@ -1,4 +1,4 @@
-//! A parameter that was found in the scene: what is written at each of its values, and what that is in SI.
+//! A parameter of the grid, found in the scene: the text for each of its values, and the values in SI.
 
 use std::ops::Range;
 
@@ -25,9 +25,9 @@ pub(crate) struct Axis {
 /// One value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AxisValue {
-    /// As the scene has it.
+    /// As written into the scene.
     pub(crate) toml: String,
-    /// As a message has it: "120 mm".
+    /// As shown in messages: "120 mm".
     pub(crate) shown: String,
     /// In SI.
     pub(crate) si: f64,
@@ -60,7 +60,7 @@ impl Axis {
     }
 }
 
-/// Both ends; a unit on one side serves both.
+/// Both ends; if only one has a unit, it applies to both.
 fn ends(vary: &Vary) -> Result<(End, End), String> {
     let end = |text: &str| match split(text) {
         Some((number, unit)) => Ok(End { number, unit }),
@@ -109,7 +109,7 @@ fn dimension(
     }
 }
 
-/// The kind that the ends have, among those that the scene takes there.
+/// The kind of quantity of the ends, among those that the scene accepts there.
 fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
     let fits = |kind: Dimension, end: &End| end.unit.is_empty() || quantity(&end.text(), kind).is_ok();
     let fitting: Vec<_> = kinds.iter().filter(|kind| ends.iter().all(|end| fits(**kind, end))).collect();
@@ -124,7 +124,7 @@ fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
     }
 }
 
-/// The values; spaced in the unit of the ends where both have the same, so that decimal steps stay decimal.
+/// The values; spaced in the unit of the ends if both have the same, so that decimal steps stay decimal.
 fn values(count: usize, from: End, to: End, dimension: Option<Dimension>) -> Result<Vec<AxisValue>, String> {
     let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
         Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.to_string()),

@@ -49,7 +49,7 @@ pub enum SweepError {
     Threads {
         /// How many.
         threads: usize,
-        /// What the system says.
+        /// The message of the system.
         problem: String,
     },
 }

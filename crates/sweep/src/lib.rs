@@ -8,7 +8,7 @@
 //!
 //! A parameter is `KEY=FROM..TO:N` ([`Vary`]): N values, equally spaced, FROM and TO among them (only FROM where N is 1).
 //! KEY is a dotted path into the scene: `link.crank.mass`, `ground.points.C[1]`, `slide[0].angle`, `force.cutting.value`.
-//! FROM and TO are quantities; a unit on one side serves both, and without a unit they are SI.
+//! FROM and TO are quantities; if only one has a unit, it applies to both, and without a unit they are SI.
 //! Of several parameters, the last one changes fastest.
 //!
 //! # The columns
@@ -33,7 +33,8 @@
 //! | `end_time_s`, `end_coordinate_*`, `end_speed_*` | transient motion: the last state |
 //! | `motor` | designation of the motor |
 //!
-//! Extremes are over the positions of the scene; of equal ones the first counts. Columns of what no point has are left out.
+//! Extremes are over the positions of the scene; of equal ones the first counts. Columns without a value at any point
+//! are left out.
 
 mod axis;
 mod error;

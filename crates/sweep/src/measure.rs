@@ -20,8 +20,8 @@ impl Units {
     }
 }
 
-/// The columns of an analysis without failures. `groups`: how many groups are solved; `transient`: whether the
-/// trajectory runs to an end state.
+/// The columns of an analysis without failures. `groups`: number of solved groups; `transient`: whether the trajectory
+/// has an end state.
 pub(crate) fn cells(analysis: &Analysis, groups: usize, transient: bool) -> Cells {
     let mut cells = Cells::default();
     let units = Units::of(analysis);
@@ -47,7 +47,7 @@ fn health(analysis: &Analysis, groups: usize, units: Units, cells: &mut Cells) {
         known if known < groups => 0.0,
         _ => position.condition.iter().map(|(_, condition)| 1.0 / condition).fold(f64::INFINITY, f64::min),
     };
-    // The least is the greatest of the negatives.
+    // The least value is the negative of the greatest negated one.
     let healths = analysis.positions.iter().map(|position| (position.coordinate, -least(position)));
     if let Some((at, negative)) = greatest(healths) {
         cells.add("smallest_health", -negative);

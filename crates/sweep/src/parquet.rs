@@ -25,7 +25,7 @@ pub struct ParquetError(#[from] Inner);
 ///
 /// # Errors
 ///
-/// [`ParquetError`] where the writer refuses.
+/// [`ParquetError`] if the writer fails.
 pub fn to_parquet(table: &Table) -> Result<Vec<u8>, ParquetError> {
     let properties = WriterProperties::builder().set_compression(Compression::UNCOMPRESSED);
     let created_by = concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned();

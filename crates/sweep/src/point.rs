@@ -8,7 +8,7 @@ use assur_mechanism::{Mechanism, Motion};
 use crate::row::{Row, SharedNames};
 use crate::{Status, measure};
 
-/// Calculates a mechanism and keeps the values of the columns.
+/// Calculates a mechanism and extracts the values of the columns.
 pub(crate) fn row(mechanism: Mechanism, options: &Options, names: &SharedNames) -> Row {
     let refused = |error: AnalysisError| {
         let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
@@ -44,7 +44,7 @@ pub(crate) fn row(mechanism: Mechanism, options: &Options, names: &SharedNames) 
     }
 }
 
-/// Positions that have failures; a position may have several.
+/// Number of positions with failures; a position may have several failures.
 fn failed(failures: &[Failure]) -> usize {
     let mut positions: Vec<_> = failures.iter().map(|failure| failure.index).collect();
     positions.sort_unstable();
@@ -52,7 +52,7 @@ fn failed(failures: &[Failure]) -> usize {
     positions.len()
 }
 
-/// Whether it was the assembly that failed.
+/// Whether the assembly failed.
 fn status(calculation: &Calculation, first: &Failure) -> Status {
     let mut position = calculation.linkage.position();
     match calculation.linkage.solve_index(first.index, Order::Place, &mut position) {

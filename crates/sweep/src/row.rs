@@ -1,11 +1,11 @@
-//! What was found at one point.
+//! The results of one point.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::Status;
 
-/// What was found at one point.
+/// The results of one point.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Row {
     /// The parameters, SI.
@@ -64,14 +64,14 @@ impl Cells {
     }
 }
 
-/// The lists of names met so far: nearly always one, that all rows share.
+/// Lists of names, stored once: nearly always all rows share one list.
 #[derive(Debug, Default)]
 pub(crate) struct SharedNames(Mutex<BTreeSet<Arc<[String]>>>);
 
 impl SharedNames {
     /// The one copy of these names.
     pub(crate) fn shared(&self, names: Vec<String>) -> Arc<[String]> {
-        // The set is whole even where another thread panicked.
+        // The set is consistent even if another thread panicked.
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known.get(&*names) {
             return Arc::clone(found);

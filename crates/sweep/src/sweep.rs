@@ -14,7 +14,7 @@ use crate::axis::{Axis, AxisValue};
 use crate::row::{Row, SharedNames};
 use crate::{Status, SweepError, Table, Vary, point};
 
-/// Points that one grid may have.
+/// Most points of a grid.
 pub const MOST_POINTS: usize = 1_000_000;
 
 /// A scene and a grid of parameters, ready to be run.
@@ -54,8 +54,8 @@ impl Sweep {
         self.points
     }
 
-    /// Calculates every point. The table does not depend on `threads`. `progress` hears how many points are done; it is
-    /// called from any thread.
+    /// Calculates every point. The table does not depend on `threads`. `progress` receives the number of finished
+    /// points; it is called from any thread.
     ///
     /// # Errors
     ///
@@ -118,7 +118,7 @@ impl Sweep {
         Row { parameters: values.iter().map(|value| value.si).collect(), ..row }
     }
 
-    /// A grid of which not one point could be begun is a mistake of the call, not a result.
+    /// If no point of the grid can be calculated, the call is at fault, so there is no table.
     fn refuse_hopeless(&self, rows: &[Row]) -> Result<(), SweepError> {
         let hopeless = |row: &Row| matches!(row.status, Status::Refused | Status::Error);
         if !rows.iter().all(hopeless) {
@@ -132,7 +132,7 @@ impl Sweep {
     }
 }
 
-/// How many points the grid has, within the limit.
+/// The number of points of the grid, within the limit.
 fn points(vary: &[Vary]) -> Result<usize, SweepError> {
     let product = vary.iter().try_fold(1_usize, |product, vary| product.checked_mul(vary.range.count));
     match product {

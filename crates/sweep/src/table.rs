@@ -7,7 +7,7 @@ use crate::row::Row;
 /// How the calculation of a point ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Everything that the scene asks for was found.
+    /// Everything that the scene requests was found.
     Ok,
     /// A position can't be assembled.
     NoAssembly,
@@ -20,7 +20,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// As the table has it.
+    /// The word for it in the table.
     pub fn text(self) -> &'static str {
         match self {
             Self::Ok => "ok",
@@ -56,7 +56,7 @@ impl Table {
         let names = union(&rows);
         for row in rows.iter_mut().filter(|row| !row.names.is_empty() && *row.names != *names) {
             let own = |name| row.names.iter().position(|own| own == name).map(|at| row.values[at]);
-            // What a row lacks is no number, and an empty cell.
+            // A value that a row lacks is NaN, and an empty cell.
             row.values = names.iter().map(|name| own(name).unwrap_or(f64::NAN)).collect();
         }
         let mut columns: Vec<Column> = (0..parameters.len()).map(Column::Parameter).collect();
@@ -81,7 +81,7 @@ impl Table {
     ///
     /// # Errors
     ///
-    /// [`CsvError`] where the writer refuses.
+    /// [`CsvError`] if the writer fails.
     pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
         let row = |row| (0..self.header.len()).map(move |column| self.cell(row, column));
         write(&self.header, (0..self.len()).map(row), ascii)
@@ -135,12 +135,12 @@ fn text(text: &str) -> Cell<'_> {
     if text.is_empty() { Cell::Empty } else { Cell::Text(text) }
 }
 
-/// The names of all rows; one that an earlier row lacks comes after its neighbor to the left.
+/// The names of all rows; a name that an earlier row lacks is inserted after its neighbor to the left.
 fn union(rows: &[Row]) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     let mut last: &[String] = &[];
     for row in rows {
-        // Rows that share their names bring nothing new.
+        // Rows that share their list of names add nothing new.
         if *row.names == *last {
             continue;
         }

@@ -27,7 +27,7 @@ pub(crate) fn suffix(dimension: Dimension) -> &'static str {
     ALL.iter().find(|row| row.0 == dimension).map_or("", |row| row.1)
 }
 
-/// What a value can be, as the reader of scenes says.
+/// The possible values of a key, as determined by the reader of scenes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Takes {
     /// Quantities of these kinds, one or more.
@@ -40,8 +40,8 @@ pub(crate) enum Takes {
     Nothing,
 }
 
-/// What a value can be: quantities of each kind are tried on the reader of scenes, so that there is no second list of what
-/// its keys measure. `accepts` says whether the scene can be read with this in the place of the value; `texts` are
+/// The possible values of a key: quantities of each kind are tried on the reader of scenes, so there is no second list
+/// of the kinds of its keys. `accepts` says whether the scene can be read with this text as the value; `texts` are
 /// quantities whose numbers are tried: the value of the scene, which is within every bound, and the ends of the range.
 pub(crate) fn takes(texts: &[&str], accepts: impl Fn(&str) -> bool) -> Takes {
     let takes = |dimension: Dimension| texts.iter().any(|text| accepts(&as_quantity(text, dimension)));
@@ -57,7 +57,7 @@ pub(crate) fn takes(texts: &[&str], accepts: impl Fn(&str) -> bool) -> Takes {
     }
 }
 
-/// The text itself where it is such a quantity, otherwise its number with the SI unit; as TOML.
+/// The text itself if it is such a quantity, otherwise its number with the SI unit; as TOML.
 fn as_quantity(text: &str, dimension: Dimension) -> String {
     let (number, unit) = split(text).unwrap_or((1.0, String::new()));
     let as_is = !unit.is_empty() && assur_scene::quantity(text, dimension).is_ok();

@@ -5,7 +5,7 @@ use assur_scene::edit::Key;
 use crate::SweepError;
 use crate::range::{self, Range};
 
-/// One parameter of the grid: where it stands in the scene, and its values.
+/// One parameter of the grid: its key in the scene, and its values.
 ///
 /// # Examples
 ///

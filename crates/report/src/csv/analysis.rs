@@ -90,7 +90,7 @@ fn table(rows: &[Row], ascii: bool) -> Result<String, CsvError> {
     write(&names, cells, ascii)
 }
 
-/// The columns that say which position a row is.
+/// The columns that identify the position of a row.
 fn start(position: &PositionResult, units: Units) -> Row {
     let mut row = Row::default();
     row.add("index", position.index as f64);

@@ -15,7 +15,7 @@ pub use analysis::{CsvFile, FILES, to_csv};
 /// A table can't be written as CSV.
 #[derive(Debug, thiserror::Error)]
 pub enum CsvError {
-    /// The writer refuses.
+    /// The writer fails.
     #[error("the result can't be written as CSV: {0}")]
     Write(#[from] ::csv::Error),
     /// A number of the results is not finite.
@@ -42,8 +42,8 @@ pub enum Cell<'a> {
     Text(&'a str),
 }
 
-/// Writes a table; `ascii`: no character beyond ASCII. Columns of one name are told apart by numbers, and a text that a
-/// spreadsheet would take for a formula (`=`, `+`, `-` or `@` in front) gets an underscore in front.
+/// Writes a table; `ascii`: no character beyond ASCII. Columns of one name are distinguished by numbers, and a text
+/// that a spreadsheet would take for a formula (`=`, `+`, `-` or `@` in front) gets an underscore in front.
 ///
 /// # Errors
 ///
@@ -77,7 +77,7 @@ where
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The names, each only once: a second one of a name gets a number.
+/// The names, each only once: repeated names get a number.
 pub fn unique(names: impl IntoIterator<Item = String>) -> Vec<String> {
     let mut used = BTreeSet::new();
     let unique = |name: String| {

@@ -16,8 +16,8 @@ use crate::text::wrap;
 use missing::not_modelled;
 use model::{Remark, modelled};
 
-/// Structure, stages with their methods, what is modelled and what is not: plain lines. `equation`: which equation the motion
-/// has and how it is solved, where that is known ([`assur_analysis::method_of_motion`]).
+/// Structure, stages with their methods, what is modelled and what is not: plain lines. `equation`: the equation of the
+/// motion and how it is solved, where that is known ([`assur_analysis::method_of_motion`]).
 pub fn explain(
     mechanism: &Mechanism,
     structure: &Structure,

@@ -17,7 +17,7 @@ pub(super) fn remark(what: impl Into<String>, how: impl Into<String>) -> Remark 
     Remark { what: what.into(), how: how.into() }
 }
 
-/// What the scene makes part of the model.
+/// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
     let mut list = vec![
@@ -45,7 +45,7 @@ pub(super) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
     (1..mechanism.links.len()).filter(|id| mechanism.links[*id].mass > 0.0).collect()
 }
 
-/// The drive, where the motion makes use of it.
+/// The drive, if the motion uses it.
 pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
     let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
     mechanism.drive.as_ref().filter(|_| found)
@@ -121,7 +121,7 @@ fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     }
 }
 
-/// How a load's size is given.
+/// How the size of a load is given.
 fn law(value: &Value) -> &'static str {
     match value {
         Value::Constant(_) => "constant",

@@ -2,11 +2,11 @@
 
 /// One stage of the calculation.
 pub(super) struct Stage {
-    /// What it finds.
+    /// The result of the stage.
     pub(super) name: &'static str,
-    /// Why it is run, or why not and what would make it run.
+    /// Why it is run; or why not, and what would make it run.
     pub(super) reason: String,
-    /// How it is done; `None` for a stage that is not run.
+    /// The method; `None` for a stage that is not run.
     pub(super) method: Option<String>,
 }
 

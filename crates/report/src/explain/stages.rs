@@ -1,4 +1,4 @@
-//! The stages in the order in which data goes through them, each with its reason and method.
+//! The stages in the order of the calculation, each with its reason and method.
 
 use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
 use assur_structure::Structure;
@@ -110,7 +110,7 @@ fn drive(mechanism: &Mechanism) -> Stage {
     left_out("drive and flywheel", "no motor, reducer or flywheel is given; add `[drive]`")
 }
 
-/// What of the drive is given and what is wanted.
+/// Which quantities of the drive are given and which are to be found.
 fn drive_reason(drive: &Drive) -> String {
     let mut wanted = Vec::new();
     if matches!(drive.torque, Torque::Balance) {
@@ -196,7 +196,7 @@ fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, pl
     left_out(name, "there is neither a load nor a motion; add `gravity`, `[[force]]` or `[motion]`")
 }
 
-/// The groups that carry no load, and what is saved by it.
+/// The groups that carry no load, and the work that this saves.
 fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> String {
     let (carrying, all) = (&plan.groups_carrying, structure.groups.len());
     let idle = carrying.iter().filter(|carrying| !**carrying).count();

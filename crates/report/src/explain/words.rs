@@ -18,9 +18,9 @@ pub(super) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> String {
     listed(ids.iter().map(|&id| mechanism.links[id].name.as_str()))
 }
 
-/// The groups that are not chosen, by their names; of many the first ones.
+/// The names of the groups that are not selected; of many only the first ones.
 pub(super) fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[bool]) -> String {
-    /// More would hide the rest of the sentence.
+    /// More names would hide the rest of the sentence.
     const MOST: usize = 6;
     let left: Vec<_> = (0..chosen.len()).filter(|index| !chosen[*index]).collect();
     let names: Vec<_> = left.iter().take(MOST).map(|&index| structure.group_name(mechanism, index)).collect();

@@ -1,4 +1,4 @@
-//! Motion over time: how it was found, its course, energies, the greatest reactions on the way.
+//! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
 use super::Source;
 use super::forces::{modulus, shown};
@@ -70,7 +70,7 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
     page.paragraph(&format!("{words}: {:.2e}", energy.change));
 }
 
-/// Every so many samples that not more than [`ROWS`] are shown, the last one always.
+/// Every n-th sample, so that at most [`ROWS`] are shown, always including the last one.
 fn some(all: &[MotionSample]) -> Vec<&MotionSample> {
     let stride = all.len().saturating_sub(1).div_ceil(ROWS - 1).max(1);
     let mut rows: Vec<_> = all.iter().step_by(stride).collect();
@@ -100,7 +100,7 @@ fn samples(source: &Source<'_>, page: &mut Page) {
     holding(source, page);
 }
 
-/// What holds the motion at rest or at its speed, from the first sample of each stretch on.
+/// The load that holds the motion at rest or at its speed, from the first sample of each interval of holding.
 fn holding(source: &Source<'_>, page: &mut Page) {
     let (moment, rate) = (source.units.reduced[2], source.units.rates[0]);
     let all = &source.analysis.trajectory;

@@ -8,9 +8,9 @@ use assur_analysis::results::{
     Dynamics, FlywheelByMethod, Iteration, MotorReport, RegimePoint, RegimeReport, RunnerUp, Trial,
 };
 
-/// Rows of the course over a cycle, without the first.
+/// Rows of the table over a cycle, without the first.
 const ROWS: usize = 48;
-/// Radians a second in a revolution a minute.
+/// Factor from revolutions per minute to rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
@@ -95,7 +95,7 @@ fn optional(value: Option<f64>, show: fn(f64) -> String) -> String {
     value.map_or_else(|| "-".to_owned(), show)
 }
 
-/// Ten digits, so that an iteration shows how it closes.
+/// Ten digits, to show how the iteration converges.
 fn digits(value: f64) -> String {
     let size = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
     if !(-4.0..10.0).contains(&size) {
@@ -108,7 +108,7 @@ fn digits(value: f64) -> String {
 
 fn course(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {
     let units = &source.units;
-    // Every so many rows, both ends among them; JSON has all.
+    // Every so many rows, both ends included; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
     let column = |head: &str, unit: Unit, value: fn(&RegimePoint) -> Option<f64>| {

@@ -58,7 +58,8 @@ pub(super) fn modulus(reactions: &Named<PairReaction>, pair: usize, link: usize)
 /// A pair and the links on which its force is shown: indices in the lists of reactions and forces, and names.
 type Shown<'r> = (usize, &'r str, Vec<(usize, &'r str)>);
 
-/// All pairs, each with the links that are shown: of two links the first that moves (the other has the opposite), of more all.
+/// All pairs, each with the links that are shown: of two links the first that moves (the force on the other is
+/// opposite), of more links all.
 pub(super) fn shown<'r>(source: &Source<'_>, reactions: &'r Named<PairReaction>) -> Vec<Shown<'r>> {
     let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
     let links = |reaction: &'r PairReaction| match &reaction.forces[..] {
@@ -105,7 +106,7 @@ fn of_pair(source: &Source<'_>, pair: usize, link: usize, slide: bool) -> Vec<Co
     columns
 }
 
-/// Angle of a force; a force of nothing has none. A component that is rounding does not count.
+/// Angle of a force; a zero force has none. A component that is rounding counts as zero.
 fn direction(force: [f64; 2]) -> Option<f64> {
     let modulus = force[0].hypot(force[1]);
     let [x, y] = force.map(|part| if part.abs() <= 1e-12 * modulus { 0.0 } else { part });
@@ -157,14 +158,14 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
     ));
 }
 
-/// The position with the greatest modulus, the first of those that are alike but for rounding: a cycle often has two.
+/// The position with the greatest modulus, the first of those that are equal up to rounding: a cycle often has two.
 fn greatest_balancing(positions: &[PositionResult]) -> Option<&PositionResult> {
     let with = positions.iter().filter_map(|position| Some((position, position.balancing?.abs())));
     let greater = |best: (_, f64), next: (_, f64)| if next.1 > best.1 * (1.0 + 1e-9) { next } else { best };
     with.reduce(greater).map(|(position, _)| position)
 }
 
-/// What each cause alone would do.
+/// The share of each cause.
 fn causes(source: &Source<'_>, page: &mut Page) {
     let positions = &source.analysis.positions;
     let found = positions.iter().find_map(|p| Some((p.reactions.as_ref()?, p.by_cause.as_ref()?)));

@@ -25,12 +25,12 @@ pub(super) struct Column {
 enum Cells {
     /// Text as it is.
     Text(Vec<String>),
-    /// Numbers, which get their digits when it is known what stands beside them; `None` is a dash.
+    /// Numbers, whose digits are set when the other columns of their unit are known; `None` is a dash.
     Numbers(Vec<Option<f64>>),
 }
 
 impl Column {
-    /// A quantity of each row, from SI.
+    /// A quantity of each row, converted from SI.
     pub(super) fn of<'r, T: 'r>(
         rows: impl IntoIterator<Item = &'r T>,
         head: impl Into<String>,
@@ -56,7 +56,7 @@ impl Column {
         }
     }
 
-    /// With its digits; `largest`: of all columns of the same unit.
+    /// The formatted cells; `largest`: of all columns of this unit.
     fn ready(self, largest: f64, ascii: bool) -> Ready {
         let cells = match self.cells {
             Cells::Text(cells) => cells,
@@ -68,7 +68,7 @@ impl Column {
     }
 }
 
-/// A column whose cells are text.
+/// A column of texts.
 #[derive(Debug)]
 struct Ready {
     head: String,
@@ -133,7 +133,7 @@ impl Page {
         self.text += &wrap(&fold(words, self.ascii), 0, 2);
     }
 
-    /// Text that is laid out already.
+    /// Text that is already formatted.
     pub(super) fn text(&mut self, text: &str) {
         self.text += text;
     }

@@ -23,7 +23,7 @@ pub use layout::columns;
 pub(crate) use layout::wrap;
 use units::Units;
 
-/// What the sections of a report are made from.
+/// The data of a report.
 struct Source<'a> {
     analysis: &'a Analysis,
     mechanism: &'a Mechanism,
@@ -69,8 +69,8 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> Result
     Ok(page.finish())
 }
 
-/// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be judged; below, what
-/// was not judged, and why.
+/// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be checked;
+/// below, the positions that were not checked, and why.
 pub fn checks(checks: &[Check], ascii: bool) -> String {
     let row = |check: &Check| {
         vec![
@@ -95,7 +95,7 @@ fn verdict(check: &Check) -> &'static str {
     }
 }
 
-/// In how many positions which checks could not judge, and why: one sentence for those that have both in common.
+/// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
 pub fn not_judged(checks: &[Check]) -> Vec<String> {
     let mut kinds: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for check in checks.iter().filter(|check| check.left_out > 0) {
@@ -114,7 +114,7 @@ pub fn not_judged(checks: &[Check]) -> Vec<String> {
     kinds.into_iter().map(sentence).chain(alone).collect()
 }
 
-/// Broken into lines of the report's width, the ones after the first `indent` columns in.
+/// Broken into lines of the report's width; all but the first are indented by `indent` columns.
 pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
     wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, 0, indent)
 }

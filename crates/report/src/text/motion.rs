@@ -1,4 +1,4 @@
-//! Positions, transfer functions, velocities and accelerations; how near the groups come to singular positions.
+//! Positions, transfer functions, velocities and accelerations; nearness of the groups to singular positions.
 
 use assur_analysis::results::{Named, PositionResult};
 use assur_mechanism::GROUND;
@@ -7,8 +7,8 @@ use super::Source;
 use super::layout::{Column, Page};
 use super::units::{MOVING, TURNING, Unit};
 
-/// A column of a table over the positions: its head (`*` stands for the name of what it belongs to), its unit, and the value
-/// of the i-th thing in a position.
+/// A column of a table over the positions: its head (`*` stands for the name of the element), its unit, and the value
+/// of the i-th element in a position.
 type Part = (&'static str, Unit, fn(&PositionResult, usize) -> Option<f64>);
 
 /// A column of one quantity over the positions.
@@ -64,7 +64,7 @@ fn all<T>(named: &Named<T>) -> Vec<(usize, &str)> {
     named.iter().map(|(name, _)| name).enumerate().collect()
 }
 
-/// Points of a position that move: those of the ground stand among the dimensions.
+/// Points of a position that move: those of the ground are listed among the dimensions.
 fn moving<'a, T>(source: &Source<'_>, points: &'a Named<T>) -> Vec<(usize, &'a str)> {
     let fixed = |name: &str| {
         let id = source.mechanism.point(name);

@@ -3,11 +3,11 @@
 /// Significant digits of the largest value of a column.
 const DIGITS: i32 = 6;
 
-/// A number below this part of the largest of its kind is rounding, and shown as zero.
+/// A number below this part of the largest of its kind is shown as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// The values of one column with one number of decimals: as many as its largest needs for six significant digits, so that
-/// what is small beside it shows as small. `None` is a dash. `kind`: the largest number of the same unit nearby.
+/// Formats the values of one column with one number of decimals: as many as its largest needs for six significant
+/// digits, so that small values are seen to be small. `None` is a dash. `kind`: the largest number of this unit nearby.
 pub(super) fn column(values: &[Option<f64>], kind: f64) -> Vec<String> {
     let clean = |value: f64| if value.abs() <= ROUNDING * kind { 0.0 } else { value };
     let values: Vec<_> = values.iter().map(|value| value.map(clean)).collect();

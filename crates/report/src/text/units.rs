@@ -1,6 +1,6 @@
-//! Units of the report, which depend on what the input coordinate is.
+//! Units of the report, which depend on the kind of the input coordinate.
 
-/// A unit and what SI values are multiplied by.
+/// A unit and the factor from SI.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Unit {
     /// Name in headers.

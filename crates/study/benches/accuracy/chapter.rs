@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use assur_study::chart::{ChartData, Row, Stage, WIDTH, stage_text, units};
 
-/// Errors for which the fastest method is told.
+/// Errors for which the fastest method is reported.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
 
 /// A chapter on one scene; its tables have the Pareto front only.
@@ -24,7 +24,7 @@ pub(crate) fn chapter(data: &ChartData, file: &str) -> String {
     text
 }
 
-/// What a stage says, in sentences: the fastest method for each accuracy, and what failed.
+/// Conclusions on a stage, in sentences: the fastest method for each accuracy, and the failures.
 fn words(data: &ChartData, stage: Stage) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     let mut last: Option<&Row> = None;
@@ -72,7 +72,7 @@ fn sentence(row: &Row, wanted: f64, stage: Stage) -> String {
     )
 }
 
-/// Methods of which no row did the whole work, each with its first reason.
+/// Methods without any row that did all of the work, each with its first reason.
 fn failures(data: &ChartData, stage: Stage) -> Vec<String> {
     let mut names: Vec<&str> = Vec::new();
     let mut said = Vec::new();

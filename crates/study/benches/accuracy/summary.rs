@@ -1,4 +1,4 @@
-//! The page on all scenes: the fastest method for each accuracy, what `auto` takes, then a chapter on each.
+//! The page on all scenes: the fastest method for each accuracy, the choice of `auto`, then a chapter on each.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use assur_study::chart::{ChartData, Row, Stage, Value, units};
 
 use crate::chapter::fastest;
 
-/// Errors that the summary asks for.
+/// Errors for which the summary gives the fastest method.
 const WANTED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 const ABOUT: &str = "\
@@ -50,7 +50,7 @@ pub(crate) fn summary(charts: &[ChartData], chapters: &str) -> String {
     format!("{text}\n{chapters}")
 }
 
-/// What `auto` takes, and its time against the fastest method that meets the tolerance.
+/// The choice of `auto`, and its time against the fastest method that meets the tolerance.
 fn automatic(charts: &[ChartData]) -> String {
     let with: Vec<_> = charts.iter().filter(|data| data.of(Stage::Motion).any(|row| row.auto)).collect();
     if with.is_empty() {
@@ -92,7 +92,7 @@ fn cell(row: &Row) -> String {
     format!("`{}`{between}{setting}: {time}", row.method)
 }
 
-/// What `auto` takes when asked for this tolerance, and its time over that of the fastest row that meets it.
+/// The choice of `auto` for this tolerance, and its time over that of the fastest row that meets it.
 fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Row, f64)> {
     let is_asked = |row: &&Row| match row.setting.get("tolerance") {
         Some(Value::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,

@@ -1,10 +1,10 @@
-//! Which rows of the motion are what `auto` takes.
+//! Which rows of the motion are the choice of `auto`.
 
 use assur_integrator::{AUTO, Dependence, choose};
 
 use super::{Row, Stage, Value};
 
-/// Marks the rows that `auto` would take for their tolerance; a method without one is taken for every tolerance.
+/// Marks the rows that `auto` would choose for their tolerance; a method without one is chosen for every tolerance.
 pub(super) fn mark(rows: &mut [Row], dependence: Dependence) {
     for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
         let tolerance = match row.setting.get("tolerance") {

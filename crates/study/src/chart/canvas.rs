@@ -3,7 +3,7 @@
 use super::scatter::{Scatter, letter};
 use super::units;
 
-/// Width of what stands left of the plot.
+/// Width of the labels left of the plot.
 const MARGIN: usize = 7;
 
 /// Characters of a drawing.
@@ -56,7 +56,7 @@ impl<'a> Canvas<'a> {
         let cells = vec![vec![strokes.grid; columns]; rows];
         let mut canvas = Self { scatter, strokes, cells };
         canvas.join_front();
-        // Marks of the front last, so that they lie on top.
+        // Marks of the front last, so that they are on top.
         for front in [false, true] {
             for mark in scatter.marks.iter().filter(|mark| mark.front == front) {
                 let (column, row) = canvas.cell(mark.seconds, mark.error);
@@ -73,7 +73,7 @@ impl<'a> Canvas<'a> {
         (column, rows - 1 - row)
     }
 
-    /// Dots from mark to mark of the front.
+    /// Dots between the marks of the front.
     fn join_front(&mut self) {
         let cells: Vec<_> =
             self.scatter.front().iter().map(|mark| self.cell(mark.seconds, mark.error)).collect();

@@ -22,7 +22,7 @@ const HEADER: [&str; 13] = [
 ///
 /// # Errors
 ///
-/// Of the writer; there is no value here that it refuses.
+/// The error of the writer, which no value here causes.
 pub fn csv(data: &ChartData) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER)?;

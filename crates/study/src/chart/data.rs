@@ -1,4 +1,4 @@
-//! What a chart holds.
+//! The data of a chart.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ pub struct ChartData {
     pub reference: BTreeMap<Stage, String>,
     /// By stage: the reference's own relative error, as estimated.
     pub reference_error: BTreeMap<Stage, f64>,
-    /// Whether everything that was to be measured has been.
+    /// Whether the measurement is complete.
     pub complete: bool,
 }
 
@@ -62,7 +62,7 @@ impl Stage {
         }
     }
 
-    /// What the times of a stage are for.
+    /// The caption of a stage's times.
     pub fn unit_words(self) -> &'static str {
         match self {
             Self::Kinematics | Self::Forces => "one position",
@@ -135,7 +135,7 @@ impl std::fmt::Display for Setting {
     }
 }
 
-/// The name of a setting that says that a method gives a part only of what is asked.
+/// The name of a setting that says that a method gives only a part of the requested results.
 pub(crate) const GIVES: &str = "gives";
 
 /// One method at one setting.
@@ -162,14 +162,15 @@ pub struct Row {
     pub ok: bool,
     /// Why not, or why something is missing.
     pub reason: Option<String>,
-    /// Whether it stands on the Pareto front of its stage: no other that does the whole work is both faster and more exact.
+    /// Whether it is on the Pareto front of its stage: no other row that does the whole work is both faster and more
+    /// exact.
     pub front: bool,
-    /// Whether it is what the program itself takes for the motion when asked for this tolerance.
+    /// Whether it is the program's own choice for the motion with this tolerance.
     pub auto: bool,
 }
 
 impl Row {
-    /// A row without figures yet.
+    /// A row without measurements yet.
     pub(crate) fn new(stage: Stage, method: &str, setting: Setting) -> Self {
         Self {
             stage,
@@ -187,19 +188,19 @@ impl Row {
         }
     }
 
-    /// Whether the method answers all that is asked in its stage, so that it may be compared with the others.
+    /// Whether the method gives all results of its stage, so that it may be compared with the others.
     pub fn whole(&self) -> bool {
         self.setting.get(GIVES).is_none()
     }
 
-    /// Time and error, where the method did all of its work and both are known.
+    /// Time and error, if the method did all of its work and both are known.
     pub fn point(&self) -> Option<(f64, f64)> {
         self.ok.then_some(())?;
         self.seconds.zip(self.error)
     }
 }
 
-/// How a stage is judged.
+/// The reference of a stage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     /// How it was obtained.
@@ -214,11 +215,11 @@ impl ChartData {
         self.rows.iter().filter(move |row| row.stage == stage)
     }
 
-    /// One line of JSON, as the contract of results says.
+    /// One line of JSON, in the format of results.
     ///
     /// # Errors
     ///
-    /// Of the serializer; there is no value here that it refuses.
+    /// The error of the serializer, which no value here causes.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|line| line + "\n")
     }

@@ -1,21 +1,21 @@
-//! What takes part in a stage.
+//! The methods of a stage.
 
 use super::ruler::greater;
 use super::{Reference, Row};
 
-/// What a run gave.
+/// The outcome of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Verdict {
     /// Evaluations in one unit of work.
     pub(crate) evaluations: Option<u64>,
-    /// Largest relative deviation; `None` where nothing came out.
+    /// Largest relative deviation; `None` without a result.
     pub(crate) error: Option<f64>,
     /// What failed.
     pub(crate) failure: Option<String>,
 }
 
 impl Verdict {
-    /// The verdict on a run over positions: the largest of their errors, and what failed.
+    /// The outcome of a run over positions: the largest of their errors, and the failures.
     pub(crate) fn of_positions(
         evaluations: u64,
         errors: impl ExactSizeIterator<Item = Result<f64, String>>,
@@ -42,7 +42,7 @@ impl Verdict {
         Self { evaluations: Some(evaluations), error: worst, failure }
     }
 
-    /// The verdict on a run that gives one number: that number and its evaluations, or why there is none.
+    /// The outcome of a run that gives one number: that number and its evaluations, or why there is none.
     pub(crate) fn of_number(solved: Result<(f64, usize), String>, truth: f64) -> Self {
         match solved {
             Ok((found, count)) => {
@@ -54,11 +54,11 @@ impl Verdict {
     }
 }
 
-/// The work of a method at a setting, done once. With `true` it is compared with the reference; with `false` it is timed, and
-/// what it returns is not looked at.
+/// The work of a method at a setting, done once. With `true` it is compared with the reference; with `false` it is
+/// timed, and its return value is ignored.
 type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
 
-/// A row in the making; without work its reason stands already.
+/// A row that is not measured yet; without work it has its reason already.
 pub(crate) struct Entry<'a> {
     pub(crate) row: Row,
     /// Units of work in one run.
@@ -72,8 +72,8 @@ impl<'a> Entry<'a> {
         Self { row, units: 1.0, work: Some(Box::new(work)) }
     }
 
-    /// A method that solves `count` positions in a run. `solve` is given the index of a position and whether its error is
-    /// wanted; `evaluations`: group solutions in one position.
+    /// A method that solves `count` positions in a run. `solve` receives the index of a position and whether its error
+    /// is needed; `evaluations`: group solutions in one position.
     pub(crate) fn positions(
         row: Row,
         count: usize,
@@ -87,14 +87,14 @@ impl<'a> Entry<'a> {
         Self { units: count.max(1) as f64, ..Self::run(row, run) }
     }
 
-    /// A method that can't take part.
+    /// A method that can't be measured.
     pub(crate) fn refused(mut row: Row, why: impl Into<String>) -> Self {
         row.reason = Some(why.into());
         Self { row, units: 1.0, work: None }
     }
 }
 
-/// All that takes part in a stage, and by what it is judged.
+/// All methods of a stage, and their reference.
 pub(crate) struct Field<'a> {
     pub(crate) reference: Reference,
     pub(crate) entries: Vec<Entry<'a>>,

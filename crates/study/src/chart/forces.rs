@@ -13,13 +13,13 @@ use super::ruler::{difference, greater};
 use super::work::Work;
 use super::{ChartError, Reference, Row, Setting, Stage, Value};
 
-/// The positions with their loads, and the true reactions.
+/// The positions with their loads, and the reference reactions.
 pub(crate) struct Loaded<'a> {
     work: &'a Work<'a>,
     positions: Vec<Position>,
     /// By position: all loads about the origins of the links.
     loads: Vec<Vec<Wrench<f64>>>,
-    /// By position: the balancing load of size 1, where it is not the drive's.
+    /// By position: the balancing load of size 1, if it is not the drive's.
     units: Vec<Option<UnitBalance>>,
     truth: Vec<Truth>,
     /// Greatest force, moment and balancing load over the work.
@@ -68,7 +68,7 @@ impl<'a> Loaded<'a> {
         Ok(loaded)
     }
 
-    /// Whether nothing acts anywhere: then there are no forces to find.
+    /// Whether all loads are zero: then there are no forces to find.
     pub(crate) fn is_idle(&self) -> bool {
         self.loads.iter().flatten().all(|load| *load == Wrench::ZERO)
     }
@@ -124,7 +124,7 @@ fn sizes(truth: &[Truth], scale: f64) -> [f64; 3] {
     [force, moment, positive(balancing, moment)]
 }
 
-/// All that can give forces.
+/// All methods that can give forces.
 pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError> {
     let linkage = loaded.work.linkage;
     let mut entries = Vec::new();

@@ -14,7 +14,7 @@ use super::{ChartError, Options, Row, Setting, Stage};
 use differences::{Differentiator, Stencil};
 use general::{Places, general};
 
-/// All that can give transfer functions.
+/// All methods that can give transfer functions.
 pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a>, ChartError> {
     let number = |method: &str, name| row(method, Setting::word("number", name));
     let mut entries = vec![
@@ -45,7 +45,7 @@ fn row(method: &str, setting: Setting) -> Row {
     Row::new(Stage::Kinematics, method, setting)
 }
 
-/// A method over all positions that solves the whole mechanism so many times in each.
+/// A method over all positions, with the number of solutions of the whole mechanism in each.
 fn of_positions<'a>(
     work: &Work<'_>,
     row: Row,
@@ -66,7 +66,7 @@ fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, String>
     }
 }
 
-/// The closed forms in another number.
+/// The closed forms in another number type.
 fn closed<'a, T: Number>(
     work: &'a Work<'a>,
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
@@ -81,7 +81,7 @@ fn closed<'a, T: Number>(
     })
 }
 
-/// What a chain says, with group and coordinate.
+/// The error of a chain, with group and coordinate.
 fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> String {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     format!("{group}, coordinate {q:.9}: {}", error.source)

@@ -1,6 +1,6 @@
 //! Speed against accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
 //!
-//! [`chart`] measures; [`ChartData`] is what it finds, as data for JSON, [`csv()`] and [`text()`].
+//! [`chart`] measures; [`ChartData`] is the result, as data for JSON, [`csv()`] and [`text()`].
 //!
 //! * **Errors** are the largest deviation from a reference, relative to the largest value of the same quantity over the
 //!   work. The reference is better than what it judges: extended precision, a closed form, or a tight run of another

@@ -57,7 +57,7 @@ fn row(method: &str, setting: Setting) -> Row {
     Row::new(Stage::Motion, method, setting)
 }
 
-/// The settings of a method: tolerances, or steps in parts of the whole motion, or none.
+/// The settings of a method: tolerances, or steps as parts of the whole motion, or none.
 fn settings(
     plugin: &IntegratorPlugin,
     task: &Task<'_>,
@@ -70,7 +70,7 @@ fn settings(
             .decades(-3, -13)
             .map(|tolerance| (Setting::number("tolerance", tolerance), Request { tolerance, ..base }))
             .collect(),
-        // A third of a decade and half a decade are as good; nine steps over four decades.
+        // Steps of a third or of half a decade serve equally well; nine steps over four decades.
         Knob::Step => (0..9)
             .step_by(if options.quick { 2 } else { 1 })
             .map(|half| duration / 30.0 / 10.0_f64.powf(0.5 * f64::from(half)))

@@ -1,12 +1,12 @@
-//! How a chart is asked for.
+//! Options of a chart.
 
-/// A clock that the program lends.
+/// A clock that the caller provides.
 pub trait Clock {
     /// Time since some fixed instant, s; never goes back.
     fn seconds(&mut self) -> f64;
 }
 
-/// How thoroughly is measured.
+/// How thorough the measurement is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// Every second setting, few repetitions, at most [`limit`](Self::limit) in all.
@@ -17,7 +17,7 @@ pub struct Options {
     pub rounds: usize,
     /// Time after which no further row is begun, s.
     pub limit: f64,
-    /// Most steps of an integrator; one that needs more keeps its row with the reason.
+    /// Most steps of an integrator; if one needs more, its row has the reason.
     pub max_steps: usize,
 }
 
@@ -43,7 +43,7 @@ impl Default for Options {
     }
 }
 
-/// How far a chart is.
+/// Progress of a chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// The stage in work.

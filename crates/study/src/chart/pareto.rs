@@ -1,7 +1,7 @@
 //! The Pareto front.
 
-/// Indices of the points that no other beats in both coordinates (smaller is better), from the fastest to the most exact.
-/// Of equal points the first stands on the front.
+/// Indices of the points for which no other point is better in both coordinates (smaller is better), from the fastest
+/// to the most exact. Of equal points the first is on the front.
 pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| {
@@ -17,7 +17,7 @@ pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// Marks the rows that stand on the front of their stage.
+/// Marks the rows that are on the front of their stage.
 pub(crate) fn mark(rows: &mut [super::Row]) {
     for stage in super::Stage::ALL {
         let known: Vec<(usize, (f64, f64))> = rows

@@ -1,4 +1,4 @@
-//! Measuring the rows of a stage: each judged once, then timed in turns.
+//! Measuring the rows of a stage: each is compared with the reference once, then timed in turns.
 
 use std::ops::ControlFlow;
 
@@ -25,18 +25,18 @@ pub(crate) struct Judge<'a> {
     pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     /// When the chart began.
     pub(crate) start: f64,
-    /// Someone asked to stop.
+    /// A stop was requested.
     pub(crate) stopped: bool,
 }
 
-/// An entry that is judged and gives something to time.
+/// An entry that was compared with the reference and can be timed.
 struct Timed<'e, 'a> {
     entry: &'e mut Entry<'a>,
     /// Runs in one stretch.
     runs: f64,
-    /// How often it shall be timed.
+    /// Number of timings to take.
     rounds: usize,
-    /// Time of one run, s, each time.
+    /// Measured times of one run, s.
     times: Vec<f64>,
 }
 
@@ -51,7 +51,7 @@ impl Judge<'_> {
         self.clock.seconds() - self.start > self.options.limit
     }
 
-    /// Judges and times all entries of a stage.
+    /// Compares and times all entries of a stage.
     pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Row> {
         let Field { reference, mut entries } = field;
         let total = entries.len() + self.options.rounds;
@@ -77,7 +77,7 @@ impl Judge<'_> {
         entries.into_iter().map(|entry| entry.row).collect()
     }
 
-    /// One judged run; its time where it did anything.
+    /// The run that is compared with the reference; its time if it produced a result.
     fn judge(&mut self, entry: &mut Entry<'_>, estimate: f64) -> Option<f64> {
         let work = entry.work.as_mut()?;
         if self.stopped || self.out_of_time() {
@@ -102,12 +102,12 @@ impl Judge<'_> {
         row.error.is_some().then_some(time)
     }
 
-    /// How often each is timed: all share the time of the stage alike.
+    /// Number of timings of each entry: all share the time of the stage equally.
     fn timings<'e, 'a>(&mut self, timed: Vec<(&'e mut Entry<'a>, f64)>) -> Vec<Timed<'e, 'a>> {
         let share = self.options.stage_seconds / timed.len().max(1) as f64;
         let mut timings = Vec::with_capacity(timed.len());
         for (entry, judged) in timed {
-            // The judged run counts as one; short ones are run again to see how long they take when warm.
+            // The compared run counts as one timing; short runs are repeated to measure them warm.
             let (mut runs, mut one, mut times) = (1.0, judged, Vec::new());
             if judged > STRETCH {
                 times.push(judged);
@@ -122,14 +122,14 @@ impl Judge<'_> {
                 reason = "clamped to a small positive number"
             )]
             let rounds = (share / (one * runs)).clamp(0.0, self.options.rounds as f64) as usize;
-            // A median wants some; of what takes long, the judged run must do.
+            // A median needs several timings; for long runs, the compared run must suffice.
             let least = if one * runs < LONG { 2 } else { usize::from(times.is_empty()) };
             timings.push(Timed { entry, runs, rounds: rounds.max(least), times });
         }
         timings
     }
 
-    /// One turn of every row that is due: those with few rounds are spread over all.
+    /// One round over every row that is due; rows with few timings are spread over all rounds.
     fn round(&mut self, timings: &mut [Timed<'_, '_>], round: usize, most: usize) {
         for timing in timings {
             let due = (round + 1) * timing.rounds / most > round * timing.rounds / most;
@@ -140,7 +140,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Time of one run, s, from a stretch of some.
+    /// Time of one run, s, averaged over several.
     fn stretch(&mut self, entry: &mut Entry<'_>, runs: f64) -> f64 {
         let Some(work) = entry.work.as_mut() else { return 0.0 };
         let before = self.clock.seconds();
@@ -153,7 +153,7 @@ impl Judge<'_> {
     }
 }
 
-/// More runs, so that a stretch becomes long enough.
+/// More runs, so that the timed interval becomes long enough.
 fn grown(runs: f64, one: f64) -> f64 {
     let wanted = if one > 0.0 { STRETCH / one * 1.2 } else { runs * 10.0 };
     wanted.clamp(runs + 1.0, runs * 10.0).min(MOST_RUNS).ceil()

@@ -1,4 +1,4 @@
-//! Group by group in any number: reactions and the balancing load, by the closed forms of the groups or by their one
+//! Group by group for any number type: reactions and the balancing load, by the closed forms of the groups or by their
 //! linear system.
 
 use assur_force::{UnitBalance, group_by_group};
@@ -6,7 +6,7 @@ use assur_group::{AssurGroup, Body, GroupError, Number, Wrench, reactions_genera
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
-/// Where the reactions of a group come from.
+/// The source of the reactions of a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Forms {
     /// The closed forms of its kind.
@@ -15,7 +15,7 @@ pub(crate) enum Forms {
     General,
 }
 
-/// Reactions in one number, with scratch.
+/// Reactions in one number type, with scratch memory.
 pub(crate) struct Answer<T> {
     pub(crate) pairs: Vec<Wrench<T>>,
     pub(crate) balancing: T,
@@ -30,7 +30,7 @@ impl<T: Number> Answer<T> {
         Self { unit_pairs: pairs.clone(), pairs, balancing: T::ZERO, loads }
     }
 
-    /// Solves one position. `loads`: about the origins of the bodies; `unit`: the balancing load of size 1, where it does
+    /// Solves one position. `loads`: about the origins of the bodies; `unit`: the balancing load of size 1, if it does
     /// not act on the input link.
     pub(crate) fn solve(
         &mut self,

@@ -3,11 +3,11 @@
 use assur_group::Body;
 use assur_number::{Dd, Real};
 
-/// Of each number of a body, which quantity it belongs to:
-/// place, direction, PF1 and PF2 of the origin, PF1 and PF2 of the angle.
+/// For each number of a body, the quantity to which it belongs: position, direction, PF1 and PF2 of the origin, PF1 and
+/// PF2 of the angle.
 const QUANTITY: [usize; 10] = [0, 0, 1, 1, 2, 2, 3, 4, 4, 5];
 
-/// A quantity below this part of its natural size is zero.
+/// A quantity below this part of its natural size counts as zero.
 const NOTHING: f64 = 1e-12;
 
 /// Sizes of the quantities of all links over the work.
@@ -30,7 +30,7 @@ impl Ruler {
         let [_, _, first, turn, _, _] = sizes;
         let natural = [scale, 1.0, scale * turn, 1.0, (first * turn).max(scale * turn * turn), turn * turn];
         for (size, natural) in sizes.iter_mut().zip(natural) {
-            // What is zero everywhere has the size of its rounding only.
+            // A quantity that is zero everywhere has only the size of its rounding.
             if *size <= NOTHING * natural {
                 *size = natural;
             }
@@ -41,7 +41,7 @@ impl Ruler {
         Self { sizes }
     }
 
-    /// Largest relative deviation of one position; NaN where a number is.
+    /// Largest relative deviation of one position; NaN if a number is NaN.
     pub(crate) fn deviation<T: Real>(&self, reference: &[Body<Dd>], found: &[Body<T>]) -> f64 {
         let mut worst = 0.0;
         for (right, found) in reference.iter().zip(found) {
@@ -53,14 +53,14 @@ impl Ruler {
     }
 }
 
-/// A number less its reference, all digits of both counting.
+/// A number less its reference, with all digits of both.
 pub(crate) fn difference<T: Real>(found: T, reference: Dd) -> f64 {
     let high = found.to_f64();
     let low = (found - T::from_f64(high)).to_f64();
     (Dd::from_f64(high) - reference + Dd::from_f64(low)).to_f64()
 }
 
-/// The greater of two; NaN wins.
+/// The greater of two; NaN if one is NaN.
 pub(crate) fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }

@@ -25,11 +25,11 @@ const SAMPLES_OF_A_CYCLE: usize = 48;
 /// Longest run of an integrator in a quick chart, s.
 const QUICK_RUN: f64 = 0.1;
 
-/// Why a scene has no chart; what fails in one method is a row of it.
+/// Why a scene has no chart; the failure of one method is in its row.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum ChartError {
-    /// The groups can't be built in another number.
+    /// The groups can't be built in another number type.
     #[error(transparent)]
     Compile(#[from] assur_kinematics::CompileError),
     /// No position can be assembled.
@@ -44,7 +44,7 @@ pub enum ChartError {
     /// The loads can't be compiled.
     #[error(transparent)]
     Load(#[from] assur_force::LoadError),
-    /// The equation of motion can't be made.
+    /// The equation of motion can't be set up.
     #[error(transparent)]
     Dynamics(#[from] assur_dynamics::DynamicsError),
     /// No integrator finds the motion.
@@ -55,7 +55,7 @@ pub enum ChartError {
     /// No integrator or no analyzer is linked.
     #[error(transparent)]
     Registry(#[from] assur_force::RegistryError),
-    /// The extended precision finds no answer.
+    /// The extended precision finds no solution.
     #[error(
         "coordinate {coordinate:.9}: the groups have no solution in extended precision there, so that nothing can be judged: \
          the position is singular; change `input.from` or `input.positions`"
@@ -68,12 +68,12 @@ pub enum ChartError {
 
 /// Measures every method of every stage that a mechanism has.
 ///
-/// `progress` is called before each piece of work; when it breaks, what was measured is kept and
+/// `progress` is called before each piece of work; when it breaks, the finished measurements are kept and
 /// [`ChartData::complete`] is false.
 ///
 /// # Errors
 ///
-/// [`ChartError`] where there is nothing to measure.
+/// [`ChartError`] if there is nothing to measure.
 pub fn chart(
     linkage: &Linkage,
     clock: &mut dyn Clock,
@@ -124,7 +124,7 @@ impl Charting<'_> {
         self.motion(linkage, &loads)
     }
 
-    /// Motion, flywheel and steady regime, as far as the scene has them.
+    /// Motion, flywheel and steady regime, as far as the scene defines them.
     fn motion(&mut self, linkage: &Linkage, loads: &Loads) -> Result<(), ChartError> {
         let options = self.judge.options;
         if let Some(Asked::Transient { .. }) = linkage.mechanism.motion {
@@ -154,7 +154,7 @@ impl Charting<'_> {
         Ok(())
     }
 
-    /// How many steps of four evaluations fit into a run of a quick chart.
+    /// Number of steps of four evaluations within a run of a quick chart.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -165,7 +165,7 @@ impl Charting<'_> {
         let mut motion = task.motion.clone();
         let before = self.judge.clock.seconds();
         for _ in 0..EVALUATIONS {
-            // A failure here shows in the rows of the methods.
+            // A failure here is reported in the rows of the methods.
             let _ = std::hint::black_box(motion.reduced(&task.request.initial));
         }
         let one = (self.judge.clock.seconds() - before) / f64::from(EVALUATIONS);

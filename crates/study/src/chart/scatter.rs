@@ -22,7 +22,7 @@ pub(crate) struct Scatter {
     pub(crate) stage: Stage,
     /// The methods, in the order of the rows.
     pub(crate) methods: Vec<String>,
-    /// The points, in the order of the rows; those of the front, taken by time, make the joined line.
+    /// The points, in the order of the rows; those of the front, sorted by time, make the joined line.
     pub(crate) marks: Vec<Mark>,
     /// Exponents of ten between which the times lie.
     pub(crate) time_decades: [i32; 2],
@@ -30,7 +30,7 @@ pub(crate) struct Scatter {
     pub(crate) error_decades: [i32; 2],
 }
 
-/// The smallest error that is drawn: what lies below is drawn here.
+/// The smallest error that is drawn: smaller ones are drawn here.
 const LEAST_ERROR: f64 = 1e-18;
 
 impl Scatter {

@@ -1,5 +1,5 @@
-//! The steady regime, by shooting and by running until it settles; and the flywheel, by the methods of the textbooks and
-//! exactly.
+//! The steady regime, by shooting and by repeating cycles until the speed settles; and the flywheel, by the methods of
+//! the textbooks and exactly.
 
 mod flywheel;
 mod settling;
@@ -18,10 +18,10 @@ use super::{Options, Reference, Row, Setting, Stage};
 
 pub(crate) use flywheel::field as flywheel_field;
 
-/// Of a regime whose small changes die out more slowly than this over a cycle, nothing settles.
+/// Multiplier of small changes over a cycle above which the speed does not settle in reasonable time.
 const NEVER_SETTLES: f64 = 1.0 - 1e-9;
 
-/// The regime of a scene, and what is needed to find it anew.
+/// The regime of a scene, and the data needed to find it again.
 pub(crate) struct Cycle<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) loads: &'a Loads,
@@ -53,7 +53,7 @@ impl<'a> Cycle<'a> {
         Task { motion, request: Request { samples, ..Request::new(initial, Until::Coordinate(end)) } }
     }
 
-    /// The drive as it was found, so that only the regime is to be found again.
+    /// The drive with its found parameters, so that only the regime is to be found again.
     fn drive(&self) -> DriveRequest {
         let drive = self.regime.drive();
         let torque = match drive.source {
@@ -113,7 +113,8 @@ fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), String> {
 /// Most cycles until a regime must have settled.
 const MOST_CYCLES: usize = 10_000;
 
-/// Speed cycle after cycle on the same panels, from the mean speed, until it changes by less than the tolerance; and evaluations.
+/// Repeats cycles on the same panels, from the mean speed, until the change is less than the tolerance; returns the
+/// speed at the start, and evaluations.
 fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), String> {
     let mut machine = cycle.machine();
     let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
@@ -123,7 +124,7 @@ fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), String> {
     Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), machine.count))
 }
 
-/// An equation of motion that counts how often it is asked.
+/// An equation of motion that counts its evaluations.
 #[derive(Debug)]
 struct Counted<M> {
     motion: M,

@@ -4,12 +4,12 @@ use super::canvas;
 use super::scatter::{Scatter, letter};
 use super::{ChartData, Row, Stage, units};
 
-/// Columns of a chart where nothing else is asked for.
+/// Columns of a chart by default.
 pub const WIDTH: usize = 92;
 /// Lines of a scatter.
 const HEIGHT: usize = 20;
 
-/// All stages for a person, in about `width` columns; only a row of a table may be wider.
+/// All stages for a reader, in about `width` columns; only a row of a table may be wider.
 pub fn text(data: &ChartData, ascii: bool, width: usize) -> String {
     let dash = if ascii { "-" } else { "—" };
     let mut text = format!("Speed against accuracy {dash} {}\n", data.title);
@@ -25,7 +25,7 @@ pub fn text(data: &ChartData, ascii: bool, width: usize) -> String {
     text
 }
 
-/// One stage in about `width` columns; its table has the rows that are wanted.
+/// One stage in about `width` columns; its table has the selected rows.
 pub fn stage_text(
     data: &ChartData,
     stage: Stage,

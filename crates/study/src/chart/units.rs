@@ -1,4 +1,4 @@
-//! Numbers as a reader wants them.
+//! Formatting of numbers for a reader.
 
 /// A number in few characters: `1e-6`, `3.2e-5`, `0.02`, `24`.
 pub fn short(number: f64) -> String {

@@ -1,4 +1,4 @@
-//! The work that all methods of transfer functions and forces do: the scene's positions, and the truth about them.
+//! The common work of all methods of transfer functions and forces: the scene's positions, and their reference.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use super::ruler::{Ruler, greater};
 use super::{ChartError, Reference};
 
 /// Positions nearer to a change point than this, in rad or in parts of the scale, are left to the study of stability:
-/// the equations of a group say nothing there.
+/// the equations of a group are undetermined there.
 const NEAR_CHANGE: f64 = 0.02;
 
 /// The positions with their reference.
@@ -83,7 +83,7 @@ impl<'a> Work<'a> {
         if missing > 0 {
             let _ = write!(how, "; at {missing} positions Newton's method could not confirm it");
         }
-        // Rounding of the extended numbers themselves, should both agree in every digit.
+        // Rounding of the extended numbers themselves, if both agree in every digit.
         Reference { how, error: greater(error, Dd::EPSILON) }
     }
 
@@ -102,7 +102,7 @@ fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>>
     bodies.iter().all(|body| body.numbers().iter().all(|x| x.hi.is_finite())).then_some(bodies)
 }
 
-/// One position by Newton's method in extended precision, from rounded places, so that it has something to do.
+/// One position by Newton's method in extended precision, from rounded positions, so that it has a correction to find.
 fn newton_from(chain: &Chain<Dd>, input: usize, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
     let mut bodies: Vec<Body<Dd>> = truth.iter().map(rounded).collect();
     bodies[input] = truth[input];
@@ -113,7 +113,7 @@ fn newton_from(chain: &Chain<Dd>, input: usize, truth: &[Body<Dd>]) -> Option<Ve
     Some(bodies)
 }
 
-/// The pose to single precision, without derivatives.
+/// Rounds the pose to single precision, without derivatives.
 fn rounded(body: &Body<Dd>) -> Body<Dd> {
     let single = |x: Dd| Dd::from_f64(f32::from_f64(x.to_f64()).to_f64());
     Body { x: single(body.x), y: single(body.y), c: single(body.c), s: single(body.s), ..Body::ground() }

@@ -6,17 +6,17 @@ use assur_number::{Dd, Real};
 /// The three orders of transfer functions, as rows name them.
 pub(crate) const ORDERS: [&str; 3] = ["pf0", "pf1", "pf2"];
 
-/// A body in double-double, the same numbers.
+/// Converts a body to double-double, with the same numbers.
 pub(crate) fn lifted(body: &Body<f64>) -> Body<Dd> {
     body.map(Dd::from_f64)
 }
 
-/// A load in double-double, the same numbers.
+/// Converts a load to double-double, with the same numbers.
 pub(crate) fn lifted_load(of: &Wrench<f64>) -> Wrench<Dd> {
     Wrench { fx: Dd::from_f64(of.fx), fy: Dd::from_f64(of.fy), m: Dd::from_f64(of.m) }
 }
 
-/// The numbers of a body that belong to an order, lengths in units of `scale`, angles and directions as they are.
+/// The numbers of a body that belong to an order, lengths in units of `scale`, angles and directions unchanged.
 fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
     let unit = T::from_f64(1.0 / scale);
     let [x, y, c, s, x1, y1, w1, x2, y2, w2] = body.numbers();
@@ -27,8 +27,8 @@ fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
     }
 }
 
-/// Largest deviation of some links, over the largest size of the order, but at least `floor`: where a derivative passes
-/// through zero its digits are gone, and nothing is lost.
+/// Largest deviation of some links, relative to the largest size of the order, but at least to `floor`: where a
+/// derivative passes through zero its digits are lost, which is no error.
 pub(crate) fn transfer(
     found: &[Body<f64>],
     reference: &[Body<Dd>],
@@ -55,7 +55,7 @@ pub(crate) fn size(reference: &[Body<Dd>], links: &[usize], order: usize, scale:
     numbers.fold(floor, |size, number| size.max(number.to_f64().abs()))
 }
 
-/// Largest deviation of reactions over the largest of them, moments in units of force times `scale`.
+/// Largest deviation of reactions relative to the largest of them, moments in units of force times `scale`.
 pub(crate) fn reactions(found: &[Wrench<f64>], reference: &[Wrench<Dd>], scale: f64) -> f64 {
     let (mut deviation, mut size) = (0.0, f64::MIN_POSITIVE);
     for (found, exact) in found.iter().zip(reference) {
@@ -68,7 +68,7 @@ pub(crate) fn reactions(found: &[Wrench<f64>], reference: &[Wrench<Dd>], scale: 
     deviation / size
 }
 
-/// The greater one; NaN if one is NaN, so that nothing hides.
+/// The greater one; NaN if one is NaN, so that no NaN is hidden.
 pub(crate) fn worst(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }

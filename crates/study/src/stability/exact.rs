@@ -8,9 +8,9 @@ use assur_number::{Dd, Real};
 
 use super::compare::lifted_load;
 
-/// Nodes of the interpolation across a change point on each side, from its reach to six times as far, at the zeros of the
-/// Chebyshev polynomial in the square of the distance: enough for 30 digits of a motion that is analytic within ten times
-/// the reach.
+/// Number of nodes on each side of the interpolation across a change point, from its reach to six times as far, at the
+/// zeros of the Chebyshev polynomial in the square of the distance: enough for 30 digits of a motion that is analytic
+/// within ten times the reach.
 const NODES: u32 = 32;
 const SPREAD: f64 = 6.0;
 
@@ -29,7 +29,7 @@ pub(crate) struct Reference {
 }
 
 impl<'a> Exact<'a> {
-    /// `None` where a kernel can't be built in this number.
+    /// `None` where a kernel can't be built in this number type.
     pub(crate) fn of(linkage: &'a Linkage) -> Option<Self> {
         let chain = Chain::compile(&linkage.mechanism, &linkage.structure).ok()?;
         Some(Self { linkage, chain })
@@ -59,8 +59,8 @@ impl<'a> Exact<'a> {
 
     /// All bodies at `q` near a change point, where the equations of the group have the form 0/0.
     ///
-    /// Rounded lengths are no exact change point: their exact motion turns away within 1e-8 rad of it. What is meant is the
-    /// smooth motion, which nodes farther out determine.
+    /// With rounded lengths the change point is not exact: the exact motion departs within 1e-8 rad of it. The intended
+    /// motion is the smooth one, which nodes farther out determine.
     fn interpolated(&self, across: Interpolation, q: f64) -> Option<Vec<Body<Dd>>> {
         let nodes: Vec<f64> = (0..NODES)
             .flat_map(|i| {

@@ -1,8 +1,9 @@
-//! How far a mechanism is from not assembling: the least change of each length that breaks it.
+//! How far a mechanism is from not assembling: the least change of each length at which assembly fails.
 //!
-//! A group breaks where its squared determinant, which is smooth in the coordinate, passes zero. So for each changed length
-//! the minima of the squared determinants are sought over the coordinate, not on a grid only: the length at which the
-//! least of them is zero is where both the determinant and its derivative by the coordinate vanish.
+//! The assembly of a group fails where its squared determinant, which is smooth in the coordinate, passes zero. So for
+//! each changed length the minima of the squared determinants are sought over the coordinate, not on a grid only. At
+//! the length where the least of them is zero, both the determinant and its derivative with respect to the coordinate
+//! vanish.
 
 mod length;
 mod search;
@@ -18,14 +19,14 @@ use length::Length;
 use search::{Reach, SHORTEST, least};
 use survey::{Survey, grid};
 
-/// The least change of one length that breaks the mechanism.
+/// The least change of one length at which the mechanism no longer assembles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Margin {
     /// The length in words.
     pub length: String,
     /// Its value, m.
     pub value: f64,
-    /// Least increase that breaks the mechanism, m; `None`: none was found. 0 at a change point.
+    /// Least increase at which assembly fails, m; `None`: none was found. 0 at a change point.
     pub increase: Option<f64>,
     /// Least decrease, m; `None`: none was found.
     pub decrease: Option<f64>,
@@ -45,13 +46,13 @@ impl Margin {
     }
 }
 
-/// Each trial takes the mechanism apart anew: beyond so many lengths the search would take minutes.
+/// Each trial decomposes the mechanism anew: beyond so many lengths the search would take minutes.
 pub(crate) const MOST_LENGTHS: usize = 60;
 
-/// Lengths are made longer by so many times the size of the mechanism.
+/// Longest length that is tried, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
 
-/// Changes below this part of the size are zero: lengths and places are rounded.
+/// Changes below this part of the size count as zero: lengths and positions are rounded.
 const ZERO: f64 = 4e-12;
 
 /// The lengths whose margins are searched: all, or none of a mechanism that has more than [`MOST_LENGTHS`].

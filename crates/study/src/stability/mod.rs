@@ -1,10 +1,10 @@
 //! How near a mechanism comes to its singular positions, how much each length may change before it no longer assembles,
-//! and what each method loses on the way to a singular position.
+//! and how much accuracy each method loses on the approach to a singular position.
 //!
-//! A walk puts the mechanism at distances 1e-1 to 1e-15 from a singular position and compares what a method gives there
-//! with a computation in 32 digits from the same numbers. A backward-stable method gives the exact answer to data that are
-//! changed by a rounding; so its error is at most `C eps / health^k`, where the health is the dimensionless determinant. A
-//! method must keep that bound, or say that it has no answer.
+//! A walk (the approach to a singular position) takes the mechanism to distances 1e-1 to 1e-15 from it and compares
+//! each method there with a computation in 32 digits from the same numbers. A backward-stable method gives the exact
+//! result for data that are perturbed by rounding, so its error is at most `C eps / health^k`, where the health is the
+//! dimensionless determinant. A method must keep that bound, or report that it has no result.
 
 mod compare;
 mod exact;

@@ -1,4 +1,4 @@
-//! The mechanism over its own cycle: the least health of each group, and the angle that forces pass through there.
+//! The mechanism over its own cycle: the least health of each group, and the transmission angle there.
 
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
@@ -6,13 +6,13 @@ use assur_mechanism::Range;
 use assur_number::search;
 use serde::Serialize;
 
-/// Coordinates that are tried over the cycle before the search is refined.
+/// Number of coordinates that are tried over the cycle before the search is refined.
 const SAMPLES: usize = 720;
 
-/// Steps of the search between two of them: to rounding.
+/// Steps of the search between two of them: down to rounding.
 const SECTIONS: usize = 80;
 
-/// So many groups, those of least health, have their least health refined between the samples: each costs as many solutions
+/// Number of groups, those of least health, whose minimum is refined between the samples: each costs as many solutions
 /// of the whole mechanism.
 const MOST_REFINED: usize = 60;
 
@@ -32,7 +32,7 @@ pub struct GroupHealth {
     pub angle_of: &'static str,
     /// Worst value of that angle over the cycle, rad.
     pub angle: f64,
-    /// Whether two ways of assembly meet there: a change point, which the motion goes through.
+    /// Whether two assembly modes meet there: a change point, through which the motion passes.
     pub change_point: bool,
 }
 
@@ -54,7 +54,7 @@ impl GroupHealth {
     }
 }
 
-/// Coordinates over what the scene asks for, both ends included.
+/// Coordinates over the range of the scene, both ends included.
 pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
     let input = &linkage.mechanism.input;
     let length = match input.range {
@@ -64,11 +64,11 @@ pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
     (0..=SAMPLES).map(|i| input.from + length * (i as f64) / (SAMPLES as f64)).collect()
 }
 
-/// Where each group is least healthy.
+/// Where the health of each group is least.
 ///
 /// # Errors
 ///
-/// What is said of the first position that does not assemble.
+/// The message on the first position that does not assemble.
 pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, String> {
     let grid = coordinates(linkage);
     let mut position = linkage.position();

@@ -12,7 +12,7 @@ use super::row::Row;
 use super::target::targets;
 use super::walk::Walk;
 
-/// What was found.
+/// The stability of a mechanism: margins, walks, and what could not be examined.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stability {
     /// Title of the scene.
@@ -21,28 +21,30 @@ pub struct Stability {
     pub angular: bool,
     /// By group: how near it comes to a singular position.
     pub groups: Vec<GroupHealth>,
-    /// By length: the least change that breaks the mechanism, the smallest first.
+    /// By length: the least change at which assembly fails, the smallest first.
     pub lengths: Vec<Margin>,
     /// The walks.
     pub rows: Vec<Row>,
-    /// Places of least health that were not walked to, since the mechanism has very many groups; the worst were.
+    /// Number of places of least health without a walk, because the mechanism has very many groups; the worst places
+    /// have one.
     pub places_left_out: usize,
-    /// Why the mechanism can't be assembled all over its cycle; `groups` and `lengths` are then empty.
+    /// Why the mechanism can't be assembled over its whole cycle; `groups` and `lengths` are then empty.
     pub failure: Option<String>,
 }
 
-/// Studies a mechanism: its own cycle, its lengths, and walks to where each of its groups comes nearest to a singular position.
+/// Studies a mechanism: its own cycle, its lengths, and walks to the position where each of its groups is nearest to a
+/// singular one.
 ///
-/// `watch` is called before each piece of work with the number of pieces that are done and of all pieces; it breaks to stop.
+/// `watch` is called before each piece of work with the number of finished pieces and of all pieces; it breaks to stop.
 ///
 /// # Errors
 ///
-/// Continues with [`CompileError`] if the mechanism can't be taken apart into registered groups.
+/// Continues with [`CompileError`] if the mechanism can't be decomposed into registered groups.
 pub fn stability(
     mut mechanism: Mechanism,
     watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,
 ) -> ControlFlow<(), Result<Stability, CompileError>> {
-    // The walks load every link themselves, with the balancing load on the input link.
+    // The walks apply their own loads to every link, with the balancing load on the input link.
     mechanism.balance = None;
     let linkage = match Linkage::compile(mechanism) {
         Ok(linkage) => linkage,
@@ -73,7 +75,7 @@ pub fn stability(
 }
 
 impl Stability {
-    /// Whether the mechanism assembles and every row keeps its bound or has a right to refuse.
+    /// Whether the mechanism assembles, and every row keeps its bound or may have no result.
     pub fn is_ok(&self) -> bool {
         self.failure.is_none() && self.rows.iter().all(|row| row.ok)
     }
@@ -82,7 +84,7 @@ impl Stability {
     ///
     /// # Errors
     ///
-    /// From the writer of JSON.
+    /// The error of the writer of JSON.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|text| text + "\n")
     }
@@ -91,7 +93,7 @@ impl Stability {
     ///
     /// # Errors
     ///
-    /// Of the writer; there is no value here that it refuses.
+    /// The error of the writer of CSV, which no value here causes.
     pub fn to_csv(&self) -> Result<String, csv::Error> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {

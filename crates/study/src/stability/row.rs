@@ -1,27 +1,27 @@
-//! One method at one distance from a singular position, and how it is judged.
+//! One method at one distance from a singular position, and its assessment.
 
 use serde::Serialize;
 
-/// Distances at which a walk stops, dimensionless.
+/// Distances of the stops of a walk, dimensionless.
 pub const DISTANCES: [f64; 15] =
     [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
 
 /// Largest error that a backward-stable method may have, in units of eps / health^k: the C of the bound.
 pub const FACTOR: f64 = 16.0;
 
-/// Where the bound is above this, a method may refuse: fewer than three digits could be left.
+/// Where the bound is above this, a method may have no result: fewer than three digits could remain.
 pub(crate) const FEW_DIGITS: f64 = 1e-3;
 
-/// Below this health a method may refuse, whatever the bound says.
+/// Below this health a method may have no result, whatever the bound is.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
-/// A number with a relative error above this has no right digit: it is a failure even where the bound allows it.
+/// A number with a relative error above this has no correct digit: a failure even where the bound allows it.
 const NO_DIGIT: f64 = 0.5;
 
 /// One method, one quantity, one distance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// The group and what it approaches, as `group 1 (RRR rod, rocker), change point`.
+    /// The group and the kind of singular position, as `group 1 (RRR rod, rocker), change point`.
     #[serde(rename = "where")]
     pub place: String,
     /// The method.
@@ -32,17 +32,17 @@ pub struct Row {
     pub distance: f64,
     /// Dimensionless determinant there.
     pub health: f64,
-    /// Largest relative deviation from the reference; `None` where the method refuses.
+    /// Largest relative deviation from the reference; `None` if the method has no result.
     pub error: Option<f64>,
     /// Largest error that a backward-stable method may have.
     pub bound: f64,
-    /// Whether the method keeps the bound, or refuses where few digits or none could be left.
+    /// Whether the method keeps the bound, or has no result where few digits or none could remain.
     pub ok: bool,
-    /// Why there is no number, or why the row is not ok.
+    /// Why there is no number, or why the row failed.
     pub reason: Option<String>,
 }
 
-/// What a row is about: all but the outcome.
+/// The subject of a row: everything but the outcome.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Subject<'a> {
     pub(crate) place: &'a str,
@@ -54,14 +54,14 @@ pub(crate) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The row of an outcome (the error, or why there is no number), of a method that may refuse where few digits could be
-    /// left or the position is nearly singular.
+    /// The row of an outcome (the error, or why there is no number). The method may have no result where few digits
+    /// could remain or the position is nearly singular.
     pub(crate) fn row(&self, outcome: Result<f64, String>) -> Row {
         self.row_or(outcome, self.bound > FEW_DIGITS || self.health < NEARLY_SINGULAR)
     }
 
-    /// The row of an outcome where the caller knows whether the method may refuse. An infinite error stands for an answer
-    /// where there is none.
+    /// The row of an outcome, where the caller knows whether the method may have no result. An infinite error stands
+    /// for a result where none exists.
     pub(crate) fn row_or(&self, outcome: Result<f64, String>, may_refuse: bool) -> Row {
         let (error, ok, reason) = match outcome {
             Ok(error) if error.is_nan() => (None, false, Some("the result is not a number".to_owned())),
@@ -93,8 +93,9 @@ impl Subject<'_> {
     }
 }
 
-/// Accepts a result without a right digit where the bound promises none: a linear system can't see that its determinant is
-/// the root of a difference of lengths, so it answers where the closed forms, and with them the program, refuse.
+/// Accepts a result without a correct digit where the bound promises none: a linear system can't detect that its
+/// determinant is the root of a difference of lengths, so it gives a result where the closed forms, and with them the
+/// program, give an error.
 pub(crate) fn accept_without_digits(row: &mut Row) {
     if !row.ok && row.error.is_some_and(|error| error <= row.bound || row.bound >= 1.0) {
         row.ok = true;

@@ -1,42 +1,42 @@
-//! Where walks of a mechanism go.
+//! The targets of the walks of a mechanism.
 
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
 use super::nearest::{self, GroupHealth};
 
-/// A search for the least health finds its place to so much, rad or parts of the scale.
+/// Accuracy of the place of the least health, rad or parts of the scale.
 const SAME: f64 = 1e-6;
 
-/// Most places that are walked to: of more, those where the health is least.
+/// Most targets: of more, those where the health is least.
 const MOST_PLACES: usize = 24;
 
-/// Solutions of a group that the walks may cost, a mechanism of very many groups is walked to fewer places.
+/// Most solutions of a group for all walks; a mechanism of very many groups has fewer targets.
 const MOST_GROUPS: usize = 1200;
 
-/// A place that is walked to.
+/// The target of a walk.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) coordinate: f64,
-    /// From which sides, 1 or -1.
+    /// The sides of approach, 1 or -1.
     pub(crate) sides: Vec<f64>,
-    /// How far from it the walk may begin, rad or m.
+    /// Greatest distance at which the walk may begin, rad or m.
     pub(crate) reach: f64,
-    /// The groups that are least healthy there.
+    /// The groups of least health there.
     pub(crate) groups: Vec<usize>,
-    /// What is there.
+    /// The kind of the place.
     pub(crate) words: &'static str,
 }
 
 impl Target {
-    /// The place as rows name it.
+    /// The name of the place in rows.
     pub(crate) fn place(&self, linkage: &Linkage, group: usize, more: &str) -> String {
         format!("{}{more}, {}", linkage.structure.group_name(&linkage.mechanism, group), self.words)
     }
 }
 
-/// Where each group is least healthy, and where the range ends, and how many such places are left out. Groups that are least
-/// healthy at one place, as in a row of parallelograms, are walked to together.
+/// Where the health of each group is least, and where the range ends, and how many such places are left out. Groups
+/// with the least health at one place, as in a row of parallelograms, share a walk.
 pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>, usize) {
     let mut worst: Vec<usize> = (0..groups.len()).collect();
     worst.sort_by(|&a, &b| groups[a].health.total_cmp(&groups[b].health));
@@ -73,7 +73,7 @@ fn within(linkage: &Linkage, coordinate: f64, group: usize, words: &'static str)
 
 /// The ends of the range in which it assembles, from inside, with the group that ends it.
 fn ends(linkage: &Linkage) -> Vec<Target> {
-    /// So near to an end a group that ends it has lost most of its health.
+    /// Within this distance of a limit, the group that causes it has lost most of its health.
     const NEAR: f64 = 1e-6;
     const ENDING: f64 = 1e-2;
     let Some(range) = linkage.range.filter(|range| !range.full) else { return Vec::new() };

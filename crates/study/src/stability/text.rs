@@ -1,4 +1,4 @@
-//! What was found, for a reader.
+//! The stability of a mechanism as text for a reader.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -45,7 +45,7 @@ impl Walk<'_> {
 }
 
 impl Stability {
-    /// For a reader: the mechanism's own figures, one line a walk and method, and what follows.
+    /// Text for a reader: figures of the mechanism, one line for each approach and method, and conclusions.
     pub fn to_text(&self) -> String {
         let mut text = format!("{}\n", self.title);
         self.nearest(&mut text);
@@ -57,7 +57,7 @@ impl Stability {
         text
     }
 
-    /// What follows from all of it, as [`Stability::to_text`] ends.
+    /// The conclusions, with which [`Stability::to_text`] ends.
     pub fn conclusion_text(&self) -> String {
         let mut text = String::new();
         self.conclusion(&mut text);

@@ -10,11 +10,11 @@ use super::exact::{Exact, Reference};
 use super::row::{DISTANCES, FACTOR, Row, Subject, accept_without_digits};
 use super::target::Target;
 
-/// What the distance of a row is.
+/// The kind of distance of a row.
 pub(crate) const ALONG: &str =
     "distance of the coordinate from where the group is least healthy, rad or parts of the size";
 
-/// What the bound of a row follows from.
+/// The basis of the bound of a row.
 pub(crate) const EXPECTED: &str = "16 eps (1 + |q|) (groups / product of healths)^k, q in rad or parts of the size: k = 1 for \
      places, 2 for PF1, PF2 and reactions; for all but reactions times (longest / shortest \
      length), and where PF2 is small against its terms PF1^2 / health times their quotient; \
@@ -22,7 +22,7 @@ pub(crate) const EXPECTED: &str = "16 eps (1 + |q|) (groups / product of healths
      that begins; for a method of forces with singular positions of its own times the square of \
      its condition there";
 
-/// Above this, the product of the errors' growth over the groups says "nothing is left"; the bound stays finite.
+/// Above this, the product of the error growth over the groups means that no digit remains; the bound stays finite.
 const MOST_GROWTH: f64 = 1e90;
 
 /// The mechanism, its reference, and the methods that are compared with it.
@@ -34,7 +34,7 @@ pub(crate) struct Walk<'a> {
     scale: f64,
     /// Of each group: itself and the groups that it depends on.
     ancestors: Vec<Vec<usize>>,
-    /// Of each group: how much longer the mechanism is than its shortest link, in whose parts roundings count.
+    /// Of each group: the ratio of the mechanism's size to its shortest link, to which rounding is relative.
     disparity: Vec<f64>,
 }
 
@@ -43,13 +43,13 @@ struct Stop<'a> {
     /// The coordinate, rad or parts of the size.
     q: f64,
     distance: f64,
-    /// Where the motion is interpolated: the healths where that begins.
+    /// Where the motion is interpolated: the healths at the ends of the interpolation.
     beside: Option<Vec<f64>>,
     reference: &'a Reference,
 }
 
 impl Stop<'_> {
-    /// What one formula loses.
+    /// The loss of accuracy in one formula.
     fn rounding(&self) -> f64 {
         FACTOR * f64::EPSILON * (1.0 + self.q.abs())
     }
@@ -69,7 +69,8 @@ pub(crate) fn test_loads(linkage: &Linkage) -> Vec<Wrench<f64>> {
     (0..linkage.structure.links).map(|link| if link == 0 { Wrench::ZERO } else { load(link) }).collect()
 }
 
-/// How errors grow over groups that depend on each other: each adds its own, and passes on the others over its health.
+/// How errors grow over groups that depend on each other: each group adds its own, and passes on the others divided by
+/// its health.
 pub(crate) fn growth(healths: impl Iterator<Item = f64>) -> f64 {
     let (count, product) = healths.fold((0.0, 1.0), |(count, all), health| (count + 1.0, all / health));
     (f64::max(count, 1.0) * product).min(MOST_GROWTH)
@@ -121,7 +122,7 @@ impl<'a> Walk<'a> {
         Self { loads, ..self }
     }
 
-    /// Walks to a place.
+    /// Performs the walk to a target.
     pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Row>) {
         let unit = self.linkage.coordinate_unit();
         for distance in DISTANCES.into_iter().filter(|d| d * unit <= target.reach) {
@@ -132,7 +133,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Compares at the coordinate `q` with the reference at `exact`: the same, or whole cycles away.
+    /// Compares at the coordinate `q` with the reference at `exact`, which is `q` or whole cycles away.
     pub(crate) fn stop(&self, target: &Target, (q, exact): (f64, f64), distance: f64, rows: &mut Vec<Row>) {
         let Some(reference) = self.exact.at(exact, &self.loads) else { return };
         let mut position = self.linkage.position();
@@ -168,7 +169,8 @@ impl<'a> Walk<'a> {
         let links = &self.linkage.structure.groups[group].frame.links;
         let disparity = self.ancestors[group].iter().fold(1.0_f64, |most, &i| most.max(self.disparity[i]));
         for (order, quantity) in ORDERS.into_iter().enumerate() {
-            // Interpolation a change point the error is that of the closed forms beside it; PF2 has the error of w^2/D, one power more.
+            // When interpolating across a change point the error is that of the closed forms beside it; PF2 has the
+            // error of w^2/D, one power more.
             let growth = match &at.beside {
                 Some(beside) => self.growth(group, beside).powi([1, 2, 3][order]),
                 None => self.growth(group, &reference.health).powi([1, 2, 2][order]),
@@ -177,7 +179,7 @@ impl<'a> Walk<'a> {
                 * if order == 2 && at.beside.is_none() { self.cancelled(group, reference) } else { 1.0 };
             let outcome = match solved {
                 Ok(position) => {
-                    // The input itself turns by 1 (moves by 1/scale of the scale) for a unit of the coordinate.
+                    // PF1 of the input itself is 1 rad (or 1/scale of the scale) per unit of the coordinate.
                     let floor = order
                         .try_into()
                         .map_or(1.0, |order: i32| self.linkage.coordinate_unit().powi(-order));
@@ -202,7 +204,7 @@ impl<'a> Walk<'a> {
         growth(self.ancestors[group].iter().map(|&i| health[i].abs()))
     }
 
-    /// How much greater the terms of PF2, PF1^2 / health, are than their sum: where the motion is smooth they cancel.
+    /// Ratio of the terms of PF2, PF1^2 / health, to their sum: where the motion is smooth they cancel.
     fn cancelled(&self, group: usize, reference: &Reference) -> f64 {
         let links = &self.linkage.structure.groups[group].frame.links;
         let unit = self.linkage.coordinate_unit();

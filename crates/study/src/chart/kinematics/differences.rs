@@ -1,9 +1,9 @@
-//! Numerical differentiation of places: PF1 and PF2 from PF0 alone, by central differences.
+//! Numerical differentiation of positions: PF1 and PF2 from PF0 alone, by central differences.
 
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, Position};
 
-/// Weights of f(q + k h) for k = 1, 2: the first derivative takes them odd, the second even.
+/// Weights of f(q + k h) for k = 1, 2: for the first derivative with odd symmetry, for the second with even symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stencil {
     pub(crate) name: &'static str,
@@ -21,7 +21,7 @@ impl Stencil {
     ];
 }
 
-/// Differentiates the places of a mechanism.
+/// Differentiates the positions of a mechanism numerically.
 #[derive(Debug)]
 pub(crate) struct Differentiator<'a> {
     linkage: &'a Linkage,

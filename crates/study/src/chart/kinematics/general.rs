@@ -7,10 +7,11 @@ use super::failure;
 use crate::chart::ChartError;
 use crate::chart::work::Work;
 
-/// How far before a position Newton's method begins, rad or parts of the scale: a mechanism followed in some 300 steps a turn.
+/// Distance before a position at which Newton's method begins, rad or parts of the scale: as in following a mechanism
+/// in some 300 steps per turn.
 const BACK: f64 = 0.02;
 
-/// Where the places come from.
+/// The source of the positions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Places {
     /// Closed forms.
@@ -19,7 +20,7 @@ pub(super) enum Places {
     Newton,
 }
 
-/// The general solution in one number, as a method over all positions.
+/// The general solution in one number type, as a method over all positions.
 pub(super) fn general<'a, T: Number>(
     work: &'a Work<'a>,
     places: Places,
@@ -62,12 +63,12 @@ fn solve<T: Number>(
     Ok(())
 }
 
-/// The bodies a little before a position, in the number of the chain.
+/// The bodies a little before a position, in the number type of the chain.
 fn start<T: Number>(work: &Work<'_>, chain: &Chain<T>, q: f64) -> Vec<Body<T>> {
     let linkage = work.linkage;
     let unit = linkage.coordinate_unit();
     let mut position = linkage.position();
-    // At the end of the range there is nothing before; beyond lies the same.
+    // At the end of the range there is no position before; the one beyond is used instead.
     let solved = [-BACK, BACK, 0.0]
         .iter()
         .any(|back| linkage.solve(q + back * unit, Order::Place, &mut position).is_ok());

@@ -44,7 +44,7 @@ pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Result<Entry<'a>, Chart
     Ok(Entry { units: count as f64, ..Entry::run(row, run) })
 }
 
-/// Positions with the same ways of all groups, four by four.
+/// Positions with the same assembly modes of all groups, four by four.
 fn batches<'a>(work: &'a Work<'a>) -> Vec<Batch<'a>> {
     let ways = |index: usize| work.linkage.ways.at(work.coordinates[index]);
     let mut kinds: Vec<&[u8]> = (0..work.coordinates.len()).map(ways).collect();

@@ -1,4 +1,4 @@
-//! What motions are judged by: two tight runs of different methods that judge each other.
+//! The reference of motions: two solutions at tight tolerances by different methods, each the reference of the other.
 
 use std::rc::Rc;
 
@@ -14,7 +14,7 @@ const TIGHT: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
 /// Most steps of a tight run.
 const MOST_STEPS: usize = 30_000;
 
-/// The judges of a motion.
+/// The references of a motion.
 pub(in crate::chart) struct References {
     /// With the name of the method.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
@@ -52,7 +52,7 @@ impl References {
         Ok(Self { judges, how, error: if error.is_nan() { 0.0 } else { error }, sizes, duration })
     }
 
-    /// The first judge that is another method.
+    /// The first reference by another method.
     pub(in crate::chart) fn judge_of(&self, method: &str) -> Option<Rc<Trajectory>> {
         self.judges.iter().find(|(name, _)| *name != method).map(|(_, found)| Rc::clone(found))
     }
@@ -62,12 +62,12 @@ impl References {
     }
 }
 
-/// Methods for tight runs: the quadrature of the energy where it is one, then the highest orders.
+/// Methods for tight tolerances: the quadrature of the energy if it applies, then the highest orders.
 fn candidates(task: &Task<'_>) -> Result<Vec<&'static IntegratorPlugin>, ChartError> {
     let dependence = task.motion.dependence();
     let mut all = integrators()?;
     all.retain(|plugin| plugin.supports(&dependence).is_ok());
-    // Order 0 stands for "no error of steps in time".
+    // Order 0 means: no discretization error in time.
     all.sort_by_key(|plugin| if plugin.order == 0 { 0 } else { u8::MAX - plugin.order });
     Ok(all)
 }

@@ -14,7 +14,7 @@ use crate::chart::{Reference, Row, Setting, Stage};
 /// Samples over the cycle from which the extremes of the speed are read.
 const SAMPLES: usize = 4000;
 
-/// All methods; `None` where no flywheel is wanted.
+/// All methods; `None` if no flywheel is to be found.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
     let drive = cycle.linkage.mechanism.drive.as_ref()?;
     let Some(Asked::Steady { unevenness: Some(wanted), .. }) = cycle.linkage.mechanism.motion else {
@@ -25,7 +25,7 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
     }
     let (truth, reference) = truth(cycle, wanted, drive.flywheel_on == FlywheelPlace::Motor)?;
     let entries = cycle.regime.flywheel_by_method.iter().map(|found| {
-        // What each method finds is known already; a run repeats what it costs.
+        // The results of the methods are known already; a run repeats them for their cost.
         let (exact, flywheel) = (found.method == "exact", found.flywheel);
         let run = move |_| Verdict {
             evaluations: effort(cycle, exact).map(|count| count as u64),
@@ -68,7 +68,7 @@ fn unevenness(cycle: &Cycle<'_>, samples: usize) -> Option<f64> {
     Some(2.0 * (high - low) / (high + low))
 }
 
-/// The greatest of `sign` times the values, the last of which is the first again.
+/// The greatest of `sign` times the values, the last of which repeats the first.
 fn extreme(values: &[f64], sign: f64) -> Option<f64> {
     let around = values.len().checked_sub(1).filter(|count| *count > 2)?;
     let at = |i: usize| sign * values[i % around];

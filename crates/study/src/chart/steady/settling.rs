@@ -1,4 +1,4 @@
-//! The regime by steps in time until it settles: a method of its own, and the judge of the others.
+//! The regime by steps in time until the speed settles: a method in its own right, and the reference of the others.
 
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Motion, Request, State, integrators};
 
@@ -6,7 +6,7 @@ use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};
 use crate::chart::motion::Task;
 use crate::chart::{Options, Reference};
 
-/// Tolerance of the steps of the judge.
+/// Tolerance of the steps of the reference.
 const TIGHT: f64 = 1e-14;
 
 /// The registered integrator that steps in time and suits an equation best at a tight tolerance.
@@ -19,7 +19,7 @@ pub(super) fn stepping(task: &Task<'_>) -> Option<&'static IntegratorPlugin> {
     integrators().ok()?.into_iter().find(suits)
 }
 
-/// Two independent answers that judge each other's methods.
+/// Two independent results, each the reference of the other's methods.
 pub(super) struct Judges {
     /// The method that steps in time.
     pub(super) method: Option<&'static IntegratorPlugin>,
@@ -40,7 +40,7 @@ impl Judges {
         let after_one = |speed| method.and_then(|method| Some(turn(method, &task, speed, TIGHT).ok()?.0));
         let (in_time, how) = match after_one(shooting) {
             Some(end) if multiplier < NEVER_SETTLES => {
-                // Newton's method on "the speed after a cycle is that before", with the known multiplier.
+                // Newton's method for "the speed after a cycle equals that before", with the known multiplier.
                 let next = |speed: f64, end: f64| speed + (end - speed) / (1.0 - multiplier);
                 let mut speed = next(shooting, end);
                 for _ in 0..2 {
@@ -61,7 +61,7 @@ impl Judges {
             }
             None => (shooting, format!("shooting itself: {name} fails on the cycle")),
         };
-        // Speeds are known to a few roundings at best.
+        // Speeds are known to a few rounding errors at best.
         let error = ((in_time - shooting) / shooting).abs().max(1e-15);
         let free = multiplier >= NEVER_SETTLES;
         let reference = Reference { how, error: if free { TIGHT } else { error } };
@@ -83,7 +83,7 @@ fn turn(
     Ok((found.end.speed, found.statistics.evaluations))
 }
 
-/// Cycle after cycle from the mean speed, the steps as exact as the regime is wanted.
+/// Cycle after cycle from the mean speed, the tolerance of the steps being that of the regime.
 pub(super) struct InTime<'a> {
     pub(super) cycle: &'a Cycle<'a>,
     pub(super) method: &'static IntegratorPlugin,

@@ -61,7 +61,7 @@ impl Length {
         matches!(self, Self::Joints { .. })
     }
 
-    /// The mechanism with this length longer by `change`, m.
+    /// The mechanism with this length increased by `change`, m.
     #[expect(
         clippy::float_cmp,
         reason = "a guide that is given by the name of a joint has the very numbers of the joint"
@@ -74,7 +74,7 @@ impl Length {
                 let part = change / distance(&mechanism, link, from, to);
                 let moved = [b[0] + part * (b[0] - a[0]), b[1] + part * (b[1] - a[1])];
                 let points = mechanism.points[to].places.iter_mut().map(|place| (place.link, &mut place.at));
-                // A guide that passes through the joint, or a slide held by it, is dimensioned from the joint.
+                // The place of a guide through the joint, or of a slide held by it, is dimensioned from the joint.
                 let slides = mechanism
                     .slides
                     .iter_mut()

@@ -1,32 +1,32 @@
-//! The least change of a length that breaks a mechanism.
+//! The least change of a length at which a mechanism no longer assembles.
 
 use assur_number::search::{bisect, try_least};
 
 use super::survey::may_touch;
 
-/// First change that is tried, in parts of the length.
+/// First change that is tried, as part of the length.
 const FIRST: f64 = 1e-3;
 
-/// Each change is greater than the one before by this part (of what is left to zero, where that is less).
+/// Each change exceeds the previous one by this part of it (or of what remains to zero, if that is less).
 const GROWTH: f64 = 0.3;
 
-/// A length is not made shorter than this part of itself.
+/// Shortest length that is tried, as part of the length.
 pub(super) const SHORTEST: f64 = 1e-6;
 
-/// Changes nearer to each other than this part of the length are one.
+/// Changes that differ by less than this part of the length are equal.
 const FINEST: f64 = 1e-16;
 
-/// Steps of the search for a length at which it breaks between two at which it does not.
+/// Steps of the search for the limit between a length that assembles and one that doesn't.
 const STEPS: usize = 32;
 
 /// The changes that are tried.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach {
-    /// A length of the size that counts, m.
+    /// The characteristic size of the length, m.
     pub(super) size: f64,
     /// The last change, m.
     pub(super) last: f64,
-    /// The change that leaves nothing of the length, m; infinite if there is none.
+    /// The change that makes the length zero, m; infinite if there is none.
     pub(super) nothing: f64,
 }
 
@@ -37,10 +37,10 @@ impl Reach {
     }
 }
 
-/// The smallest change that breaks, m. `clearance` of a change is how near the mechanism comes to not assembling, squared;
-/// `None` where it breaks.
+/// The smallest change at which the mechanism no longer assembles, m. `clearance` of a change is the least squared
+/// determinant; `None` if the mechanism does not assemble.
 ///
-/// Greater and greater changes are tried until one breaks, or until the clearance has a minimum between them that does.
+/// Growing changes are tried until one fails, or until the clearance has a minimum between them that does.
 pub(super) fn least(reach: Reach, mut clearance: impl FnMut(f64) -> Option<f64>) -> Option<f64> {
     let finest = FINEST * reach.size;
     let mut tried = [(0.0, f64::INFINITY), (0.0, clearance(0.0).unwrap_or(0.0))];
@@ -48,7 +48,7 @@ pub(super) fn least(reach: Reach, mut clearance: impl FnMut(f64) -> Option<f64>)
         let change = reach.next(tried[1].0);
         let Some(value) = clearance(change) else {
             let [_, broken] = bisect(tried[1].0, change, finest, |change| clearance(change).is_some());
-            // An iteration that began too far away may not have found what is there.
+            // An iteration that started too far away may have missed the solution.
             match clearance(broken) {
                 None => return Some(broken),
                 Some(value) => {

@@ -1,4 +1,4 @@
-//! Whether a changed mechanism assembles at every coordinate, and how near it comes to not doing so.
+//! Whether a changed mechanism assembles at every coordinate, and how near it comes to failing.
 
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, iterated};
@@ -7,10 +7,11 @@ use assur_number::search::try_least;
 use super::length::Length;
 use super::trial::Trial;
 
-/// Every so many coordinates of the cycle are tried; between them the minima are sought.
+/// Number of coordinates of the cycle that are tried; minima are sought between them.
 const STRIDE: usize = 4;
 
-/// Steps of the search for a minimum over the coordinate: its place to 1e-10 of a stride, and so its value to rounding.
+/// Steps of the search for a minimum over the coordinate: its place to 1e-10 of the spacing, and so its value to
+/// rounding.
 const STEPS: usize = 48;
 
 /// The coordinates at which a mechanism is tried.
@@ -18,9 +19,9 @@ pub(super) struct Survey<'a> {
     linkage: &'a Linkage,
     length: &'a Length,
     grid: &'a [f64],
-    /// By group: whether it begins at a former place.
+    /// By group: whether its iteration starts from an earlier position.
     iterates: Vec<bool>,
-    /// For each coordinate the links where the last mechanism had them that assembles; one for all if nothing iterates.
+    /// For each coordinate the bodies of the last mechanism that assembled; one entry for all if no kind iterates.
     starts: Vec<Vec<Body<f64>>>,
     /// Squared determinants by coordinate and group.
     squares: Vec<Vec<f64>>,
@@ -34,7 +35,7 @@ pub(super) fn grid(linkage: &Linkage) -> Vec<f64> {
 }
 
 impl<'a> Survey<'a> {
-    /// Begins with the mechanism as it is.
+    /// Starts with the unchanged mechanism.
     pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a [f64]) -> Self {
         let links = iterated(&linkage.structure);
         let iterates: Vec<bool> = linkage
@@ -48,7 +49,8 @@ impl<'a> Survey<'a> {
             vec![position.bodies]
         } else {
             let mut at = |&q: &f64| {
-                // The mechanism as it is assembles all over; a singular place leaves the one before, which is near.
+                // The unchanged mechanism assembles everywhere; at a singular position the previous one is kept, which
+                // is near.
                 let _ = linkage.solve(q, Order::Place, &mut position);
                 position.bodies.clone()
             };
@@ -58,8 +60,8 @@ impl<'a> Survey<'a> {
         Self { linkage, length, grid, iterates, starts, squares, suspect: None }
     }
 
-    /// Least squared determinant of all groups over the cycle with the length longer by `change` (m); `None` where the
-    /// mechanism does not assemble all over.
+    /// Least squared determinant of all groups over the cycle with the length increased by `change` (m); `None` if the
+    /// mechanism does not assemble everywhere.
     pub(super) fn clearance(&mut self, change: f64) -> Option<f64> {
         let mut trial = Trial::of(self.linkage, &self.length.changed(&self.linkage.mechanism, change))?;
         let mut bodies = self.starts[0].clone();
@@ -120,8 +122,8 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// Whether a value that is not above its neighbors may lie next to a minimum of zero: the parabola through the three falls below
-/// it by at most an eighth of their difference.
+/// Whether there may be a minimum of zero next to a value that is not above its neighbors: the parabola through the
+/// three falls below it by at most an eighth of their difference.
 pub(super) fn may_touch(value: f64, neighbors: [f64; 2]) -> bool {
     let [a, b] = neighbors;
     value <= a && value <= b && value <= a.max(b) - value

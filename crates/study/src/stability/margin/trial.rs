@@ -1,26 +1,26 @@
-//! The mechanism with one length changed, ready to be placed.
+//! The mechanism with one length changed, ready to be solved.
 
 use assur_group::{Body, GroupError, Order};
 use assur_kinematics::{Chain, Linkage, Ways};
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
-/// In a mechanism with change points a gap less than this part of its size is none: behind a group whose ways meet,
-/// places are known to the root of their rounding only.
+/// In a mechanism with change points a gap below this part of its size is ignored: after a group whose assembly modes
+/// meet, positions are known only to the root of their rounding.
 const BLURRED: f64 = 1e-12;
 
 /// A changed mechanism.
 pub(super) struct Trial {
     chain: Chain<f64>,
     ways: Ways,
-    /// Gaps up to this are none, m.
+    /// Gaps up to this are ignored, m.
     closed: f64,
-    /// By group: the squared determinant of the place that was tried last; infinite where it was not reached.
+    /// By group: the squared determinant at the last position that was tried; infinite if the group was not reached.
     pub(super) squares: Vec<f64>,
 }
 
 impl Trial {
-    /// Takes the changed mechanism apart; `None` where its lengths make no groups.
+    /// Decomposes the changed mechanism; `None` if its lengths make no groups.
     pub(super) fn of(linkage: &Linkage, mechanism: &Mechanism) -> Option<Self> {
         let structure = Structure::of(mechanism).ok()?;
         let chain = Chain::<f64>::compile(mechanism, &structure).ok()?;
@@ -35,8 +35,8 @@ impl Trial {
         Some(Self { chain, ways, closed, squares })
     }
 
-    /// Places all groups at a coordinate; `None` where one of them does not assemble. `bodies` hold the place that kinds
-    /// which iterate begin with, `iterates` says by group which do.
+    /// Solves all groups at a coordinate; `None` if one of them does not assemble. `bodies` hold the starting values
+    /// for kinds that iterate; `iterates` says by group which do.
     pub(super) fn place(&mut self, q: f64, iterates: &[bool], bodies: &mut [Body<f64>]) -> Option<()> {
         self.squares.fill(f64::INFINITY);
         let solved = self.chain.solve(q, self.ways.at(q), Order::Place, bodies, &mut self.squares);
@@ -46,7 +46,7 @@ impl Trial {
         }
         let Err(error) = solved else { return Some(()) };
         match error.source {
-            // Equal links upon each other may point anywhere; an iteration that ends so has found nothing.
+            // With equal coincident links the direction is undetermined; an iteration that ends so has found nothing.
             GroupError::Singular { .. } if !iterates[error.group] => {}
             GroupError::NoAssembly { gap_m } if gap_m <= self.closed => {}
             _ => return None,
@@ -56,7 +56,7 @@ impl Trial {
     }
 }
 
-/// By group: whether the change of a length is felt by it, in its own pairs or through the groups before.
+/// By group: whether the change of a length affects it, in its own pairs or through the groups before.
 fn moved(linkage: &Linkage, changed: &Structure) -> Vec<bool> {
     let before = &linkage.structure;
     let geometry = |structure: &Structure| structure.pairs.first().map(|named| named.pair.geometry);
