@@ -1,4 +1,4 @@
-//! The clock of this machine, lent to what measures time.
+//! The clock of this machine, for measurements of time.
 
 use std::time::Instant;
 

@@ -1,4 +1,4 @@
-//! Files of the user: read with the place of what is wrong, written as a whole or not at all.
+//! Files of the user: errors of reading name the place; writing is complete or not done at all.
 
 mod write;
 
@@ -23,7 +23,7 @@ pub(crate) enum FileError {
         /// What is wrong.
         problem: String,
     },
-    /// A file can't be written; what was there is untouched.
+    /// A file can't be written; the old content is untouched.
     #[error("error: can't write {}: {problem}", path.display())]
     Write {
         /// The file.
@@ -31,7 +31,7 @@ pub(crate) enum FileError {
         /// What is wrong.
         problem: String,
     },
-    /// The reader of a pipe has gone.
+    /// The reader of a pipe has closed it.
     #[error("the reader of the output has gone")]
     Reader,
 }
@@ -73,7 +73,7 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     })
 }
 
-/// A fault of the structure at its line of the scene, where it concerns a link.
+/// An error of the structure at its line of the scene, if it concerns a link.
 pub(crate) fn located(name: &str, text: &str, error: &StructureError) -> Option<SceneErrors> {
     assur_scene::fault_at(name, text, &["link", error.link()?], &error.to_string())
 }

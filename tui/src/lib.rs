@@ -1,6 +1,7 @@
 //! The program `assur`: command line and terminal UI. Nothing here calculates.
 //!
-//! The command line ([`cli`]) lies above the terminal UI ([`screen`]); both lie above files, locale, clock, numbers and progress.
+//! The command line ([`cli`]) is above the terminal UI ([`screen`]); both are above files, locale, clock, numbers and
+//! progress.
 
 pub mod cli;
 pub mod screen;

@@ -28,7 +28,7 @@ pub(crate) fn digits(value: f64, significant: usize) -> String {
     }
 }
 
-/// A number without the zeros that say nothing: for axes and scales.
+/// A number without trailing zeros: for axes and scales.
 pub(crate) fn plain(value: f64) -> String {
     let text = digits(value, 4);
     match text.split_once('e') {

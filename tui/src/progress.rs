@@ -1,4 +1,4 @@
-//! How far a long calculation is, in words and as a line on standard error.
+//! Progress of a long calculation, in words and as a line on standard error.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -11,7 +11,7 @@ use crate::number::plain;
 /// A calculation that ends sooner shows no line.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How far an analysis is.
+/// Progress of an analysis.
 pub(crate) fn words(progress: Progress) -> String {
     match progress {
         Progress::Motion { time, cycles } => format!("turn {}, t = {} s", cycles + 1, plain(time)),
@@ -23,8 +23,8 @@ pub(crate) fn words(progress: Progress) -> String {
     }
 }
 
-/// A line on standard error that says how far a calculation is; none where that is no terminal. It vanishes when it is
-/// dropped.
+/// A line on standard error that shows the progress of a calculation; none if standard error is no terminal. Dropping
+/// it removes the line.
 pub(crate) struct ProgressLine(ProgressBar);
 
 impl ProgressLine {
@@ -38,14 +38,14 @@ impl ProgressLine {
                 let style = ProgressStyle::with_template("{msg} ({elapsed})");
                 line.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
                 line.set_draw_target(ProgressDrawTarget::stderr());
-                // Time passes on the line though a calculation has nothing to say.
+                // The time on the line advances even while a calculation reports nothing.
                 line.enable_steady_tick(PATIENCE);
             }
         });
         Self(bar)
     }
 
-    /// How far it is.
+    /// Updates the progress.
     pub(crate) fn show(&self, text: impl FnOnce() -> String) {
         if self.0.elapsed() >= PATIENCE {
             self.0.set_message(text());

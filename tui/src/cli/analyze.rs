@@ -11,7 +11,7 @@ use super::style::Style;
 use super::{plans, scene};
 use crate::progress::ProgressLine;
 
-/// Failures that are written out; of the others only the numbers.
+/// Most failures that are printed in full; of the others only the numbers.
 const MOST: usize = 3;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
@@ -53,7 +53,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     written.map(|()| status)
 }
 
-/// Checks that fail, or that could judge nothing, go to standard error.
+/// Checks that fail, or that could check nothing, are reported on standard error.
 pub(crate) fn tell_checks(checks: &[Check], style: Style) {
     for check in checks.iter().filter(|check| check.failed()) {
         style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
@@ -63,14 +63,14 @@ pub(crate) fn tell_checks(checks: &[Check], style: Style) {
     }
 }
 
-/// The motion that was asked for and is not found goes to standard error.
+/// A requested motion that is not found is reported on standard error.
 pub(crate) fn tell_no_motion(no_motion: Option<&str>, style: Style) {
     if let Some(message) = no_motion {
         style.tell(&format!("error: {message}"));
     }
 }
 
-/// Positions without a solution go to standard error, the first ones in full.
+/// Positions without a solution are reported on standard error, the first ones in full.
 pub(crate) fn tell_failures(failures: &[Failure], style: Style) {
     for Failure { message, .. } in failures.iter().take(MOST) {
         style.tell(&format!("error: {message}"));

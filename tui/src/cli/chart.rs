@@ -1,4 +1,4 @@
-//! `assur chart`: lends the clock, shows the progress, listens for Ctrl-C.
+//! `assur chart`: provides the clock, shows the progress, handles Ctrl-C.
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ use super::style::Style;
 use crate::clock::SystemClock;
 use crate::progress::ProgressLine;
 
-/// Exit status after Ctrl-C, as shells have it.
+/// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
 
 /// Arguments of `chart`.
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     output.write(text, status).map(|()| status)
 }
 
-/// Ctrl-C sets the flag; once more ends the program.
+/// Ctrl-C sets the flag; a second Ctrl-C ends the program.
 fn on_interrupt() -> Result<Arc<AtomicBool>, Fault> {
     let stop = Arc::new(AtomicBool::new(false));
     signal_hook::flag::register_conditional_shutdown(SIGINT, i32::from(INTERRUPTED), Arc::clone(&stop))
@@ -70,7 +70,7 @@ fn on_interrupt() -> Result<Arc<AtomicBool>, Fault> {
     Ok(stop)
 }
 
-/// The chart of one scene; inside, why there is none though the scene is good.
+/// The chart of one scene; the inner error says why a good scene has none.
 fn charted(
     path: &Path,
     quick: bool,

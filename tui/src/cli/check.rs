@@ -10,7 +10,7 @@ use super::{analyze, output, scene};
 use crate::progress::ProgressLine;
 
 pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
-    // The whole mechanism is checked, whatever the scene asks for.
+    // The whole mechanism is checked, whatever results the scene requests.
     let study = scene::whole_study(args, style)?;
     let checks = study.checks(&mut ProgressLine::new().watch()).map_err(Fault::other)?;
     output::print(&text::checks(&checks, style.ascii))?;

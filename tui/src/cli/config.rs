@@ -11,7 +11,7 @@ use super::{output, scene};
 use crate::files;
 use crate::screen::{Config, default_text};
 
-/// Where it stands below the folder of configurations.
+/// Path of the file below the folder of configurations.
 const FILE: &str = "assur/config.toml";
 
 /// Prints the default configuration.
@@ -20,7 +20,7 @@ pub(crate) fn print() -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// The configuration of the user, or the default and why it was not taken. No file is no fault.
+/// The configuration of the user; or the default, with the reason. A missing file is no error.
 pub(crate) fn load(style: Style) -> (Config, Option<String>) {
     let path = path(|name| std::env::var_os(name).map(PathBuf::from));
     match path.filter(|path| path.exists()).map(|path| read(&path, style)) {
@@ -35,7 +35,7 @@ fn read(path: &Path, style: Style) -> Result<Config, Fault> {
     Config::read(&path.display().to_string(), &text).map_err(|errors| scene::faults(&errors, style))
 }
 
-/// `$XDG_CONFIG_HOME`, else `~/.config`; a path that is not absolute counts as unset, as the specification has it.
+/// `$XDG_CONFIG_HOME`, else `~/.config`; a path that is not absolute counts as unset, as the specification demands.
 fn path(variable: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
     let own = variable("XDG_CONFIG_HOME").filter(|folder| folder.is_absolute());
     let home = || variable("HOME").filter(|home| home.is_absolute()).map(|home| home.join(".config"));

@@ -1,4 +1,4 @@
-//! What ends a command.
+//! The end of a command: status and errors.
 
 use std::io;
 use std::process::ExitCode;
@@ -8,13 +8,13 @@ use crate::files::FileError;
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Status {
-    /// All is well.
+    /// Success.
     Done,
     /// No assembly, no solution, or a check that fails.
     Failed,
     /// A bad scene or usage.
     Bad,
-    /// As the terminal UI says.
+    /// The exit status of the terminal UI.
     Code(u8),
 }
 
@@ -29,22 +29,22 @@ impl From<Status> for ExitCode {
     }
 }
 
-/// Why a command could not do its work; all end with status 2, but a reader that went away with 0.
+/// Why a command failed; all errors end with status 2, except a reader that closed the pipe, with 0.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Fault {
     /// A file can't be read or written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// Results that are not whole would replace a file; the command ends as it would have.
+    /// Incomplete results would replace a file; the command ends with the status that it would have had.
     #[error("{0}")]
     Partial(FileError, Status),
-    /// Standard output refuses.
+    /// Standard output can't be written.
     #[error("error: can't write to standard output: {0}")]
     Stdout(io::Error),
     /// The faults of a scene, ready to print.
     #[error("{0}")]
     Scene(String),
-    /// Anything else, in words.
+    /// Any other error, in words.
     #[error("error: {0}")]
     Other(String),
     /// The terminal UI could not open.
@@ -53,18 +53,18 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
-    /// The exit status that it means.
+    /// Its exit status.
     pub(crate) fn status(&self) -> Status {
         if let Self::Partial(_, status) = self { *status } else { Status::Bad }
     }
 
-    /// A fault in words.
+    /// An error in words.
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {
         Self::Other(what.to_string())
     }
 
-    /// From writing to standard output.
+    /// From an error of writing to standard output.
     pub(crate) fn stdout(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe { FileError::Reader.into() } else { Self::Stdout(error) }
     }

@@ -52,7 +52,7 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// What the remarks of these motors mean, one line each, below the list.
+/// The meaning of the remarks on these motors, one line each, below the list.
 fn remarks(motors: &[&Motor]) -> String {
     let mut flags: Vec<&str> = motors.iter().flat_map(|motor| &motor.flags).map(String::as_str).collect();
     flags.sort_unstable();

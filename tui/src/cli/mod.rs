@@ -1,4 +1,4 @@
-//! The command line: reads files, hands them to the crates, writes what they find. Nothing here calculates.
+//! The command line: reads files, calls the crates, writes the results. Nothing here calculates.
 
 mod analyze;
 mod args;
@@ -52,11 +52,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// Help and version go to standard output, faults of usage to standard error.
+/// Help and version go to standard output, errors of usage to standard error.
 fn refused(error: &clap::Error) -> ExitCode {
     let plain = error.render().to_string();
     if error.use_stderr() {
-        // The parser's own print has colors, but it repeats words of the command line as they are.
+        // The parser's own printing has colors, but repeats words of the command line unescaped.
         if plain.chars().any(|c| c.is_control() && c != '\n') || error.print().is_err() {
             Style::of(false).tell(&plain);
         }
@@ -89,13 +89,13 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
     }
 }
 
-/// `assur SCENE`: the terminal UI; where standard output is no terminal that can show it, what `analyze` prints.
+/// `assur SCENE`: the terminal UI; if standard output is no terminal that can show it, the output of `analyze`.
 fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
     // A terminal that calls itself dumb can't move its cursor.
     let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
     let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
     match cli.scene {
-        // A word alone may be meant as a command.
+        // A single word may be meant as a command.
         Some(scene) if !scene.exists() && scene.to_str().and_then(usage::nearest_command).is_some() => {
             let offer = scene.to_str().and_then(usage::nearest_command).unwrap_or_default();
             let missing = files::read(&scene).err().map_or_else(String::new, |error| error.to_string());

@@ -14,7 +14,7 @@ pub(crate) fn print(text: &str) -> Result<(), Fault> {
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Fault::stdout)
 }
 
-/// Where the results of a command go; `None` is standard output.
+/// The target of the results of a command; `None` is standard output.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Output<'a> {
     target: Option<&'a Path>,
@@ -22,7 +22,7 @@ pub(crate) struct Output<'a> {
 }
 
 impl<'a> Output<'a> {
-    /// Refuses a target that is the scene itself, before anything is calculated.
+    /// Rejects a target that is the scene itself, before anything is calculated.
     pub(crate) fn of(target: Option<&'a Path>, scene: &'a Path) -> Result<Self, Fault> {
         let output = Self { target, scene };
         target.map_or(Ok(()), |path| output.refuse_scene(path)).map(|()| output)
@@ -45,7 +45,7 @@ impl<'a> Output<'a> {
         Ok(files::write(path, content)?)
     }
 
-    /// Writes CSV files into the folder; results of a command that fails never replace those of a former run.
+    /// Writes CSV files into the folder; results of a command that fails never replace those of an earlier run.
     pub(crate) fn write_folder(self, files: &[CsvFile], status: Status) -> Result<(), Fault> {
         let Some(folder) = self.target else {
             return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));

@@ -10,7 +10,7 @@ use super::options::{Format, SceneArgs};
 use super::scene;
 use super::style::Style;
 
-/// What is told beside the results.
+/// Additional results.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct PlanArgs {
     /// Add the plans of these positions: velocities, accelerations, instant centers, force polygons, constructions
@@ -22,7 +22,7 @@ pub(crate) struct PlanArgs {
 }
 
 impl PlanArgs {
-    /// Refuses what can't be told, before anything is calculated.
+    /// Rejects a request that can't be fulfilled, before anything is calculated.
     pub(crate) fn refuse(&self, format: Format, study: &Calculation) -> Result<(), Fault> {
         if format == Format::Csv && (self.by_cause || !self.plans.is_empty()) {
             return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
@@ -37,7 +37,7 @@ impl PlanArgs {
         }
     }
 
-    /// Adds what was asked for; a position without plans is told and makes the command fail.
+    /// Adds the requested plans; a position without plans is reported and makes the command fail.
     pub(crate) fn add(
         &self,
         study: &Calculation,
@@ -55,7 +55,7 @@ impl PlanArgs {
         if self.plans.is_empty() {
             return Ok(status);
         }
-        // The plans show the whole mechanism, whatever the scene asks for.
+        // The plans show the whole mechanism, whatever results the scene requests.
         let whole = if study.plan.is_partial() { Some(scene::whole_study(args, style)?) } else { None };
         let study = whole.as_ref().unwrap_or(study);
         let mut indices = self.plans.clone();

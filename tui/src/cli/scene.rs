@@ -25,7 +25,7 @@ pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
     }
 }
 
-/// The faults of a scene, as they are printed.
+/// The errors of a scene, as they are printed.
 pub(crate) fn faults(errors: &SceneErrors, style: Style) -> Fault {
     let text = errors.to_string();
     Fault::Scene(if style.ascii { keep_columns(&text) } else { text })
@@ -37,7 +37,7 @@ pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault
     compiled(args, &options, read(&args.scene, style)?)
 }
 
-/// The same, as if the scene asked for everything.
+/// Reads and compiles a scene file, as if the scene requested all results.
 pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
     let options = options(&args.methods)?;
     let mechanism = read(&args.scene, style)?;
@@ -49,7 +49,7 @@ fn compiled(args: &SceneArgs, options: &Options, mechanism: Mechanism) -> Result
         .map_err(|error| in_file(&args.scene, &error.to_string()))
 }
 
-/// The methods asked for, which must exist even where the scene has no use for them.
+/// The requested methods, which must exist even if the scene does not use them.
 pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
     if let Some(name) = &methods.analyzer {
         assur_force::find(name).map_err(Fault::other)?;
@@ -60,12 +60,12 @@ pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
     Ok(Options { analyzer: methods.analyzer.clone(), integrator: methods.integrator.clone() })
 }
 
-/// A fault of the scene as a whole.
+/// An error of the scene as a whole.
 pub(crate) fn in_file(path: &Path, message: &str) -> Fault {
     FileError::read(path, message).into()
 }
 
-/// ASCII with a question mark for each other character, so that marks stay below what they mark.
+/// ASCII with a question mark for each other character, so that the markers stay below the marked text.
 fn keep_columns(text: &str) -> String {
     text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect()
 }

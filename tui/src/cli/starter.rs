@@ -17,7 +17,7 @@ pub(crate) fn run(path: &Path) -> Result<Status, Fault> {
     })?;
     if let Err(error) = file.write_all(assur_scene::STARTER.as_bytes()) {
         drop(file);
-        // Half a scene is worse than none.
+        // An incomplete scene is worse than none.
         let _ = std::fs::remove_file(path);
         return Err(fault(error.to_string()).into());
     }

@@ -7,8 +7,8 @@ use assur_report::to_ascii;
 
 use crate::locale::is_utf8;
 
-/// A text with its control, bidirectional and invisible characters as escapes: a name of a file or a method can't move
-/// the cursor or hide what follows.
+/// A text with its control, bidirectional and invisible characters escaped: the name of a file or a method can't move
+/// the cursor or hide the text after it.
 pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
     let hides = |c: char| {
         c.is_control() && !matches!(c, '\n' | '\t')
@@ -24,14 +24,14 @@ pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
 /// Which characters are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
-    /// In text: nothing beyond ASCII.
+    /// In text: no character beyond ASCII.
     pub(crate) ascii: bool,
-    /// The same in forms for programs, whose encoding is UTF-8 whatever the locale.
+    /// ASCII only in formats for programs, whose encoding is UTF-8 whatever the locale.
     pub(crate) ascii_data: bool,
 }
 
 impl Style {
-    /// ASCII if asked for; text also where the locale is not UTF-8.
+    /// ASCII on request; text also if the locale is not UTF-8.
     pub(crate) fn of(ascii: bool) -> Self {
         Self { ascii: ascii || !is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
     }
@@ -41,7 +41,7 @@ impl Style {
         if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
     }
 
-    /// Writes to standard error; nothing can be done where that fails.
+    /// Writes to standard error; errors are ignored.
     pub(crate) fn tell(self, message: &str) {
         let message = escaped(message.trim_end());
         let message = self.text(&message);

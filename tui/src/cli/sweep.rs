@@ -14,7 +14,7 @@ use super::style::Style;
 use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
 
-/// What the columns are, where their names don't say it.
+/// Explanations of the columns whose names are not self-explanatory.
 const COLUMNS: &str = "\
 Columns, SI, the unit in the name; empty where something does not apply:
   KEY                    each parameter
@@ -76,12 +76,12 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     output.write(content, status).map(|()| status)
 }
 
-/// The form that the name of the file asks for; known before anything is calculated.
+/// The format, from the name of the file; known before anything is calculated.
 fn form(path: &Path) -> Result<Form, Fault> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
     let fault = |problem: String| FileError::write(path, problem).into();
     let form = match extension.as_deref() {
-        // `/dev/null` and its kind.
+        // Whether the target is a device such as `/dev/null`.
         None | Some("csv") => Form::Csv,
         Some("parquet") => Form::Parquet,
         Some(_) => return Err(fault("name it *.csv or *.parquet".to_owned())),
@@ -104,7 +104,7 @@ fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
     }
 }
 
-/// Points without a solution go to standard error, the first one in full.
+/// Points without a solution are reported on standard error, the first one in full.
 fn tell_failures(table: &Table, sweep: &Sweep, style: Style) -> Status {
     let failures: Vec<usize> = table.failures().collect();
     let first = failures.first().and_then(|row| Some((*row, table.status(*row)?)));

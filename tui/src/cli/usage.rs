@@ -1,4 +1,4 @@
-//! What is wrong with a command line, where the argument parser can't tell: a first word is a scene or a command.
+//! Errors of a command line that the argument parser can't explain: a first word is a scene or a command.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use clap::{CommandFactory, Parser};
 
 use super::args::Cli;
 
-/// The command line, or what to print and with which kind of end.
+/// The command line, or the text to print and the kind of exit.
 pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error> {
     let cli = Cli::try_parse_from(arguments).map_err(|error| explained(arguments, error))?;
     let program = Cli::command();
@@ -17,7 +17,7 @@ pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error
     command.and_then(|command| misplaced(&cli, command)).map_or(Ok(cli), Err)
 }
 
-/// What is wrong in words that say what to write, where the order or the spelling of the words is; else the parser's.
+/// The error in words that say what to write, if the order or the spelling of the words is wrong; else the parser's.
 fn explained(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Error {
     let program = Cli::command();
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
@@ -65,12 +65,12 @@ fn explained(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Erro
     message.map_or(error, |message| fault(&message))
 }
 
-/// That a scene stands before the command.
+/// The error that a scene precedes the command.
 fn behind((scene, command): (&&str, &str)) -> String {
     format!("`{scene}` stands before the command `{command}`; write it behind: `assur {command} {scene}`")
 }
 
-/// The command that is spelled nearly as `word`: not more than two letters away.
+/// The command whose spelling is near to `word`: at most two letters away.
 pub(crate) fn nearest_command(word: &str) -> Option<String> {
     let program = Cli::command();
     let names = program.get_subcommands().map(|command| command.get_name().to_owned());
@@ -78,7 +78,7 @@ pub(crate) fn nearest_command(word: &str) -> Option<String> {
     (near.0 <= 2 && near.0 < near.1.len() && near.1 != word).then_some(near.1)
 }
 
-/// Options of the terminal UI, or methods, that stand before a command would be lost without a word.
+/// Options of the terminal UI, or methods, before a command would be ignored without a message.
 fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
     let before = [
         ("--analyzer", cli.methods.analyzer.is_some()),

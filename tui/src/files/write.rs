@@ -1,4 +1,5 @@
-//! Writing files: a new content is made whole beside the old one, and then takes its place.
+//! Writing files: new content is first written completely to a temporary file next to the target, which then replaces
+//! it.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -12,13 +13,13 @@ use tempfile::NamedTempFile;
 
 use super::FileError;
 
-/// A chain of links that is longer leads nowhere.
+/// Most symbolic links that are followed; a longer chain is taken for a loop.
 const MOST_LINKS: usize = 40;
 
-/// Temporary files that lie beside their targets.
+/// Temporary files next to their targets.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Writes a file as a whole: a failure leaves what was there before. Devices and pipes are written to as they are.
+/// Writes a file completely: a failure leaves the old content in place. Devices and pipes are written to directly.
 pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), FileError> {
     let (content, fault) = (content.as_ref(), |error| FileError::write(path, error));
     match fs::metadata(path) {
@@ -33,7 +34,8 @@ pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), FileEr
     }
 }
 
-/// Writes CSV files into a folder: all of them, or none. Those of a former run that this one has not are removed.
+/// Writes CSV files into a folder: all of them, or none. Files of an earlier run that this run does not write are
+/// removed.
 pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), FileError> {
     if fs::metadata(folder).is_ok_and(|found| !found.is_dir()) {
         return Err(FileError::write(folder, "csv goes into a folder, and this is a file"));
@@ -42,7 +44,7 @@ pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), FileE
     if created {
         fs::create_dir(folder).map_err(|error| FileError::write(folder, error))?;
     }
-    // Putting several files in place is no single act, so whatever can be known to fail comes first.
+    // Replacing several files is not atomic, so everything that can be checked is checked first.
     let all = files.iter().map(|file| {
         let path = folder.join(file.name);
         Replacement::of(&path, file.text.as_bytes()).map_err(|error| FileError::write(&path, error))
@@ -77,7 +79,7 @@ pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// Whether a path means an open stream, such as `/dev/stdout`, though a regular file may lie behind it.
+/// Whether a path means an open stream, such as `/dev/stdout`, even if the stream is a regular file.
 pub(crate) fn is_stream(path: &Path) -> bool {
     stream_of(path).is_some()
 }
@@ -97,7 +99,7 @@ fn stream_of(path: &Path) -> Option<PathBuf> {
     None
 }
 
-/// Writes to what is there: to a file behind a stream at its end, as its owner opened it.
+/// Writes to what exists: to a file that is open as a stream at its end, because its owner opened it.
 fn stream(path: &Path, content: &[u8]) -> io::Result<()> {
     let names = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
     if stream_of(path).is_some_and(|stream| names.contains(&stream.as_path())) {
@@ -107,14 +109,14 @@ fn stream(path: &Path, content: &[u8]) -> io::Result<()> {
     OpenOptions::new().append(true).open(path)?.write_all(content)
 }
 
-/// A new content beside its target; it vanishes unless it is put in place.
+/// New content next to its target; removed unless it replaces the target.
 struct Replacement {
     content: NamedTempFile,
     path: PathBuf,
 }
 
 impl Replacement {
-    /// Writes the content into a temporary file beside the target; a symbolic link stays and its target is meant.
+    /// Writes the content into a temporary file next to the target; a symbolic link stays, and its target is replaced.
     fn of(path: &Path, content: &[u8]) -> io::Result<Self> {
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if let Ok(old) = fs::metadata(&path) {
@@ -136,7 +138,7 @@ impl Replacement {
         #[cfg(unix)]
         let builder = {
             use std::os::unix::fs::PermissionsExt;
-            // The umask takes its part, as for any new file.
+            // The umask applies, as for any new file.
             builder.permissions(fs::Permissions::from_mode(0o666))
         };
         let file = builder.tempfile_in(folder)?;
@@ -147,8 +149,8 @@ impl Replacement {
         Ok(replacement)
     }
 
-    /// Puts the content in the place of the target: by renaming, with the permissions of the old file; where that would
-    /// part hard links or change the owner, by copying into the old file.
+    /// Replaces the content of the target: by renaming, with the permissions of the old file; where that would separate
+    /// hard links or change the owner, by copying into the old file.
     ///
     /// A copy that is interrupted, by a full disk or a crash, leaves a mixture, which renaming never does. Access lists
     /// and extended attributes of a renamed file are lost.
@@ -191,16 +193,16 @@ fn temporaries() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes the temporary files that lie about, for a way out that runs no destructors.
+/// Removes leftover temporary files, for exits that run no destructors.
 pub(crate) fn remove_temporaries() {
     temporaries().drain(..).for_each(|path| drop(fs::remove_file(path)));
 }
 
-/// From now on a signal that ends the program removes its temporary files first.
+/// From this call on, a signal that ends the program first removes its temporary files.
 pub(crate) fn remove_on_signals() {
     static LISTENING: OnceLock<()> = OnceLock::new();
     LISTENING.get_or_init(|| {
-        // Where no thread can be had the file is still written.
+        // If no thread can be started the file is still written.
         let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
         let listen = move || {
             for signal in signals.forever() {

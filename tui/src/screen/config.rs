@@ -15,10 +15,10 @@ use super::command::COMMANDS;
 use super::state::{Command, Key, Keymap, Look, Marker, Theme, View};
 
 const KEYS: &[&str] = &["theme", "marker", "ascii", "fps", "cell_ratio", "mouse", "keys"];
-/// Without a key for this command nobody would find the way out.
+/// Without a key for this command a user could not leave.
 const OUT: &str = "quit";
 
-/// What the configuration says; what it does not say is the default.
+/// The configuration; values that the file does not give are the defaults.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Config {
     pub(crate) look: Look,
@@ -38,7 +38,8 @@ impl Config {
     ///
     /// # Errors
     ///
-    /// Every fault with its place: unknown names, wrong values, keys that are none or that mean two things in a view.
+    /// Every error with its place: unknown names, wrong values, keys that do not exist or that have two meanings in a
+    /// view.
     pub(crate) fn read(file_name: &str, text: &str) -> Result<Self, SceneErrors> {
         document::read(file_name, text, "the configuration", KEYS, |root| Self {
             look: look(root),
@@ -79,7 +80,7 @@ fn ratio(entry: &Entry<'_>) -> Option<f64> {
     None
 }
 
-/// A key as the file has it.
+/// A key as written in the file.
 struct Written {
     command: &'static str,
     key: Key,

@@ -1,7 +1,7 @@
-//! What the terminal sends, cut into key presses and reports, by bytes and time.
+//! The input from the terminal, divided into key presses and reports by bytes and time.
 //!
-//! The reader of crossterm keeps a sequence that is cut off, or one that it does not know, and swallows all keys after it
-//! for good (its issues 1060 and 1104). Here a sequence ends where the standard says (ECMA-48), or when nothing more comes.
+//! The reader of crossterm keeps a sequence that is cut off, or one that it does not know, and swallows all later keys
+//! (its issues 1060 and 1104). Here a sequence ends where the standard says (ECMA-48), or when no more bytes come.
 
 #[cfg(test)]
 mod tests;
@@ -13,16 +13,16 @@ use std::time::Duration;
 
 use crossterm::event::Event;
 
-/// A sequence whose rest has not come after this time is cut off; a lone escape is the key.
+/// A sequence that is not complete after this time is cut off; a lone escape is the key.
 const PATIENCE: Duration = Duration::from_millis(100);
-/// No key or report is longer; what is, is dropped.
+/// No key or report is longer; a longer sequence is dropped.
 const LONGEST: usize = 256;
 const ESCAPE: u8 = 0x1b;
 
-/// Reads the terminal; what it sends goes to `tell`, which answers false to end, and `None` when it is gone.
+/// Reads the terminal; each input is passed to `tell`, which returns false to end, and `None` at the end of input.
 pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'static) -> io::Result<()> {
     let (sender, bytes) = channel();
-    // Reading blocks, so that an idle program takes no time at all.
+    // Reading blocks, so an idle program takes no processor time.
     thread::Builder::new().name("assur-input".into()).spawn(move || {
         let mut buffer = [0; 1024];
         while let Ok(count @ 1..) = io::stdin().lock().read(&mut buffer) {
@@ -51,22 +51,22 @@ pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'stati
     Ok(())
 }
 
-/// Bytes that make no whole sequence yet.
+/// Bytes that do not form a complete sequence yet.
 #[derive(Debug, Default)]
 pub(crate) struct Decoder(Vec<u8>);
 
-/// What stands at the beginning of the bytes.
+/// What the bytes begin with.
 enum Head {
-    /// A sequence of so many bytes.
+    /// A sequence of this many bytes.
     Whole(usize),
-    /// So many bytes that can't become one.
+    /// This many bytes that can't become a sequence.
     Broken(usize),
-    /// The beginning of one.
+    /// The beginning of a sequence.
     Open,
 }
 
 impl Decoder {
-    /// The events of all that is whole.
+    /// The events of all complete sequences.
     pub(crate) fn take(&mut self, bytes: &[u8]) -> Vec<Event> {
         self.0.extend_from_slice(bytes);
         let mut events = Vec::new();
@@ -81,7 +81,7 @@ impl Decoder {
         events
     }
 
-    /// Nothing more has come: a lone escape is the key, any other beginning is dropped.
+    /// No more bytes have come: a lone escape is the key, any other beginning is dropped.
     pub(crate) fn expire(&mut self) -> Vec<Event> {
         let rest = std::mem::take(&mut self.0);
         if rest == [ESCAPE] { event(&rest).into_iter().collect() } else { Vec::new() }
@@ -119,7 +119,7 @@ fn head(bytes: &[u8]) -> Head {
     }
 }
 
-/// One character of UTF-8 after so many bytes.
+/// One character of UTF-8 after this many bytes.
 fn character(bytes: &[u8], before: usize) -> Head {
     let length = match bytes[0] {
         0..=0x7f => 1,
@@ -135,7 +135,7 @@ fn character(bytes: &[u8], before: usize) -> Head {
     }
 }
 
-/// What a whole sequence means; nothing where it is unknown.
+/// The meaning of a complete sequence; nothing if it is unknown.
 fn event(sequence: &[u8]) -> Option<Event> {
     let parsed = terminput::Event::parse_from(sequence).ok().flatten()?;
     terminput_crossterm::to_crossterm(parsed).ok()

@@ -1,10 +1,10 @@
 //! The terminal UI.
 //!
-//! [`run`] is the way in. The layers, from below: `state` is all that a frame depends on; `draw` puts figures, curves and
-//! text into cells; `view` is pure functions from the state to a frame; `command` changes the state, in one table of
-//! commands that is handed to the state, so that views show its keys without knowing it; `session` waits for events and
-//! draws only after one that changed something. Nothing here calculates; reading and calculating run in a thread beside
-//! (`work`).
+//! [`run`] is the entry point. The layers, from below: `state` is everything on which a frame depends; `draw` puts
+//! figures, curves and text into cells; `view` is pure functions from the state to a frame; `command` changes the
+//! state, by a table of commands that is passed to the state, so that views can show its keys without depending on it;
+//! `session` waits for events and redraws only after an event that changed something. Nothing here calculates; reading
+//! and calculating run in a worker thread (`work`).
 
 mod command;
 mod config;
@@ -27,24 +27,24 @@ pub use config::Config;
 pub(crate) use config::default_text;
 use state::{Look, Marker, Source, State, Theme};
 
-/// What the command line asks of the terminal UI.
+/// Options of the terminal UI from the command line.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// Draw with ASCII characters only; also chosen where the locale is not UTF-8.
     pub ascii: bool,
     /// Capture the mouse, for choosing a position on a chart.
     pub mouse: bool,
-    /// Frames a second of the animation; `None`: as configured.
+    /// Frames per second of the animation; `None`: as configured.
     pub fps: Option<u8>,
-    /// Height of a character cell in its widths; `None`: as configured.
+    /// Ratio of a character cell's height to its width; `None`: as configured.
     pub cell_ratio: Option<f64>,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
     pub integrator: Option<String>,
-    /// The configuration, which what is above goes before.
+    /// The configuration; the options above have precedence.
     pub config: Config,
-    /// Why the configuration of the user was not taken; the text is complete.
+    /// Why the configuration of the user was not used; the text is complete.
     pub config_fault: Option<String>,
 }
 
@@ -55,7 +55,7 @@ pub enum ScreenError {
     /// Standard input or output is no terminal.
     #[error("error: the terminal UI needs a terminal; `assur analyze SCENE` prints the same as text")]
     NoTerminal,
-    /// The terminal refused.
+    /// The terminal returned an error.
     #[error("error: the terminal can't be used: {0}")]
     Terminal(#[from] std::io::Error),
     /// The scene can't be read; the text is complete, with file, line and column.
@@ -67,7 +67,7 @@ pub enum ScreenError {
 ///
 /// # Errors
 ///
-/// [`ScreenError`], with the terminal untouched or given back: a bad scene, no terminal, a terminal that refuses.
+/// [`ScreenError`], with the terminal untouched or restored: a bad scene, no terminal, an error of the terminal.
 #[expect(clippy::needless_pass_by_value, reason = "the command line gives its options away")]
 pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let scene = match path {

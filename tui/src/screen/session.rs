@@ -1,4 +1,4 @@
-//! The loop: waits for an event, applies it and all that are queued behind it, draws once.
+//! The loop: waits for an event, applies it and all that are queued, draws once.
 
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -13,18 +13,18 @@ use super::state::{Report, State, Wish};
 use super::terminal::{self, Screen};
 use super::{command, input, view, work};
 
-/// What can wake the loop.
+/// The events that wake the loop.
 #[derive(Debug)]
 pub(crate) enum Event {
     /// A key, the mouse, the focus.
     Input(Input),
-    /// The terminal has another size.
+    /// The terminal has changed its size.
     Resized,
-    /// The worker has something.
+    /// The worker has a report.
     Work(Report),
-    /// Somebody asked the process to stop (SIGTSTP).
+    /// The process was asked to suspend itself (SIGTSTP).
     Suspend,
-    /// The process goes on after it was stopped.
+    /// The process continues after it was suspended.
     Continued,
     /// There is no more input.
     Closed,
@@ -54,7 +54,7 @@ pub(crate) fn run(mut state: State, mouse: bool) -> io::Result<()> {
     }
 }
 
-/// Blocks until an event has changed the state; `false` when there will be none any more.
+/// Blocks until an event has changed the state; `false` when no more events can come.
 fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) -> bool {
     loop {
         if !state.wishes.is_empty() {
@@ -86,7 +86,7 @@ fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) ->
     }
 }
 
-/// Applies one event; tells whether the frame may differ.
+/// Applies one event; returns whether the frame may differ.
 fn apply(state: &mut State, event: Event) -> bool {
     match event {
         Event::Input(Input::Key(key)) if key.kind != KeyEventKind::Release => {
@@ -125,7 +125,7 @@ fn apply(state: &mut State, event: Event) -> bool {
     }
 }
 
-/// Does what a command can't do to the state alone.
+/// Performs the actions that a command requested because the state can't do them.
 fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Event>) -> io::Result<()> {
     match wish {
         Wish::Quit => state.leaving = true,
@@ -138,7 +138,7 @@ fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Eve
         }
         Wish::Work(job) => {
             let sender = sender.clone();
-            // Where nobody listens any more the program is leaving.
+            // If the receiver is gone, the program is ending.
             work::start(job, move |report| drop(sender.send(Event::Work(report))));
         }
         Wish::Write(file) => command::grant(state, file),

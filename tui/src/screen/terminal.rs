@@ -1,4 +1,4 @@
-//! Taking the terminal, and giving it back on every way out.
+//! Taking the terminal, and restoring it on every exit.
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,28 +18,29 @@ use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Frame, Terminal, TerminalOptions, Viewport};
 
-/// Threads whose panics are caught and reported on the screen carry this name.
+/// Name of the threads whose panics are caught and reported on the screen.
 pub(crate) const WORKER: &str = "assur-work";
 
-/// Columns and rows beyond which the rest of a terminal stays empty: no screen is larger, and a frame takes memory.
+/// Greatest number of columns and rows that are used; the rest of a larger terminal stays empty, because a frame takes
+/// memory.
 const MOST: (u16, u16) = (1000, 500);
 
-/// Bytes of a whole frame fit, so that a frame is one write.
+/// Size of the buffer: a whole frame fits, so a frame is one write.
 const FRAME_BYTES: usize = 1 << 16;
-/// How long a way out waits for the terminal.
+/// How long an exit waits for the terminal.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 static TAKEN: AtomicBool = AtomicBool::new(false);
 static MOUSE: AtomicBool = AtomicBool::new(false);
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// The terminal while the UI has it.
+/// The terminal while the UI uses it.
 pub(crate) struct Screen {
     terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
 }
 
 impl Screen {
-    /// Takes the terminal: raw mode, alternate screen, and a panic hook that gives both back.
+    /// Takes the terminal: raw mode, alternate screen, and a panic hook that restores both.
     pub(crate) fn take(mouse: bool) -> io::Result<Self> {
         MOUSE.store(mouse, Ordering::SeqCst);
         hook_panics();
@@ -61,19 +62,19 @@ impl Screen {
         io::Write::flush(self.terminal.backend_mut())
     }
 
-    /// Forgets what is on the terminal, so that the next frame is written whole.
+    /// Forgets the content of the terminal, so that the next frame is written completely.
     pub(crate) fn forget(&mut self) -> io::Result<()> {
         let _writing = writing();
-        // `Terminal::clear` asks the terminal where its cursor is, and the answer would go to the thread that reads.
+        // `Terminal::clear` queries the position of the cursor, and the answer would go to the thread that reads input.
         queue!(self.terminal.backend_mut(), Clear(ClearType::All))?;
         io::Write::flush(self.terminal.backend_mut())?;
         self.terminal = terminal()?;
         Ok(())
     }
 
-    /// Takes the terminal again after [`give_back`], or after the process was stopped behind our back.
+    /// Takes the terminal again after [`give_back`], or after the process was suspended without notice.
     pub(crate) fn retake(&mut self) -> io::Result<()> {
-        // Raw mode is remembered by crossterm; leaving it first makes it ask the terminal anew.
+        // Crossterm remembers that raw mode is on; leaving it first makes crossterm set it again.
         if TAKEN.load(Ordering::SeqCst) {
             disable_raw_mode()?;
         }
@@ -93,7 +94,7 @@ fn terminal() -> io::Result<Terminal<CrosstermBackend<BufWriter<Stdout>>>> {
     Terminal::with_options(backend, TerminalOptions { viewport: Viewport::Fixed(area()?) })
 }
 
-/// Columns and rows of the terminal that are drawn.
+/// Columns and rows of the terminal that are used.
 pub(crate) fn size() -> io::Result<(u16, u16)> {
     let (columns, rows) = crossterm::terminal::size()?;
     Ok((columns.min(MOST.0), rows.min(MOST.1)))
@@ -117,7 +118,7 @@ fn enter() -> io::Result<()> {
     Ok(())
 }
 
-/// Gives the terminal back; does nothing where it is not taken. Faults are of no use on a way out.
+/// Restores the terminal; does nothing if it is not taken. Errors are ignored on exit.
 pub(crate) fn give_back() {
     if !TAKEN.swap(false, Ordering::SeqCst) {
         return;
@@ -131,8 +132,8 @@ pub(crate) fn give_back() {
     let _ = disable_raw_mode();
 }
 
-/// [`give_back`] from another thread: lets a frame end first, but waits neither for that nor for a terminal that takes no
-/// more bytes.
+/// [`give_back`] from another thread: lets a frame end first, but waits for a limited time only, in case the terminal
+/// takes no more bytes.
 pub(crate) fn give_back_soon() {
     let (done, wait) = channel();
     let writer = std::thread::Builder::new().spawn(move || {
@@ -147,7 +148,8 @@ pub(crate) fn give_back_soon() {
     }
 }
 
-/// A panic gives the terminal back before it is printed; one of a worker is caught and shown by the UI instead.
+/// A panic restores the terminal before its message is printed; a panic of a worker is caught and shown by the UI
+/// instead.
 fn hook_panics() {
     let before = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |info| {

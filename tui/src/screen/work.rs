@@ -1,4 +1,4 @@
-//! What is done in a thread beside the screen: reading, compiling, calculating.
+//! The work of the worker thread: reading, compiling, calculating.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,10 +18,10 @@ use crate::clock::SystemClock;
 use crate::files;
 use crate::progress::words;
 
-/// Time between two counts that are shown.
+/// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);
 
-/// Starts a job; what it finds goes to `tell`.
+/// Starts a job; its findings are passed to `tell`.
 pub(crate) fn start(job: Job, tell: impl Fn(Report) + Send + 'static) {
     let beside = thread::Builder::new().name(WORKER.into()).spawn(move || {
         let report = catch_unwind(AssertUnwindSafe(|| run(&job, &tell))).unwrap_or_else(|panic| {
@@ -47,7 +47,7 @@ fn failed(job: &Job, text: String) -> Report {
     }
 }
 
-/// Does a job; what it reports on the way goes to `tell`.
+/// Performs a job; its reports are passed to `tell`.
 pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
@@ -76,11 +76,11 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     }
 }
 
-/// Reads a scene from where it is.
+/// Reads a scene from its source.
 ///
 /// # Errors
 ///
-/// The faults as text.
+/// The errors as text.
 pub(crate) fn open(source: Source) -> Result<Scene, String> {
     let text = match &source {
         Source::File(path) => files::read(path).map_err(|error| error.to_string())?,
@@ -92,7 +92,7 @@ pub(crate) fn open(source: Source) -> Result<Scene, String> {
     Scene::read(source, &text)
 }
 
-/// Calculates a scene and reports what was found, then checks it; one for a difference is not checked.
+/// Calculates a scene and reports the results, then checks them; results for a difference are not checked.
 fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> Report {
     let (mechanism, number) = (&request.linkage.mechanism, request.number);
     let options = Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
@@ -107,7 +107,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
         Err(stopped) => return failed(stopped.to_string()),
     };
     let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
-    // The whole mechanism is checked and has plans, whatever the scene asks for.
+    // The whole mechanism is checked and has plans, whatever results the scene requests.
     let whole = mechanism.output.as_ref().and_then(|_| {
         let whole = Mechanism { output: None, ..mechanism.clone() };
         Calculation::of(whole, &options, &mut watch).ok()
@@ -124,7 +124,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
     Report::Checked { number, checks: checks.unwrap_or_default() }
 }
 
-/// Measures the methods; what was measured until a stop is kept.
+/// Measures the methods; finished measurements are kept after a stop.
 fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
     let (linkage, mut clock) = (&request.linkage, SystemClock::default());
     let chart = chart::chart(linkage, &mut clock, chart::Options::QUICK, &mut |now| {
@@ -142,7 +142,7 @@ fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
     }
 }
 
-/// Watches a calculation: passes a count on now and then, and stops it when asked.
+/// Watches a calculation: passes on its progress now and then, and stops it when requested.
 struct Watch<'a> {
     cancel: &'a Cancel,
     tell: &'a dyn Fn(String),
@@ -150,7 +150,7 @@ struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// One piece of work, and how to say how far it is.
+    /// One piece of work, and how to express its progress.
     fn see(&mut self, count: impl FnOnce() -> String) -> ControlFlow<()> {
         if self.last.elapsed() >= PAUSE {
             self.last = Instant::now();

@@ -4,7 +4,7 @@ use super::jobs;
 use crate::screen::state::{Purpose, Role, State};
 use crate::screen::view::accuracy as view;
 
-/// Starts a measurement, or stops the one that runs.
+/// Starts a measurement, or stops the one in progress.
 pub(super) fn measure(state: &mut State) {
     if state.measuring().is_some() {
         stop(state);
@@ -13,7 +13,7 @@ pub(super) fn measure(state: &mut State) {
     }
 }
 
-/// Stops the measurement that runs; what was measured until then is shown.
+/// Stops the measurement in progress; finished measurements are shown.
 pub(super) fn stop(state: &mut State) {
     if let Some(running) = state.measuring() {
         running.cancel.stop();
@@ -21,13 +21,13 @@ pub(super) fn stop(state: &mut State) {
     }
 }
 
-/// Scrolls the report by so many lines, as far as it goes.
+/// Scrolls the report by this many lines, within its limits.
 pub(super) fn scroll(state: &mut State, by: isize) {
     let last = view::last_line(state);
     state.chosen.line = state.chosen.line.min(last).saturating_add_signed(by).min(last);
 }
 
-/// Scrolls the report by a page; a line stays, to read on from.
+/// Scrolls the report by a page, less one line.
 pub(super) fn page(state: &mut State, sense: isize) {
     let page = isize::from(i16::try_from(view::page(state)).unwrap_or(i16::MAX));
     scroll(state, sense * (page - 1).max(1));

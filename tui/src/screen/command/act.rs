@@ -1,4 +1,4 @@
-//! Choices and looks: what is shown of the scene, and how.
+//! Commands that choose what is shown of the scene, and how.
 
 use assur_fixtures::SCENES;
 
@@ -8,13 +8,13 @@ use crate::screen::state::{
     following, round,
 };
 
-/// An eighth of the positions on or back.
+/// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
     let eighth = (state.positions() / 8).max(1);
     state.step(sense * isize::try_from(eighth).unwrap_or(1));
 }
 
-/// Chooses the next (1) or previous (-1) item of the list that a view has.
+/// Chooses the next (1) or previous (-1) item of the list in a view.
 pub(super) fn choose(state: &mut State, view: View, by: isize) {
     let found = state.found();
     let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
@@ -51,7 +51,7 @@ pub(super) fn row(state: &mut State, by: isize) {
     state.position = order.get(round(row, by, order.len())).copied().unwrap_or(0);
 }
 
-/// Sorts the table by the chosen column: up, down, by number again.
+/// Sorts the table by the chosen column: ascending, descending, by number again.
 pub(super) fn sort(state: &mut State) {
     let column = state.chosen.column;
     state.sorted = match state.sorted {
@@ -92,7 +92,7 @@ pub(super) fn causes(state: &mut State) {
     state.pane = if state.pane == Pane::Causes { Pane::Table } else { Pane::Causes };
 }
 
-/// The next registered force analyzer that can treat the open scene.
+/// The next registered force analyzer that supports the open scene.
 fn next_analyzer(state: &State) -> Option<String> {
     let scene = state.scene.as_ref()?;
     let plugins = assur_force::applicable(&scene.linkage).into_iter();
@@ -122,7 +122,7 @@ pub(super) fn difference(state: &mut State) {
     state.analyzer = now;
 }
 
-/// Asks for the picture of the scene that is chosen in the menu.
+/// Requests the picture of the scene that is chosen in the menu.
 pub(crate) fn preview(state: &mut State) {
     if !state.previews.contains_key(&state.shipped) {
         state.wishes.push(Wish::Work(Job::Preview(state.shipped)));
@@ -165,17 +165,17 @@ pub(super) fn theme(state: &mut State) {
     state.say(Role::Plain, state.look.theme.name());
 }
 
-/// Larger or smaller, within reason.
+/// Larger or smaller, within limits.
 pub(super) fn zoom(state: &mut State, by: f64) {
     state.zoom.factor = (state.zoom.factor * by).clamp(0.25, 64.0);
 }
 
-/// Shifts the drawing by an eighth of what is seen.
+/// Shifts the drawing by an eighth of the visible part.
 pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
     state.zoom.shift[axis] -= 0.125 * sense / state.zoom.factor;
 }
 
-/// The whole drawing again.
+/// Shows the whole drawing again.
 pub(super) fn whole(state: &mut State) {
     state.zoom = Zoom::WHOLE;
 }
@@ -189,7 +189,7 @@ pub(super) fn help(state: &mut State) {
 pub(super) fn reload(state: &mut State) {
     let Some(scene) = &mut state.scene else { return };
     match &scene.source {
-        // There is nothing to read, but an analysis that was stopped may go on.
+        // Nothing is to be read, but an analysis that was stopped may continue.
         Source::Shipped(_) if scene.found.is_none() => {
             scene.fault = None;
             jobs::ask(state, Purpose::Main);
@@ -199,7 +199,7 @@ pub(super) fn reload(state: &mut State) {
     }
 }
 
-/// Closes the list of values, or else stops what runs beside.
+/// Closes the list of values, or else stops the calculation in progress.
 pub(super) fn close(state: &mut State) {
     if state.values_open() {
         whatif::toggle(state);

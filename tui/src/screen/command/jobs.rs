@@ -1,12 +1,12 @@
-//! Calculations beside the screen: asked for and stopped.
+//! Calculations by the worker: requested and stopped.
 
 use crate::screen::state::{Cancel, Job, Purpose, Request, Role, Running, Scene, State, Wish};
 
-/// Asks for a calculation of the open scene by the chosen analyzer and integrator.
+/// Requests a calculation of the open scene by the chosen analyzer and integrator.
 pub(crate) fn ask(state: &mut State, purpose: Purpose) {
     let Some(scene) = &state.scene else { return };
     let linkage = scene.linkage.clone();
-    // A calculation for the same purpose has become needless; new results make differences to the old ones so.
+    // An earlier calculation for this purpose is no longer needed; new results also invalidate differences to old ones.
     stop_running(state, |old| old == purpose || (purpose == Purpose::Main && old == Purpose::Difference));
     state.asked += 1;
     let (number, cancel) = (state.asked, Cancel::default());
@@ -25,7 +25,7 @@ fn stop_running(state: &mut State, wanted: impl Fn(Purpose) -> bool) {
     });
 }
 
-/// Stops the analyses that run. What was found before stays.
+/// Stops the analyses in progress. Results found before stay.
 pub(super) fn stop(state: &mut State) {
     if state.analyzing().is_none() {
         return;
@@ -41,7 +41,7 @@ pub(super) fn stop(state: &mut State) {
     state.say(Role::Plain, stopped);
 }
 
-/// Puts another scene in the place of the one before, and asks for its analysis.
+/// Replaces the open scene by another one, and requests its analysis.
 pub(super) fn exchange(state: &mut State, scene: Scene) {
     state.position = state.position.min(scene.positions().saturating_sub(1));
     state.scene = Some(scene);

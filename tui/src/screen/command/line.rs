@@ -1,4 +1,4 @@
-//! What the `:` line and the `/` line understand.
+//! The commands of the `:` line and of the `/` line.
 
 use assur_fixtures::SCENES;
 
@@ -8,9 +8,9 @@ use crate::screen::state::{
 };
 use crate::screen::view::help::where_it_works;
 
-/// Names farther than this from what was typed are no suggestion.
+/// Names that differ in more letters than this from the typed text are not suggested.
 const FAR: usize = 3;
-/// Of so many letters that were typed one may be wrong.
+/// Number of typed letters for each wrong letter that is allowed.
 const LETTERS: usize = 3;
 
 /// Words of the line that take a value, and their values.
@@ -44,19 +44,19 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
     ]
 }
 
-/// The values that a word takes; `None` where there is no such word.
+/// The values that a word takes; `None` if there is no such word.
 fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
     words(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
 }
 
-/// Whole lines that what was typed may become.
+/// Complete lines that the typed text may become.
 pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
     for (word, values) in words(state) {
         all.extend(values.iter().map(|value| format!("{word} {value}")));
     }
     all.retain(|line| line.starts_with(typed));
-    // Keys of values also with the typed piece inside: nobody remembers how they begin.
+    // Keys of values also match inside: their beginnings are hard to remember.
     if let Some(piece) = typed.strip_prefix("value ") {
         let keys = state.what_if.values.iter().map(|value| &value.key);
         let inside = keys.filter(|key| key.contains(piece) && !key.starts_with(piece));
@@ -132,7 +132,7 @@ fn unknown_name(state: &mut State, word: &str, name: &str) {
     state.say(Role::Bad, format!("there is no `{word} {name}` here{offer}"));
 }
 
-/// `; did you mean ...?` or nothing; of a short word few letters can be wrong.
+/// `; did you mean ...?` or nothing; in a short word only few letters may be wrong.
 fn suggestion(name: &str, known: &[String]) -> String {
     let far = (name.chars().count() / LETTERS).clamp(1, FAR);
     let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
@@ -186,7 +186,8 @@ fn set(state: &mut State, rest: &str) {
     }
 }
 
-/// Chooses the next reaction of a pair of this name, else one whose pair or link begins so; false where there is none.
+/// Chooses the next reaction of a pair of this name, else one whose pair or link begins with it; false if there is
+/// none.
 fn reaction(state: &mut State, wanted: &str) -> bool {
     let Some(found) = state.found() else { return false };
     let count = found.reactions.len();
@@ -204,7 +205,7 @@ fn reaction(state: &mut State, wanted: &str) -> bool {
     true
 }
 
-/// A number is a position; a word is looked for in the columns and quantities, from the present one on.
+/// A number is a position; a word is searched for in the columns and quantities, from the present one on.
 pub(super) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
         return;

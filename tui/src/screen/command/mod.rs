@@ -1,4 +1,4 @@
-//! Commands: the table of them, and what each does to the state.
+//! Commands: their table, and their effects on the state.
 
 mod accuracy;
 mod act;
@@ -24,7 +24,7 @@ pub(crate) use write::grant;
 use super::state::{Group, Key, Purpose, State, View};
 use super::view;
 
-/// Asks for what is shown at the start: the analysis of the scene, or the first picture of the menu.
+/// Requests the data for the first frame: the analysis of the scene, or the first picture of the menu.
 pub(crate) fn start(state: &mut State) {
     if state.scene.is_some() {
         jobs::ask(state, Purpose::Main);
@@ -33,7 +33,7 @@ pub(crate) fn start(state: &mut State) {
     }
 }
 
-/// Gives a key to what is open: a question, the `:` line, the help, or else the view.
+/// Passes a key to what is open: a question, the `:` line, the help, or else the view.
 pub(crate) fn press(state: &mut State, event: KeyEvent) {
     let key = Key::from(event);
     let meant = state.command(key);

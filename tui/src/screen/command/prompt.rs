@@ -5,7 +5,7 @@ use crossterm::event::KeyCode;
 use super::line;
 use crate::screen::state::{Key, Prompt, PromptKind, State, round};
 
-/// A key while the line is open.
+/// Handles a key while the line is open.
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(mut prompt) = state.prompt.take() else { return };
     match key.code {
@@ -20,7 +20,7 @@ pub(super) fn press(state: &mut State, key: Key) {
         }
         KeyCode::Backspace => {
             prompt.completing = None;
-            // As in other programs: deleting from an empty line closes it.
+            // As in other programs, deleting from an empty line closes it.
             if prompt.text.pop().is_none() {
                 return;
             }
@@ -37,7 +37,7 @@ pub(super) fn press(state: &mut State, key: Key) {
     state.prompt = Some(prompt);
 }
 
-/// Puts the next or previous completion of what was typed.
+/// Inserts the next or previous completion of the typed text.
 fn complete(state: &State, prompt: &mut Prompt, by: isize) {
     if prompt.kind == PromptKind::Search {
         return;

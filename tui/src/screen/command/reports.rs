@@ -1,4 +1,4 @@
-//! What comes back from the work beside the screen.
+//! Receives the reports of the worker.
 
 use assur_analysis::results::Check;
 
@@ -7,7 +7,7 @@ use crate::screen::state::{Chosen, Compared, Found, Purpose, Report, Role, Scene
 
 const FAULT: &str = "The scene was not taken; the old result stays. Any key goes on.";
 
-/// Takes what the worker found; returns whether the frame may differ.
+/// Takes a report of the worker; returns whether the frame may differ.
 pub(crate) fn take(state: &mut State, report: Report) -> bool {
     let number = match &report {
         Report::Counted { number, .. }
@@ -33,7 +33,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
                 Err(text) => state.say(Role::Bad, format!("no analysis: {text}")),
             }
         }
-        // Nobody waits for it any more.
+        // This report is no longer needed.
         (_, None) => return false,
     }
     true
@@ -41,7 +41,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
 
 fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, String>) {
     let purpose = state.running[index].purpose;
-    // After the main results their checks go on.
+    // After the main results their checks continue.
     if purpose == Purpose::Difference || found.is_err() {
         state.running.remove(index);
     }
@@ -63,7 +63,7 @@ fn take_checks(state: &mut State, index: usize, checks: Vec<Check>) {
     }
 }
 
-/// Takes a second scene; one that has other positions can't be compared.
+/// Takes a second scene; one with other positions can't be compared.
 fn take_compared(state: &mut State, other: Box<Scene>) {
     let Some(scene) = &state.scene else { return };
     let mut name = other.source.short_name();
@@ -81,7 +81,7 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
     }
 }
 
-/// Shows a scene: a new one from its start, the same one again where it was.
+/// Shows a scene: a new one from its first position, a reread one at the position shown before.
 fn open(state: &mut State, scene: Scene) {
     let again = state.scene.as_ref().is_some_and(|old| old.source == scene.source);
     if !again {

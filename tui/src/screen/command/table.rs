@@ -1,4 +1,4 @@
-//! The one table of commands: dispatch, hints, help screen, `:` line and configuration read it.
+//! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
 use super::{accuracy, act, plans, whatif, write};
 use crate::screen::state::{Command, Group, PromptKind, State, View, Wish};

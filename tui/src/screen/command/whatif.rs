@@ -1,4 +1,4 @@
-//! Commands of the list of values, and what comes back from reading a changed scene.
+//! Commands of the list of values, and the result of reading a changed scene.
 
 use std::path::PathBuf;
 
@@ -13,12 +13,12 @@ pub(crate) fn toggle(state: &mut State) {
     state.what_if.open = !state.values_open();
 }
 
-/// The next size of a step.
+/// The next step size.
 pub(super) fn step(state: &mut State) {
     state.what_if.step = (state.what_if.step + 1) % STEPS.len();
 }
 
-/// The chosen value, a step up (1) or down (-1).
+/// Changes the chosen value by a step up (1) or down (-1).
 pub(super) fn shift(state: &mut State, sense: f64) {
     let what = &mut state.what_if;
     let Some(value) = what.values.get(what.chosen) else { return };
@@ -37,7 +37,7 @@ fn put(state: &mut State, index: usize, toml: String) {
     }
 }
 
-/// Takes back the last change.
+/// Undoes the last change.
 pub(super) fn undo(state: &mut State) {
     match state.what_if.done.pop() {
         Some((index, before)) => {
@@ -48,7 +48,7 @@ pub(super) fn undo(state: &mut State) {
     }
 }
 
-/// Asks for the scene as it is wanted, unless it is shown or the one before is still being read.
+/// Requests the scene with the present values, unless it is shown or the one before is still being read.
 fn ask(state: &mut State) {
     let (what, Some(scene)) = (&mut state.what_if, &state.scene) else { return };
     if what.reading == Reading::Runs {
@@ -68,7 +68,7 @@ fn ask(state: &mut State) {
     state.wishes.push(Wish::Work(Job::Change(change)));
 }
 
-/// Takes a changed scene, or why it is none; returns whether the frame may differ.
+/// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
 pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>, String>) -> bool {
     let what = &mut state.what_if;
     if change.opening != what.opening {
@@ -94,7 +94,7 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
     true
 }
 
-/// Shows a changed scene where the one before was, with its difference to the same other analyzer.
+/// Shows a changed scene in place of the one before, with its difference to the same other analyzer.
 fn show(state: &mut State, scene: Scene) {
     if let Some(old) = state.scene.as_ref().filter(|old| old.found.is_some()) {
         state.what_if.compared = old.other.as_ref().map(|other| other.analyzer.clone());
@@ -107,7 +107,7 @@ fn show(state: &mut State, scene: Scene) {
     }
 }
 
-/// Another scene was opened, or the file was read again: changes are dropped, and that is said.
+/// Another scene was opened, or the file was reread: changes are dropped, with a message.
 pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     let dropped = state.what_if.changes();
     state.what_if = state.what_if.next(scene, again);
@@ -128,8 +128,7 @@ pub(super) fn exact(state: &mut State) {
     }
 }
 
-/// `value KEY VALUE` of the `:` line: changes the value, or without one says what it is; false where there is no
-/// such key.
+/// `value KEY VALUE` of the `:` line: changes the value, or without VALUE shows it; false if there is no such key.
 pub(super) fn set(state: &mut State, rest: &str) -> bool {
     let typed = |key: &str| {
         let typed = rest.strip_prefix(key)?;
@@ -148,7 +147,7 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
     true
 }
 
-/// The next value whose key has the text.
+/// The next value whose key contains the text.
 pub(super) fn search(state: &mut State, text: &str) {
     let (wanted, what) = (text.to_lowercase(), &mut state.what_if);
     let count = what.values.len();
@@ -181,7 +180,7 @@ pub(super) fn save_line(state: &mut State, name: &str) {
     state.wishes.push(Wish::Write(OutputFile { path: home(name), content, overwrite: false, scene: true }));
 }
 
-/// Leaves, but first says that changes are not saved.
+/// Quits, but first warns of unsaved changes.
 pub(super) fn quit(state: &mut State) {
     if may_drop(state) {
         state.wishes.push(Wish::Quit);
@@ -191,7 +190,7 @@ pub(super) fn quit(state: &mut State) {
     }
 }
 
-/// Opens a scene, but first says that changes of the open one are not saved.
+/// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
         state.wishes.push(Wish::Work(Job::Open(source)));
@@ -202,7 +201,7 @@ pub(super) fn open(state: &mut State, source: Source) {
     }
 }
 
-/// Whether there is nothing to lose, or the user knows what is lost.
+/// Whether nothing would be lost, or the user has been warned.
 fn may_drop(state: &mut State) -> bool {
     !state.what_if.unsaved() || std::mem::replace(&mut state.what_if.warned, true)
 }

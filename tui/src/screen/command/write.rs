@@ -8,7 +8,7 @@ use crate::files;
 use crate::screen::draw::svg;
 use crate::screen::state::{Key, OutputFile, Role, Scene, State, View, Wish};
 
-/// Asks for a file of the present view.
+/// Asks for the name of a file for the present view.
 pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, "this view has nothing to write");
@@ -37,7 +37,7 @@ pub(super) fn write(state: &mut State) {
     }
 }
 
-/// The position and these columns, each with its unit in the name, as CSV; a missing number is an empty field.
+/// The position and these columns as CSV, each column with its unit in the name; a missing number is an empty field.
 fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<String, Box<dyn std::error::Error>> {
     let columns: Vec<_> = columns.filter_map(|column| scene.column(column)).collect();
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -51,7 +51,7 @@ fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<String, 
     Ok(String::from_utf8(writer.into_inner()?)?)
 }
 
-/// Writes a file, or asks where there is one already.
+/// Writes a file, or asks if it exists already.
 pub(crate) fn grant(state: &mut State, file: OutputFile) {
     let path = std::path::absolute(&file.path).unwrap_or_else(|_| file.path.clone());
     if path.exists() && !file.overwrite {

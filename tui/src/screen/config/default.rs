@@ -1,4 +1,4 @@
-//! The default configuration as a file with comments, made from the table of commands and the defaults themselves.
+//! The default configuration as a file with comments, generated from the table of commands and the defaults themselves.
 
 use assur_scene::edit::quoted;
 
@@ -6,7 +6,7 @@ use super::Config;
 use crate::screen::command::COMMANDS;
 use crate::screen::state::{Command, Group, Key, Look, Marker, Theme};
 
-/// Where the comments of the keys begin.
+/// Column at which the comments of the keys begin.
 const COMMENT_AT: usize = 40;
 
 /// The file.

@@ -10,10 +10,10 @@ use crate::screen::state::{Look, Role};
 
 /// Columns of the axis with its labels.
 pub(crate) const LABELS: u16 = 11;
-/// An end of the axis that is this small beside the other is rounding.
+/// An end of the axis that is this small compared with the other is shown as zero.
 const ROUNDING: f64 = 1e-12;
 
-/// Values to rows of a plot.
+/// Maps values to rows of a plot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ValueAxis {
     pub(super) low: f64,

@@ -1,4 +1,4 @@
-//! One curve or more over the positions, with a cursor and marks.
+//! One or more curves over the positions, with a cursor and marks.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -10,7 +10,7 @@ use super::raster::{Raster, Stroke, short, whole};
 use super::text::{cut, put};
 use crate::screen::state::{Look, Role, axis_range, extent};
 
-/// What is marked on a curve.
+/// A mark on a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Mark {
     Extreme,
@@ -34,19 +34,19 @@ pub(crate) struct Chart<'a> {
     pub(crate) title: String,
     /// Values by position; the first curve is the one with the marks.
     pub(crate) curves: Vec<(&'a [f64], Style)>,
-    /// Positions (also between two), and what is there.
+    /// Marks: positions (also between two), and their kind.
     pub(crate) marks: Vec<(f64, Mark)>,
     pub(crate) cursor: usize,
-    /// Sizes below this are rounding.
+    /// Values below this count as zero.
     pub(crate) floor: f64,
-    /// Where each value lies on the axis, 0 to 1; `None`: equally spaced.
+    /// Place of each value on the axis, 0 to 1; `None`: equally spaced.
     pub(crate) places: Option<&'a [f64]>,
 }
 
-/// Stars on a curve at most.
+/// Most stars on a curve.
 const MOST_STARS: usize = 24;
 
-/// Column of a position in so many columns.
+/// Column of a position in a chart of this many columns.
 pub(crate) fn column_of(position: usize, count: usize, width: u16) -> u16 {
     short(whole(column(position as f64, count, width)))
 }
@@ -92,7 +92,7 @@ impl Chart<'_> {
             raster.line(ends[0], ends[1], Stroke::Dotted(4), look.theme.style(Role::Dim));
         }
         for (number, (values, style)) in self.curves.iter().enumerate() {
-            // The first is a line, another one a row of stars: told apart without color.
+            // The first curve is a line, others are rows of stars: distinguished without color.
             frame.curve(values, number == 0, *style, &mut raster);
         }
         raster.paint(plot, buffer);
@@ -102,7 +102,7 @@ impl Chart<'_> {
         axis.draw(area, look, true, buffer);
     }
 
-    /// Stars on the curves after the first: dots alone are hard to tell from a line that is near.
+    /// Stars on the curves after the first: dots alone are hard to distinguish from a nearby line.
     fn draw_stars(&self, frame: &Frame<'_>, raster: &Raster, buffer: &mut Buffer) {
         let mut labels = Labels::new(frame.plot);
         for (values, style) in self.curves.iter().skip(1) {
@@ -125,7 +125,7 @@ impl Chart<'_> {
         labels.write(raster, buffer);
     }
 
-    /// The cursor: a line where nothing else stands, so that it is seen without color.
+    /// The cursor: a line where nothing else is drawn, so that it is seen without color.
     fn draw_cursor(&self, frame: &Frame<'_>, look: Look, buffer: &mut Buffer) {
         let x = frame.plot.x + short(whole(frame.column(self.cursor as f64)));
         for y in frame.plot.y..frame.plot.bottom() {

@@ -1,4 +1,4 @@
-//! Vectors in a plane of their own, with names, heads and a scale.
+//! Vectors in a plane of their own, with names, arrow heads and a scale.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,7 +9,7 @@ use super::scale::Scale;
 use super::text::put;
 use crate::screen::state::{Bounds, Look, Role, Zoom};
 
-/// Widths of a cell that the bar of the scale is long at most.
+/// Greatest length of the scale bar, in cell widths.
 const BAR: f64 = 10.0;
 
 /// A vector from one point to another.
@@ -28,12 +28,12 @@ pub(crate) struct Diagram<'a> {
     pub(crate) arrows: Vec<Arrow>,
     /// Unit of the scale.
     pub(crate) unit: &'a str,
-    /// The pole, where a plan has one: it is marked, and names stand at the tips, as in textbooks.
+    /// The pole, if the plan has one: it is marked, and names are at the tips, as in textbooks.
     pub(crate) pole: Option<&'a str>,
 }
 
 impl Diagram<'_> {
-    /// Draws all to one scale that fits.
+    /// Draws all vectors to one scale that fits.
     pub(crate) fn draw(&self, look: Look, area: Rect, buffer: &mut Buffer) {
         if self.arrows.is_empty() || area.width < 12 || area.height < 4 {
             return;

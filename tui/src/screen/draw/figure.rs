@@ -1,4 +1,4 @@
-//! What of a mechanism is drawn: segments of links, blocks on guides, pins, hatched ground.
+//! The drawing of a mechanism as shapes: segments of links, blocks on guides, pins, hatched ground.
 
 #[cfg(test)]
 mod tests;
@@ -12,7 +12,7 @@ use assur_mechanism::{GROUND, LinkId};
 pub(crate) enum Shape {
     /// A straight piece of a link.
     Bar([f64; 2], [f64; 2]),
-    /// A stone: a block that lies along a direction.
+    /// A slider: a block in a given direction.
     Block([f64; 2], [f64; 2]),
     /// The guide line of a slide on the ground, hatched on its right side.
     GroundGuide([f64; 2], [f64; 2]),
@@ -36,7 +36,7 @@ pub(crate) fn figure(linkage: &Linkage, bodies: &[Body<f64>], strokes: &[[f64; 2
         let outline = hull(&features(linkage, link));
         let at = |local: [f64; 2]| body.point(local);
         let edges = outline.len();
-        // A triangle and more is closed, two points are one bar.
+        // Three points and more form a closed outline, two points a bar.
         let closed = usize::from(edges > 2);
         for i in 0..(edges + closed).saturating_sub(1) {
             let shape = Shape::Bar(at(outline[i]), at(outline[(i + 1) % edges]));
@@ -48,7 +48,7 @@ pub(crate) fn figure(linkage: &Linkage, bodies: &[Body<f64>], strokes: &[[f64; 2
     parts
 }
 
-/// The guides: on the ground hatched, on a link a bar as far as the stone goes.
+/// The guides: on the ground hatched, on a link a bar over the stroke of the slider.
 fn guides(linkage: &Linkage, bodies: &[Body<f64>], strokes: &[[f64; 2]]) -> Vec<Part> {
     let mut parts = Vec::new();
     for (slide, &[low, high]) in linkage.mechanism.slides.iter().zip(strokes) {

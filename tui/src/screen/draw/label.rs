@@ -1,4 +1,4 @@
-//! Names beside their places, without one covering the other.
+//! Names next to their places, without overlaps.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -7,12 +7,12 @@ use unicode_width::UnicodeWidthStr;
 
 use super::raster::{Raster, short, whole};
 
-/// The cells that are taken, of one area.
+/// The occupied cells of one area.
 #[derive(Debug)]
 pub(crate) struct Labels {
     area: Rect,
     texts: Vec<(Rect, String, Style)>,
-    /// Texts that give way to whatever is drawn in their cell.
+    /// Texts that are dropped if anything else is drawn in their cell.
     faint: Vec<(Rect, &'static str, Style)>,
 }
 
@@ -21,21 +21,21 @@ impl Labels {
         Self { area, texts: Vec::new(), faint: Vec::new() }
     }
 
-    /// Takes exactly a cell; outside the area nothing happens.
+    /// Occupies exactly a cell; does nothing outside the area.
     pub(crate) fn put(&mut self, at: [f64; 2], text: &str, style: Style) {
         if let Some(spot) = self.spot([at[0].floor(), at[1].floor()], text.width()) {
             self.texts.push((spot, text.to_owned(), style));
         }
     }
 
-    /// Takes a cell unless something is drawn there.
+    /// Occupies a cell unless something is drawn there.
     pub(crate) fn faint(&mut self, at: [f64; 2], text: &'static str, style: Style) {
         if let Some(spot) = self.spot([at[0].floor(), at[1].floor()], text.width()) {
             self.faint.push((spot, text, style));
         }
     }
 
-    /// Writes beside a cell: where nothing is drawn if there is such a place, else where no other name stands.
+    /// Writes next to a cell: where nothing is drawn if there is such a place, else where no other name is.
     pub(crate) fn beside(&mut self, raster: &Raster, at: [f64; 2], text: &str, style: Style) {
         let width = text.width() as f64;
         let (x, y) = (at[0].floor(), at[1].floor());
@@ -62,7 +62,7 @@ impl Labels {
         }
     }
 
-    /// Writes all of them over what was drawn.
+    /// Writes all texts over the drawing.
     pub(crate) fn write(&self, raster: &Raster, buffer: &mut Buffer) {
         for (spot, text, style) in &self.faint {
             if raster.is_free(usize::from(spot.x - self.area.x), usize::from(spot.y - self.area.y)) {
@@ -86,7 +86,7 @@ impl Labels {
     }
 }
 
-/// The character of an arrow's head; the direction is right and down on the screen, in widths of a cell.
+/// The character of an arrow's head; the direction is right and down on the screen, in cell widths.
 pub(super) fn head([right, down]: [f64; 2]) -> &'static str {
     match (right.abs() >= down.abs(), right > 0.0, down > 0.0) {
         (true, true, _) => ">",

@@ -1,4 +1,4 @@
-//! Curves given by points of both axes, told apart by dashes and by a number on them, not by color alone.
+//! Curves given by points of both axes, distinguished by dashes and by a number on them, not by color alone.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -10,7 +10,7 @@ use super::text::put;
 use crate::number::plain;
 use crate::screen::state::{Look, Role, axis_range, extent};
 
-/// Strokes and roles of the curves in their order.
+/// Strokes and styles of the curves in their order.
 const STYLES: [(Stroke, Role); 3] =
     [(Stroke::Solid, Role::First), (Stroke::Dotted(3), Role::Third), (Stroke::Dotted(6), Role::Second)];
 
@@ -20,7 +20,7 @@ pub(crate) struct Lines<'a> {
     pub(crate) title: &'a str,
     /// At most three, each with its name.
     pub(crate) curves: Vec<(&'a str, Vec<[f64; 2]>)>,
-    /// What the horizontal axis is, with its unit.
+    /// Name of the horizontal axis, with its unit.
     pub(crate) axis: &'a str,
     /// Where the cursor is on the horizontal axis.
     pub(crate) cursor: Option<f64>,
@@ -55,7 +55,7 @@ impl Lines<'_> {
             let cells: Vec<[f64; 2]> =
                 points.iter().filter(|at| at[1].is_finite()).map(|at| cell(*at)).collect();
             raster.polyline(&cells, stroke, look.theme.style(role));
-            // Each number at its own part of the curve, so that curves that meet still show theirs.
+            // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
             if let Some(at) = cells.get((2 * number + 1) * cells.len() / (2 * self.curves.len()).max(1))
                 && self.curves.len() > 1
             {
@@ -68,7 +68,7 @@ impl Lines<'_> {
         self.horizontal_axis([left, right], area, look, buffer);
     }
 
-    /// `moments, N m: 1 drive  2 resistance`; where that is too long, the names alone: what the numbers mean must be seen.
+    /// `moments, N m: 1 drive  2 resistance`; if that is too long, the names alone, because they explain the numbers.
     fn heading(&self, width: usize) -> String {
         let names = self.curves.iter().enumerate().map(|(i, line)| format!("{} {}", i + 1, line.0));
         let names = names.collect::<Vec<_>>().join("  ");
@@ -80,7 +80,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Least and greatest coordinate of the points that have a value, never the same.
+    /// Least and greatest coordinate of the points that have a value, never equal.
     fn range(&self, axis: usize) -> Option<[f64; 2]> {
         let points = self.curves.iter().flat_map(|(_, points)| points).filter(|at| at[1].is_finite());
         extent(&points.map(|at| at[axis]).collect::<Vec<_>>()).map(|extent| axis_range(extent, 0.0))

@@ -1,4 +1,4 @@
-//! Puts the figure of a mechanism into a raster: bars, blocks, pins, hatching, arrows, names.
+//! Draws the figure of a mechanism into a raster: bars, blocks, pins, hatching, arrows, names.
 
 use assur_kinematics::Position;
 use assur_mechanism::GROUND;
@@ -10,12 +10,12 @@ use super::raster::{Raster, Stroke, whole};
 use super::scale::Scale;
 use crate::screen::state::{Look, Marker, Role, Scene};
 
-/// Half sizes of a block, in widths of a cell.
+/// Half sizes of a block, in cell widths.
 const BLOCK: [f64; 2] = [2.0, 1.1];
 /// Character of hatching.
 const HATCH: &str = "╱";
 
-/// What drawing needs.
+/// The data for drawing.
 #[derive(Debug)]
 pub(crate) struct Pen<'a> {
     pub(crate) scale: &'a Scale,
@@ -24,10 +24,10 @@ pub(crate) struct Pen<'a> {
     pub(crate) look: Look,
 }
 
-/// Draws the mechanism in one position; the links in `marked` stand out.
+/// Draws the mechanism in one position; the links in `marked` are highlighted.
 pub(crate) fn draw_figure(pen: &mut Pen<'_>, scene: &Scene, pose: &Position, marked: &[usize]) {
     let parts = figure(&scene.linkage, &pose.bodies, &scene.strokes);
-    // What is marked is drawn last: where lines cross, the later one gives the cell its style.
+    // Marked links are drawn last: where lines cross, the later one gives the cell its style.
     for round in [false, true] {
         for part in parts.iter().filter(|part| marked.contains(&part.link) == round) {
             let role = match part.link {
@@ -121,7 +121,7 @@ fn bearing(pen: &mut Pen<'_>, at: [f64; 2], style: Style) {
     pen.labels.put([x, y], "o", style);
 }
 
-/// An arrow from a place along a vector; `unit` is the length of one of it in widths of a cell.
+/// An arrow from a place along a vector; `unit` is the length in cell widths of a vector of size 1.
 pub(crate) fn arrow(pen: &mut Pen<'_>, at: [f64; 2], v: [f64; 2], unit: f64, stroke: Stroke, style: Style) {
     let length = v[0].hypot(v[1]) * unit;
     if !(length.is_finite() && length >= 1.0) {

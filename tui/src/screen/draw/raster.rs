@@ -1,4 +1,4 @@
-//! A grid of dots that becomes characters: Braille, half blocks, or ASCII strokes.
+//! A grid of dots that is converted to characters: Braille, half blocks, or ASCII strokes.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -6,12 +6,12 @@ use ratatui::style::Style;
 
 use crate::screen::state::Marker;
 
-/// How a stroke is made.
+/// The style of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stroke {
     /// A line.
     Solid,
-    /// Every so many dots one.
+    /// One dot out of this many.
     Dotted(usize),
 }
 
@@ -102,7 +102,7 @@ impl Raster {
         column < self.columns && row < self.rows && self.cells[row * self.columns + column].bits == 0
     }
 
-    /// Writes the dots into a buffer; cells without dots are left as they are.
+    /// Writes the dots into a buffer; cells without dots are unchanged.
     pub(crate) fn paint(&self, area: Rect, buffer: &mut Buffer) {
         for row in 0..self.rows {
             for column in 0..self.columns {
@@ -118,7 +118,7 @@ impl Raster {
         }
     }
 
-    /// The part of a line near the area: far ends would take forever to walk.
+    /// The part of a line near the area: a line to a far end would take too long.
     fn clipped(&self, from: [f64; 2], to: [f64; 2]) -> Option<[[f64; 2]; 2]> {
         let limits = [self.columns as f64, self.rows as f64];
         let (mut low, mut high) = (0.0_f64, 1.0_f64);
@@ -142,7 +142,7 @@ impl Raster {
     }
 }
 
-/// A non-negative whole number that fits; what does not fit becomes 0.
+/// A non-negative whole number in range; others become 0.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -182,7 +182,7 @@ fn symbol(marker: Marker, cell: &Cell) -> char {
     }
 }
 
-/// The character that looks like a stroke; a cell is taken as twice as high as wide.
+/// The character that looks like a stroke; a cell is assumed to be twice as high as wide.
 fn slope(dx: f64, dy: f64) -> char {
     let angle = (2.0 * dy).atan2(dx).to_degrees().rem_euclid(180.0);
     match angle {

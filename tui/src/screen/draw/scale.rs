@@ -11,15 +11,15 @@ use crate::screen::state::{Bounds, Zoom};
 pub(crate) struct Scale {
     center: [f64; 2],
     middle: [f64; 2],
-    /// Meters a cell is wide.
+    /// Width of a cell, m.
     pub(crate) meters: f64,
-    /// Height of a cell in its widths.
+    /// Ratio of a cell's height to its width.
     ratio: f64,
 }
 
-/// Cells left free at each side for names, and rows for hatching.
+/// Columns left free at each side for names, and rows for hatching.
 ///
-/// The eighth keeps what touches the edge out of one more cell.
+/// The eighth keeps a line on the edge from taking another cell.
 const MARGIN: [f64; 2] = [4.125, 1.125];
 
 impl Scale {
@@ -45,13 +45,13 @@ impl Scale {
         ]
     }
 
-    /// A vector of the plane whose length is so many widths of a cell, turned as `along` (a unit vector).
+    /// A vector of the plane with this length in cell widths, in the direction `along` (a unit vector).
     pub(crate) fn arm(&self, along: [f64; 2], widths: f64) -> [f64; 2] {
         [along[0] * widths, -along[1] * widths / self.ratio]
     }
 
-    /// A bar of a round length that is not above so many widths of a cell: `|----| 100 mm`; `factor` is the number of
-    /// units in one of the plane.
+    /// A bar of a round length of at most this many cell widths: `|----| 100 mm`; `factor` is the number of units per
+    /// unit of the plane.
     pub(crate) fn bar(&self, widths: f64, factor: f64, unit: &str) -> String {
         let length = round_length(widths * self.meters);
         let dashes = "-".repeat(whole((length / self.meters).round().clamp(2.0, 40.0)) - 1);

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::figure::{Shape, figure};
 use crate::screen::state::Scene;
 
-/// Free space around, in parts of the drawn size.
+/// Free space around the drawing, as part of its size.
 const MARGIN: f64 = 0.08;
 
 /// The drawing of one position.
@@ -36,7 +36,7 @@ pub(crate) fn drawing(scene: &Scene, position: usize) -> String {
     svg.text
 }
 
-/// A drawing that is being written; lengths are in meters, widths of lines in parts of the size.
+/// A drawing in progress; lengths are in meters, widths of lines in parts of the size.
 struct Svg {
     text: String,
     /// The greater of width and height of the mechanism, m.

@@ -8,10 +8,10 @@ use textwrap::Options;
 use super::raster::short;
 use crate::screen::state::{Look, Role};
 
-/// Columns by which the rest of a line that is too long is indented beyond its beginning.
+/// Indent of the continuation lines of a line that is too long, in columns.
 const HANGING: usize = 4;
 
-/// Writes a text into an area, cut at its right edge; outside nothing happens.
+/// Writes a text into an area, cut at its right edge; does nothing outside.
 pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
     if row < area.height && column < area.width {
         buffer.set_stringn(area.x + column, area.y + row, text, usize::from(area.width - column), style);
@@ -31,17 +31,17 @@ pub(crate) fn put_lines<'a>(
     }
 }
 
-/// The first item of a list that is shown in so many rows, where the chosen one is to be the last at most.
+/// The first item of a list that is shown in this many rows, with the chosen item as the last at most.
 pub(crate) fn first_shown(chosen: usize, rows: usize) -> usize {
     (chosen + 1).saturating_sub(rows)
 }
 
-/// A text in lines of at most so many columns, broken at spaces where it can be.
+/// A text in lines of at most this many columns, broken at spaces where possible.
 pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     textwrap::wrap(text, Options::new(width).break_words(false)).into_iter().map(Into::into).collect()
 }
 
-/// A line in as many as it needs, broken at spaces; all after the first are indented further.
+/// A line broken at spaces into as many rows as needed; all after the first are indented further.
 pub(crate) fn folded(line: &str, width: usize) -> Vec<String> {
     let text = line.trim_start_matches(' ');
     let indent = line.len() - text.len();
@@ -50,7 +50,7 @@ pub(crate) fn folded(line: &str, width: usize) -> Vec<String> {
     textwrap::wrap(text, options).into_iter().map(Into::into).collect()
 }
 
-/// The beginning of a text; a sign shows that something is missing.
+/// The beginning of a text; a sign shows that the rest is missing.
 pub(crate) fn cut(text: &str, width: usize) -> String {
     if text.chars().count() <= width {
         return text.to_owned();

@@ -39,9 +39,9 @@ impl Bounds {
 /// Zoom and pan of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Zoom {
-    /// How many times larger than the whole.
+    /// Factor of enlargement.
     pub(crate) factor: f64,
-    /// Shift of the middle in parts of the drawn size.
+    /// Shift of the middle as part of the drawn size.
     pub(crate) shift: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! A second scene beside the open one: its curves, and the differences.
+//! A second scene for comparison with the open one: its curves, and the differences.
 
 use super::scene::Scene;
 use super::series::Series;
@@ -11,12 +11,12 @@ pub(crate) struct Compared {
 }
 
 impl Compared {
-    /// The same quantity of the second scene, in the same unit.
+    /// The corresponding quantity of the second scene, in the same unit.
     pub(crate) fn series(&self, own: &Series) -> Option<&Series> {
         self.scene.series.iter().find(|other| other.short == own.short && other.unit == own.unit)
     }
 
-    /// Own value less that of the second scene; NaN where one has none.
+    /// Own value minus that of the second scene; NaN if one of them has none.
     pub(crate) fn difference(&self, own: &Series, position: usize) -> Option<f64> {
         Some(own.at(position) - self.series(own)?.at(position))
     }

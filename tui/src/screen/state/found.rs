@@ -1,20 +1,20 @@
-//! What the analysis found, beside the transfer functions: rates, reduction, reactions, checks, motion over time.
+//! The results of the analysis besides the transfer functions: rates, reduction, reactions, checks, motion over time.
 
 use assur_analysis::results::{Analysis, Check, PositionResult, Rates};
 
 use super::plans::Planner;
 use super::series::{Series, greatest};
 
-/// A force this small beside the greatest one of the mechanism is rounding.
+/// A force this small compared with the greatest one of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// The results of one analysis, with the series made of them.
+/// The results of one analysis, with its series.
 #[derive(Debug)]
 pub(crate) struct Found {
     /// Name of the force analyzer.
     pub(crate) analyzer: String,
     pub(crate) analysis: Analysis,
-    /// Empty until they are done.
+    /// Empty until the checks are done.
     pub(crate) checks: Vec<Check>,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
@@ -22,9 +22,9 @@ pub(crate) struct Found {
     pub(crate) reactions: Vec<Reaction>,
     /// Plans of any position.
     pub(crate) plans: Planner,
-    /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` where the positions have none.
+    /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` if the positions have none.
     pub(crate) fastest: Option<[f64; 2]>,
-    /// Indices in `series` of what the motion view shows.
+    /// Indices in `series` of the content of the motion view.
     pub(crate) motion: Vec<usize>,
 }
 
@@ -80,7 +80,7 @@ impl Found {
     }
 }
 
-/// Series that are being gathered from the positions of an analysis.
+/// Series that are being collected from the positions of an analysis.
 struct Gather<'a> {
     analysis: &'a Analysis,
     positions: usize,
@@ -88,7 +88,7 @@ struct Gather<'a> {
 }
 
 impl Gather<'_> {
-    /// Adds a series if any position has it, and gives its index.
+    /// Adds a series if any position has it, and returns its index.
     fn add(
         &mut self,
         of: String,
@@ -180,7 +180,7 @@ impl Gather<'_> {
         found
     }
 
-    /// Gives the forces of the pairs the size below which they are rounding.
+    /// Sets the limit below which forces of the pairs count as zero.
     fn mark_rounding(&mut self, reactions: &[Reaction]) {
         let forces = || reactions.iter().flat_map(|reaction| &reaction.series).copied();
         let floor = ROUNDING * greatest(forces().flat_map(|index| &self.series[index].values));
@@ -203,12 +203,12 @@ fn fastest(analysis: &Analysis) -> Option<[f64; 2]> {
     Some([most(1)?, most(2)?])
 }
 
-/// Pairs and links: of a pair of two links one, since the other force is the opposite one; of a multiple joint all.
+/// Pairs and links: of a pair of two links one, because the other force is opposite; of a multiple joint all.
 fn pairs(analysis: &Analysis) -> Vec<(String, String)> {
     let reactions = analysis.positions.iter().find_map(|position| position.reactions.as_ref());
     let mut pairs = Vec::new();
     for (pair, reaction) in reactions.iter().flat_map(|reactions| reactions.iter()) {
-        // The force on a moving link says more than the one on the ground.
+        // The force on a moving link is more informative than the one on the ground.
         let moving = reaction.forces.iter().filter(|(link, _)| &**link != "ground");
         let count = if reaction.forces.len() > 2 { usize::MAX } else { 1 };
         pairs.extend(moving.take(count).map(|(link, _)| (pair.to_owned(), link.to_string())));

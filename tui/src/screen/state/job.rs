@@ -1,4 +1,4 @@
-//! What is done beside the screen, what comes back from it, and the sign that stops it.
+//! The jobs of the worker, their reports, and the flag that stops them.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -14,12 +14,12 @@ use super::found::Found;
 use super::scene::{Scene, Source};
 use super::whatif::Change;
 
-/// What a command wants that it can't do itself.
+/// Actions that a command requests because the state can't do them.
 #[derive(Debug)]
 pub(crate) enum Wish {
     Quit,
     Redraw,
-    /// Take the terminal again after the process was stopped.
+    /// Take the terminal again after the process was suspended.
     Retake,
     Suspend,
     Work(Job),
@@ -37,22 +37,22 @@ pub(crate) struct OutputFile {
     pub(crate) scene: bool,
 }
 
-/// What the worker is asked.
+/// A request to the worker.
 #[derive(Debug)]
 pub(crate) enum Job {
     /// Read a scene (again).
     Open(Source),
-    /// Read a second scene, to be compared.
+    /// Read a second scene, for comparison.
     Compare(Source),
     /// Compile a shipped scene for its picture.
     Preview(usize),
-    /// Read the open scene with other numbers in it.
+    /// Read the open scene with changed numbers.
     Change(Change),
-    /// Calculate all that the open scene asks for, or measure the methods on it.
+    /// Calculate all results of the open scene, or measure the methods on it.
     Calculate(Request),
 }
 
-/// What a calculation is for.
+/// The purpose of a calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Purpose {
     /// The results that are shown, with their checks.
@@ -66,7 +66,7 @@ pub(crate) enum Purpose {
 /// A calculation of the open scene.
 #[derive(Debug, Clone)]
 pub(crate) struct Request {
-    /// An answer to a request that runs no more is dropped.
+    /// Number of the request; a report to a request that is no longer in progress is dropped.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
     pub(crate) linkage: Arc<Linkage>,
@@ -75,18 +75,18 @@ pub(crate) struct Request {
     pub(crate) cancel: Cancel,
 }
 
-/// A calculation that runs beside.
+/// A calculation in progress.
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
     /// Number of its request.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
-    /// How far it is; empty at the start.
+    /// Its progress; empty at the start.
     pub(crate) count: String,
     pub(crate) cancel: Cancel,
 }
 
-/// A sign that the worker sees and then stops.
+/// A flag that makes the worker stop.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cancel(Arc<AtomicBool>);
 
@@ -95,22 +95,22 @@ impl Cancel {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// The answer to a calculation that asks whether to go on.
+    /// The return value for a calculation that asks whether to continue.
     pub(crate) fn flow(&self) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
-/// What the worker found. A failure is a text to show.
+/// A report of the worker. A failure is a text to show.
 #[derive(Debug)]
 pub(crate) enum Report {
     Opened(Result<Box<Scene>, String>),
-    /// The open scene with other numbers.
+    /// The open scene with changed numbers.
     Changed(Change, Result<Box<Scene>, String>),
     Compared(Result<Box<Scene>, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Scene>, String>),
-    /// How far the calculation of a request is.
+    /// The progress of the calculation of a request.
     Counted {
         number: usize,
         count: String,
@@ -135,15 +135,15 @@ pub(crate) enum Report {
 pub(crate) struct Measured {
     /// Speed against accuracy, or why there is none.
     pub(crate) chart: Result<ChartData, String>,
-    /// `None` where the measurement was stopped before.
+    /// `None` if the measurement was stopped before.
     pub(crate) stability: Option<Result<Stability, String>>,
 }
 
 impl Measured {
-    /// Columns by which the labels of the last decade go beyond a scatter.
+    /// Columns by which the labels of the last decade extend beyond a scatter plot.
     const BEYOND: usize = 3;
 
-    /// The report in so many columns: what follows from it, speed against accuracy, stability.
+    /// The report in this many columns: conclusions, speed against accuracy, stability.
     pub(crate) fn text(&self, ascii: bool, width: usize) -> String {
         let chart = match &self.chart {
             Ok(data) => chart::text(data, ascii, width.saturating_sub(Self::BEYOND)),

@@ -1,4 +1,4 @@
-//! Keys and their names, the same in the table of commands, on the screen and in the configuration.
+//! Keys and their names, used in the table of commands, on the screen and in the configuration.
 
 #[cfg(test)]
 mod tests;
@@ -49,7 +49,7 @@ impl Key {
         if self.control { format!("C-{name}") } else { name }
     }
 
-    /// The names of keys that are no characters.
+    /// The names of keys that are not characters.
     pub(crate) fn names() -> String {
         let names: Vec<&str> = NAMES.iter().map(|(_, name)| *name).collect();
         format!("{}, F1 ... F12", names.join(", "))

@@ -1,4 +1,4 @@
-//! Commands as data, and which keys mean which command: those of the table, or those of the configuration.
+//! Commands as data, and the assignment of keys to commands, from the table or from the configuration.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ impl Group {
     ];
 }
 
-/// One thing that the user can do. The table of all commands is given to the state from above.
+/// One user command. The state receives the table of all commands from above.
 #[derive(Debug)]
 pub(crate) struct Command {
     /// Name on the `:` line and in the configuration.
@@ -37,18 +37,18 @@ pub(crate) struct Command {
     pub(crate) group: Group,
     /// Names of its keys by default, the one for the hints first.
     pub(crate) keys: &'static str,
-    /// Views in which the keys mean this; empty: all with a scene and the menu.
+    /// Views in which the keys apply; empty: all with a scene and the menu.
     pub(crate) views: &'static [View],
     /// Changes the state, draws nothing.
     pub(crate) run: fn(&mut State),
-    /// Its word among the hints; empty: none.
+    /// Its text among the hints; empty: none.
     pub(crate) hint: &'static str,
-    /// Its line of help.
+    /// Its text in the help.
     pub(crate) help: &'static str,
 }
 
 impl Command {
-    /// Whether its keys mean this in a view.
+    /// Whether its keys apply in a view.
     pub(crate) fn fits(&self, view: View) -> bool {
         self.views.is_empty() || self.views.contains(&view)
     }
@@ -69,7 +69,7 @@ impl Keymap {
         Self(commands.iter().map(|command| (command.name, command.default_keys())).collect())
     }
 
-    /// Gives a command these keys instead of those it has.
+    /// Replaces the keys of a command.
     pub(crate) fn bind(&mut self, command: &'static str, keys: Vec<Key>) {
         self.0.insert(command, keys);
     }
@@ -79,12 +79,12 @@ impl Keymap {
         self.0.get(command).map_or(&[], Vec::as_slice)
     }
 
-    /// Name of the first key of a command; the way by the `:` line where it has none.
+    /// Name of the first key of a command; if it has none, its form for the `:` line.
     pub(crate) fn first(&self, command: &str) -> String {
         self.keys(command).first().map_or_else(|| format!(":{command}"), |key| key.name())
     }
 
-    /// Keys that mean two commands in one view.
+    /// Keys with two commands in one view.
     pub(crate) fn clashes<'a>(&self, commands: &'a [Command]) -> Vec<(Key, View, [&'a Command; 2])> {
         let mut clashes = Vec::new();
         for (index, one) in commands.iter().enumerate() {

@@ -26,7 +26,7 @@ impl View {
     /// Every view of a scene, in the order of the tabs.
     pub(crate) const OF_SCENE: [Self; 10] =
         [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
-    /// The views of a scene in which Home, End and the page keys go through the positions.
+    /// The views of a scene in which Home, End and the page keys change the position.
     pub(crate) const WITHOUT_PAGES: [Self; 9] =
         [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
@@ -73,7 +73,7 @@ pub(crate) enum PlanKind {
     Construction,
 }
 
-/// What a view with several parts shows.
+/// The parts of a view that has several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pane {
     Table,
@@ -100,13 +100,13 @@ pub(crate) enum Traces {
     None,
 }
 
-/// The one of a list that follows, the first one after the last.
+/// The element of a list after the given one; the first one after the last.
 pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
     let index = all.iter().position(|one| *one == now).map_or(0, |index| (index + 1) % all.len());
     all.get(index).copied().unwrap_or(now)
 }
 
-/// The index that lies `by` farther in a list of so many, round.
+/// The index shifted by `by` in a list of this length, cyclically.
 pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     let count = isize::try_from(count.max(1)).unwrap_or(isize::MAX);
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
@@ -131,7 +131,7 @@ pub(crate) enum PromptKind {
 pub(crate) struct Prompt {
     pub(crate) kind: PromptKind,
     pub(crate) text: String,
-    /// Number of the completion that Tab gave, and what was typed before.
+    /// Number of the completion inserted by Tab, and the text that was typed before.
     pub(crate) completing: Option<(usize, String)>,
 }
 

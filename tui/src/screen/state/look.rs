@@ -4,22 +4,22 @@ use std::ops::RangeInclusive;
 
 use super::theme::Theme;
 
-/// What a dot of a drawing becomes.
+/// The characters for the dots of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Marker {
-    /// 2 x 4 dots a cell.
+    /// 2 x 4 dots per cell.
     Braille,
-    /// 1 x 2 dots a cell.
+    /// 1 x 2 dots per cell.
     HalfBlock,
-    /// One character a cell, chosen by the direction of the stroke.
+    /// One character per cell, chosen by the direction of the stroke.
     Ascii,
 }
 
 impl Marker {
-    /// All, in the order of the key that changes them.
+    /// All kinds, in the order of the key that changes them.
     pub(crate) const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
 
-    /// As `:set marker` and the configuration name it.
+    /// Its name for `:set marker` and the configuration.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Braille => "braille",
@@ -36,16 +36,16 @@ pub(crate) struct Look {
     pub(crate) ascii: bool,
     pub(crate) marker: Marker,
     pub(crate) theme: Theme,
-    /// Height of a cell in its widths.
+    /// Ratio of a cell's height to its width.
     pub(crate) ratio: f64,
-    /// Frames a second of the animation.
+    /// Frames per second of the animation.
     pub(crate) fps: u8,
 }
 
 impl Look {
-    /// Frames a second that the animation may have.
+    /// Allowed frames per second of the animation.
     pub(crate) const FPS: RangeInclusive<u8> = 1..=60;
-    /// Heights of a cell in its widths that fonts have.
+    /// Allowed ratios of a cell's height to its width.
     pub(crate) const RATIO: RangeInclusive<f64> = 0.5..=5.0;
 }
 

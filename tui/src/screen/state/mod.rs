@@ -1,4 +1,5 @@
-//! Everything a frame depends on. Commands change it, views read it; nothing here draws or knows a command by name.
+//! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
+//! name.
 
 mod bounds;
 mod compare;
@@ -57,26 +58,26 @@ pub(crate) struct State {
     pub(crate) traces: Traces,
     pub(crate) pane: Pane,
     pub(crate) plan: PlanKind,
-    /// Force analyzer and integrator that are asked for; `None`: the scene's.
+    /// Requested force analyzer and integrator; `None`: the scene's.
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
-    /// A second scene beside the open one.
+    /// A second scene for comparison.
     pub(crate) compared: Option<Compared>,
-    /// The calculations that run beside.
+    /// The calculations in progress.
     pub(crate) running: Vec<Running>,
-    /// Number of the last calculation that was asked for.
+    /// Number of the last requested calculation.
     pub(crate) asked: usize,
-    /// Column by which the table is sorted, and whether upwards.
+    /// Column by which the table is sorted, and whether ascending.
     pub(crate) sorted: Option<(usize, bool)>,
     pub(crate) playing: bool,
     pub(crate) focused: bool,
     pub(crate) help: Option<Help>,
     pub(crate) prompt: Option<Prompt>,
-    /// A file that exists and is replaced only if the user says so.
+    /// A file that exists and is replaced only after confirmation.
     pub(crate) question: Option<OutputFile>,
-    /// One line until the next key.
+    /// A message, shown until the next key.
     pub(crate) message: Option<(Role, String)>,
-    /// Faults of a file that was not taken, under a title, until the next key.
+    /// Errors of a file that could not be used, under a title, shown until the next key.
     pub(crate) fault: Option<(&'static str, String)>,
     /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
@@ -123,17 +124,17 @@ impl State {
         }
     }
 
-    /// What the analysis of the open scene found, if it has.
+    /// The results of the analysis of the open scene, if there are any.
     pub(crate) fn found(&self) -> Option<&Found> {
         self.scene.as_ref()?.found.as_deref()
     }
 
-    /// The measurement that runs.
+    /// The measurement in progress.
     pub(crate) fn measuring(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose == Purpose::Measurement)
     }
 
-    /// The analysis that runs.
+    /// The analysis in progress.
     pub(crate) fn analyzing(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose != Purpose::Measurement)
     }
@@ -148,12 +149,12 @@ impl State {
         self.commands.iter().find(|command| command.name == name)
     }
 
-    /// Whether a command has a meaning now.
+    /// Whether a command is available now.
     pub(crate) fn takes(&self, command: &Command) -> bool {
         command.fits(self.view) || (self.values_open() && command.fits(View::Values))
     }
 
-    /// What a key means now: to the list of values where it is shown, or else to the view.
+    /// The command of a key now: of the list of values if it is shown, or else of the view.
     pub(crate) fn command(&self, key: Key) -> Option<&'static Command> {
         let meant = |view: View| {
             let fits = |command: &&Command| command.fits(view) && self.keys.keys(command.name).contains(&key);
@@ -163,7 +164,7 @@ impl State {
         list.and_then(meant).or_else(|| meant(self.view))
     }
 
-    /// Whether the clock moves the mechanism.
+    /// Whether the animation runs.
     pub(crate) fn animates(&self) -> bool {
         self.playing && self.focused && self.scene.is_some()
     }
@@ -173,12 +174,12 @@ impl State {
         self.scene.as_ref().map_or(1, Scene::positions).max(1)
     }
 
-    /// Moves by so many positions, round the cycle.
+    /// Moves by this many positions, cyclically.
     pub(crate) fn step(&mut self, by: isize) {
         self.position = round(self.position, by, self.positions());
     }
 
-    /// Goes to a position, and says so where there is none of that number.
+    /// Goes to a position; a message if there is none of that number.
     pub(crate) fn go_to(&mut self, position: usize) {
         let last = self.positions() - 1;
         if position <= last {
@@ -203,12 +204,12 @@ impl State {
         order
     }
 
-    /// Opens the one-line input with a text that may be written on.
+    /// Opens the one-line input with a text that can be edited.
     pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl Into<String>) {
         self.prompt = Some(Prompt { kind, text: text.into(), completing: None });
     }
 
-    /// Shows one line until the next key.
+    /// Shows a message until the next key.
     pub(crate) fn say(&mut self, role: Role, text: impl Into<String>) {
         self.message = Some((role, text.into()));
     }

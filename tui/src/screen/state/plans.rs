@@ -1,4 +1,4 @@
-//! The plans of the position that is shown: made when a view wants them, the last ones are kept.
+//! The plans of the position that is shown: computed when a view needs them, the last ones are cached.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ impl Plans {
 #[derive(Debug)]
 pub(crate) struct Planner {
     calculation: Arc<Calculation>,
-    /// The last position, since a view is drawn many times.
+    /// The last position, cached because a view is drawn many times.
     kept: RefCell<Option<(usize, Arc<Plans>)>>,
 }
 

@@ -1,4 +1,4 @@
-//! A scene that is open: its linkage, its positions, and what is drawn and tabulated of them.
+//! An open scene: its linkage, its positions, and the data for drawings and tables.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use super::series::{Owner, Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
 
-/// Where a scene is from.
+/// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Source {
     /// A file.
@@ -24,7 +24,7 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// The name that is shown.
+    /// The name to show.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::File(path) => path.display().to_string(),
@@ -51,27 +51,27 @@ pub(crate) struct Scene {
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
-    /// Why a position has none.
+    /// Why a position can't be assembled.
     pub(crate) failures: Vec<Option<String>>,
     /// Paths of the points over the whole cycle, m; empty for points of the ground.
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
     /// Least and greatest displacement of each slide, m.
     pub(crate) strokes: Vec<[f64; 2]>,
-    /// All that the drawing covers over the whole cycle.
+    /// Bounds of the drawing over the whole cycle.
     pub(crate) bounds: Bounds,
     /// Every quantity over the positions.
     pub(crate) series: Vec<Series>,
-    /// Those that come with two derivatives.
+    /// The quantities with two derivatives.
     pub(crate) transfers: Vec<Transfer>,
-    /// What the analysis found; `None` while it runs, or where there is none.
+    /// The results of the analysis; `None` while it runs, or if there are none.
     pub(crate) found: Option<Box<Found>>,
-    /// The same by another force analyzer, for the difference.
+    /// The results by another force analyzer, for the difference.
     pub(crate) other: Option<Box<Found>>,
     /// Why there is no analysis.
     pub(crate) fault: Option<String>,
 }
 
-/// Positions between the scene's own that make a path smooth.
+/// Number of positions added between the scene's own to make a path smooth.
 const PATH_POINTS: usize = 240;
 
 impl Scene {
@@ -79,7 +79,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// The faults as text, complete with file and line.
+    /// The errors as text, complete with file and line.
     pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
@@ -139,7 +139,7 @@ impl Scene {
         healths.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// The group that comes nearest to a singular position, with its least determinant and where that is.
+    /// The group that comes nearest to a singular position, with its least determinant and the position.
     pub(crate) fn nearest_group(&self) -> Option<(usize, f64, usize)> {
         let groups = 0..self.linkage.structure.groups.len();
         let least =
@@ -153,7 +153,7 @@ impl Scene {
     }
 }
 
-/// Why a position does not exist, what matters first: what, by how much, where.
+/// Why a position does not exist, the most important first: what, by how much, where.
 fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
     let GroupError::NoAssembly { gap_m } = error.source else {
         return format!("no assembly: {error}");
@@ -165,7 +165,7 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
     format!("no assembly: misses by {gap} mm in position {index}, {coordinate}; {group}")
 }
 
-/// Positions close together, for what is drawn of the whole cycle.
+/// Closely spaced positions, for drawings of the whole cycle.
 fn fine_positions(linkage: &Linkage) -> Vec<Option<Position>> {
     let input = &linkage.mechanism.input;
     let (from, to) = match input.range {

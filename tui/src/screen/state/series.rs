@@ -5,7 +5,7 @@ mod tests;
 
 use crate::number::number;
 
-/// A value this small beside the greatest one is rounding.
+/// A value this small compared with the greatest one counts as zero.
 const ROUNDING: f64 = 1e-14;
 
 /// One quantity over the positions.
@@ -17,9 +17,9 @@ pub(crate) struct Series {
     pub(crate) short: String,
     /// Unit of the values.
     pub(crate) unit: String,
-    /// The values; NaN where there is none.
+    /// The values; NaN where a position has none.
     pub(crate) values: Vec<f64>,
-    /// Sizes below this are rounding, whatever the rest of the series is.
+    /// Values below this count as zero, however small the rest of the series is.
     pub(crate) floor: f64,
 }
 
@@ -34,7 +34,7 @@ impl Series {
         format!("{} {}", self.bare(position), self.unit)
     }
 
-    /// Value at a position without its unit; what is rounding beside the greatest value is 0.
+    /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.
     pub(crate) fn bare(&self, position: usize) -> String {
         let value = self.at(position);
         if value.abs() <= (ROUNDING * greatest(&self.values)).max(self.floor) {
@@ -55,13 +55,13 @@ pub(crate) fn greatest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
 pub(crate) struct Transfer {
     /// `point D x`.
     pub(crate) name: String,
-    /// What `:point D` looks for.
+    /// The name for the command `:point D`.
     pub(crate) owner: Owner,
     /// PF0, PF1, PF2.
     pub(crate) orders: [usize; 3],
 }
 
-/// Whose quantity it is.
+/// The element to which it belongs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// A point of the mechanism, by its index.
@@ -72,10 +72,10 @@ pub(crate) enum Owner {
     Slide(usize),
 }
 
-/// Places (between positions: linear) where a series passes zero, as position numbers.
+/// Places (between positions: linear) at which a series passes zero, as position numbers.
 pub(crate) fn zeros(values: &[f64], closed: bool) -> Vec<f64> {
     let count = values.len();
-    // Rounding around an identical zero is no passage.
+    // Rounding around an identical zero is no zero crossing.
     let least = 1e-9 * greatest(values);
     let pairs = if closed { count } else { count.saturating_sub(1) };
     let mut found = Vec::new();
@@ -101,8 +101,8 @@ pub(crate) fn extent(values: &[f64]) -> Option<[f64; 2]> {
     })
 }
 
-/// Range of an axis that holds these values and is never empty; what is smaller than `floor` is rounding. A constant stands in the
-/// middle between zero and twice itself, so that it is not taken for a curve.
+/// Range of an axis that contains these values and is never empty; values below `floor` count as zero. A constant is
+/// drawn in the middle between zero and twice its value, to be recognizable as a constant.
 pub(crate) fn axis_range(extent: [f64; 2], floor: f64) -> [f64; 2] {
     let [low, high] = extent;
     let most = low.abs().max(high.abs());

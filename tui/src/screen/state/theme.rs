@@ -1,4 +1,4 @@
-//! Roles and their styles. Color is never the only sign: each role has a modifier or a word beside it.
+//! Roles and their styles. Color is never the only sign: each role also has a modifier or a word.
 
 use ratatui::style::{Color, Modifier, Style};
 
@@ -9,11 +9,11 @@ pub(crate) enum Theme {
     Default,
     /// No color at all.
     Mono,
-    /// Okabe and Ito's palette, told apart by most color-blind readers.
+    /// Okabe and Ito's palette, distinguished by most color-blind readers.
     OkabeIto,
 }
 
-/// What a style is for.
+/// The purpose of a style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
     Plain,
@@ -36,10 +36,10 @@ pub(crate) enum Role {
 }
 
 impl Theme {
-    /// All, in the order of the key that changes them.
+    /// All themes, in the order of the key that changes them.
     pub(crate) const ALL: [Self; 3] = [Self::Default, Self::Mono, Self::OkabeIto];
 
-    /// As `:set theme` names it.
+    /// Its name for `:set theme`.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Default => "default",

@@ -4,7 +4,7 @@ use assur_kinematics::{Linkage, Position, continuous_angle};
 
 use super::series::{Owner, Series, Transfer};
 
-/// A value this small beside the size of the mechanism is rounding.
+/// A value this small compared with the size of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
 
 /// All series of the positions, and which of them belong together.
@@ -17,7 +17,7 @@ pub(crate) fn series(linkage: &Linkage, poses: &[Option<Position>]) -> (Vec<Seri
     (gather.series, gather.transfers)
 }
 
-/// Unit in which the coordinate is shown, and how many of it are one SI unit.
+/// Unit in which the coordinate is shown, and its factor from SI.
 pub(crate) fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
     if linkage.angular() { ("deg", 1.0_f64.to_degrees()) } else { ("mm", 1e3) }
 }

@@ -1,4 +1,4 @@
-//! What if: numbers of the open scene changed in its text, which is then read as a file is.
+//! What-if changes: numbers of the open scene are changed in its text, which is then read like a file.
 
 use std::collections::BTreeMap;
 
@@ -6,59 +6,59 @@ use assur_scene::edit::{SceneValue, bare, replaced};
 
 use super::scene::{Scene, Source};
 
-/// Per cent of the file's number by which a key changes it.
+/// Steps by which a key changes a value, in per cent of the number in the file.
 pub(crate) const STEPS: [f64; 3] = [0.1, 1.0, 10.0];
 /// The step at the start: 1 %.
 const FIRST_STEP: usize = 1;
 
-/// TOML that stands in the place of a value, by the value's number in the list.
+/// TOML that replaces a value, by the value's number in the list.
 pub(crate) type Edits = BTreeMap<usize, String>;
 
 /// A changed scene to be read.
 #[derive(Debug, Clone)]
 pub(crate) struct Change {
-    /// Number of the opening of a file that it belongs to.
+    /// Number of the opened file to which it belongs.
     pub(crate) opening: usize,
     pub(crate) edits: Edits,
     pub(crate) source: Source,
     pub(crate) text: String,
 }
 
-/// Whether the changes are read.
+/// The state of the changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reading {
     /// They are shown.
     Done,
-    /// They are being read beside.
+    /// They are being read by the worker.
     Runs,
-    /// They make no scene; the one before is shown.
+    /// They make no valid scene; the one before is shown.
     Refused,
 }
 
-/// The text of the open scene, its numbers, and what they are now.
+/// The text of the open scene, its numbers, and their present values.
 #[derive(Debug)]
 pub(crate) struct WhatIf {
-    /// Whether the list is asked for.
+    /// Whether the list is to be shown.
     pub(crate) open: bool,
     pub(crate) chosen: usize,
     /// Index in [`STEPS`].
     pub(crate) step: usize,
     pub(crate) values: Vec<SceneValue>,
     text: String,
-    /// What is asked for.
+    /// The requested changes.
     pub(crate) wanted: Edits,
-    /// What the open scene has.
+    /// The changes of the scene that is shown.
     pub(crate) shown: Edits,
-    /// Number of the value, and what it was before, of each change; the last one last.
+    /// For each change, in order, the number of the value and what it was before.
     pub(crate) done: Vec<(usize, Option<String>)>,
     pub(crate) reading: Reading,
-    /// What was written to a file last.
+    /// The changes that were last written to a file.
     saved: Edits,
-    /// The user knows that changes are not saved, and may leave.
+    /// The user has been warned of unsaved changes, and may leave.
     pub(crate) warned: bool,
-    /// Number of the opening of a file that this belongs to.
+    /// Number of the opened file to which this belongs.
     pub(crate) opening: usize,
-    /// The analyzer to whose result the difference is shown.
+    /// The analyzer to whose results the difference is shown.
     pub(crate) compared: Option<String>,
 }
 
@@ -82,7 +82,7 @@ impl WhatIf {
         }
     }
 
-    /// The values of a scene opened after another one; `again`: the same scene, so that the list is left as it is.
+    /// The values of a scene that replaces another one; `again`: it is the same scene, reread, so the list stays open.
     pub(crate) fn next(&self, scene: &Scene, again: bool) -> Self {
         let fresh = Self { opening: self.opening + 1, ..Self::of(Some(scene)) };
         if again {
@@ -98,28 +98,28 @@ impl WhatIf {
         STEPS[self.step % STEPS.len()]
     }
 
-    /// How many values are not as in the file.
+    /// Number of values that differ from the file.
     pub(crate) fn changes(&self) -> usize {
         self.wanted.len()
     }
 
-    /// Whether what is asked for makes no scene.
+    /// Whether the requested changes make no valid scene.
     pub(crate) fn refused(&self) -> bool {
         self.reading == Reading::Refused
     }
 
-    /// Whether a value is not as in the file.
+    /// Whether a value differs from the file.
     pub(crate) fn is_changed(&self, index: usize) -> bool {
         self.wanted.contains_key(&index)
     }
 
-    /// TOML of a value now.
+    /// Present TOML of a value.
     pub(crate) fn now(&self, index: usize) -> &str {
         let own = self.values.get(index).map_or("", |value| value.written.as_str());
         self.wanted.get(&index).map_or(own, String::as_str)
     }
 
-    /// A value, and what it is changed to: `100 mm -> 101 mm`.
+    /// A value and its change: `100 mm -> 101 mm`.
     pub(crate) fn shown(&self, index: usize) -> String {
         let old = self.values.get(index).map_or_else(String::new, |value| bare(&value.written));
         match self.wanted.get(&index) {
@@ -134,17 +134,17 @@ impl WhatIf {
         last.or(self.wanted.keys().next()).copied()
     }
 
-    /// Whether there are changes that no file has.
+    /// Whether there are unsaved changes.
     pub(crate) fn unsaved(&self) -> bool {
         !self.wanted.is_empty() && self.wanted != self.saved
     }
 
-    /// What is asked for was written to a file.
+    /// Notes that the requested changes were written to a file.
     pub(crate) fn keep_saved(&mut self) {
         self.saved.clone_from(&self.wanted);
     }
 
-    /// The text with what is asked for; comments, order and spelling are those of the file.
+    /// The text with the requested changes; comments, order and spelling are those of the file.
     pub(crate) fn changed_text(&self) -> String {
         let span = |index: &usize| self.values.get(*index).map(|value| &value.span);
         replaced(
@@ -153,7 +153,7 @@ impl WhatIf {
         )
     }
 
-    /// Changes a value; returns whether it was another one before.
+    /// Changes a value; returns whether it differs from the one before.
     pub(crate) fn put(&mut self, index: usize, toml: String) -> bool {
         let Some(value) = self.values.get(index) else { return false };
         let next = Some(toml).filter(|toml| *toml != value.written);
@@ -167,7 +167,7 @@ impl WhatIf {
         true
     }
 
-    /// Gives a value this TOML, or the one of the file.
+    /// Sets a value to this TOML, or to that of the file.
     pub(crate) fn set(&mut self, index: usize, toml: Option<String>) {
         match toml {
             Some(toml) => self.wanted.insert(index, toml),

@@ -1,4 +1,4 @@
-//! What the methods cost and how exact they are on this scene, with its stability.
+//! Cost and accuracy of the methods on this scene, with its stability.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -27,12 +27,12 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Rows that the count of a measurement takes.
+/// Rows of the progress of a measurement.
 fn top(state: &State) -> u16 {
     u16::from(state.measuring().is_some())
 }
 
-/// Rows of the report that are seen at once.
+/// Visible rows of the report.
 pub(crate) fn page(state: &State) -> usize {
     usize::from(super::room(state).height.saturating_sub(top(state)))
 }
@@ -42,7 +42,7 @@ pub(crate) fn last_line(state: &State) -> usize {
     lines(state, super::room(state).width).len().saturating_sub(page(state))
 }
 
-/// The report in lines that fit.
+/// The report in lines of the width of the screen.
 pub(crate) fn lines(state: &State, width: u16) -> Vec<String> {
     let Some(measured) = &state.measured else { return Vec::new() };
     // A column stays free at each side.

@@ -1,4 +1,4 @@
-//! What stands where a view has nothing to show: why, and what to add to the scene.
+//! The text where a view has nothing to show: why, and what to add to the scene.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -53,7 +53,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// An advice in rows that fit; an example stands as it is to be written.
+/// An advice in rows that fit; an example is shown exactly as it is to be written.
 pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
     let of_line =
         |line: &str| if line.starts_with(' ') { vec![line.to_owned()] } else { wrapped(line, width) };

@@ -1,4 +1,4 @@
-//! Velocities and accelerations as arrows: by time where the positions move, else per unit speed of the coordinate.
+//! Velocities and accelerations as arrows: per unit time if the positions move, else per unit speed of the coordinate.
 
 use ratatui::layout::Rect;
 
@@ -6,10 +6,10 @@ use crate::number::plain;
 use crate::screen::draw::{Pen, Stroke, arrow, round_length, whole};
 use crate::screen::state::{Arrows, Owner, Role, Scene, State, greatest, rates_of};
 
-/// Longest arrow, in parts of the smaller side of the drawing.
+/// Longest arrow, as part of the smaller side of the drawing.
 const LONGEST: f64 = 0.3;
 
-/// The orders of derivatives that are wanted.
+/// The orders of derivatives to draw.
 fn orders(state: &State) -> &'static [usize] {
     match state.arrows {
         Arrows::None => &[],
@@ -19,7 +19,7 @@ fn orders(state: &State) -> &'static [usize] {
     }
 }
 
-/// Velocities are full arrows, accelerations dotted ones: told apart without color.
+/// Velocities are full arrows, accelerations dotted ones: distinguished without color.
 fn look_of(order: usize) -> (Stroke, Role, char) {
     if order == 1 {
         (Stroke::Solid, Role::Velocity, '-')
@@ -74,7 +74,7 @@ fn vectors(
     .collect()
 }
 
-/// Cells (widths) that an arrow of one unit is long; the same in all positions, so that lengths compare.
+/// Length in cell widths of an arrow of size 1; equal in all positions, so that lengths can be compared.
 fn cells(state: &State, scene: &Scene, area: Rect, order: usize) -> Option<f64> {
     let most = match moves(scene) {
         Some(fastest) => fastest[order - 1],
@@ -89,7 +89,7 @@ fn cells(state: &State, scene: &Scene, area: Rect, order: usize) -> Option<f64> 
     (most > 0.0).then(|| LONGEST * side / most)
 }
 
-/// What the arrows are and what one of a round length means, two lines a kind.
+/// The legend of the arrows and the length of a round value, two lines for each kind.
 pub(crate) fn legend(state: &State, scene: &Scene, drawing: Rect) -> Vec<(Role, String)> {
     let moves = moves(scene).is_some();
     let coordinate = if scene.linkage.angular() { "rad" } else { "m" };

@@ -1,11 +1,11 @@
-//! The last pass: nothing beyond ASCII leaves the program.
+//! The last pass: no character beyond ASCII is written.
 
 #[cfg(test)]
 mod tests;
 
 use ratatui::buffer::Buffer;
 
-/// Replaces every character beyond ASCII by the nearest that there is.
+/// Replaces every character beyond ASCII by the nearest ASCII character.
 pub(crate) fn replace(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if cell.symbol().is_ascii() {
@@ -16,7 +16,7 @@ pub(crate) fn replace(buffer: &mut Buffer) {
     }
 }
 
-/// The ASCII twin of a character.
+/// The ASCII equivalent of a character.
 pub(crate) fn nearest(c: char) -> char {
     match c {
         c if c.is_ascii() => c,

@@ -1,4 +1,4 @@
-//! The chosen reaction by cause: what weight, inertia and each load do alone; their sum is the whole.
+//! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
 
 use assur_diagram::{JointForce, Share, Split};
 use ratatui::buffer::Buffer;
@@ -9,10 +9,10 @@ use crate::number::number;
 use crate::screen::draw::{Arrow, Diagram, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
 
-/// A part this small beside the greatest one is rounding.
+/// A share this small compared with the greatest one counts as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// What one cause does to the chosen reaction.
+/// The share of one cause in the chosen reaction.
 struct Part {
     cause: String,
     /// Projections, N; `None` for the balancing load.
@@ -59,7 +59,7 @@ fn part(share: &Share, reaction: &Reaction) -> Part {
     Part { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
 }
 
-/// A row a cause, their sum, the whole as the analyzer has it.
+/// A row for each cause, their sum, and the total of the analyzer.
 fn draw_table(
     state: &State,
     found: &Found,
@@ -78,7 +78,7 @@ fn draw_table(
     let whole = part(&split.whole, reaction);
     let whole = Part { cause: format!("whole, by `{}`", found.analyzer), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
-    // Header, sum and whole are always there; causes that find no room are told together.
+    // Header, sum and total are always shown; causes without room are summarized.
     let room = usize::from(area.height).saturating_sub(3);
     let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
     for (number, part) in parts.iter().enumerate().take(single) {
@@ -95,7 +95,7 @@ fn draw_table(
     put(buffer, area, 0, below + 1, &row_of(&whole.cause, &whole, least), theme.style(Role::Plain));
 }
 
-/// The greatest number of a part.
+/// The greatest number of a share.
 fn size(part: &Part) -> f64 {
     part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
 }
@@ -125,7 +125,7 @@ fn row_of(name: &str, part: &Part, least: f64) -> String {
     reactions::table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
 }
 
-/// The parts laid end to end, and from the first corner to the last one the whole.
+/// The shares head to tail, and the total from the first corner to the last one.
 fn draw_sum(state: &State, parts: &[Part], area: Rect, buffer: &mut Buffer) {
     let mut at = [0.0; 2];
     let mut arrows = Vec::new();

@@ -1,4 +1,4 @@
-//! Every check in a line: name, largest residual, limit, where, and whether it holds, in words.
+//! Every check in a line: name, largest residual, limit, place, and in words whether it passes.
 
 use assur_analysis::results::Check;
 use ratatui::buffer::Buffer;
@@ -8,9 +8,9 @@ use crate::screen::draw::{cut, first_shown, put, short};
 use crate::screen::state::{Role, Scene, State};
 
 const TITLES: [&str; 5] = ["check", "residual", "limit", "where", "pos."];
-/// Where the columns begin.
+/// Columns at which the texts begin.
 const COLUMNS: [u16; 5] = [2, 32, 42, 52, 66];
-/// Where the word begins.
+/// Column at which the verdict begins.
 const WORD: u16 = 73;
 
 /// Draws the view.

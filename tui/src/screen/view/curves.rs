@@ -28,7 +28,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
             let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
         }
-        // A derivative is zero at an extreme, the second one at an inflection.
+        // The zeros of the first derivative mark extremes, those of the second one inflections.
         let kinds = [Mark::Zero, Mark::Extreme, Mark::Inflection];
         let marks =
             zero[order..].iter().zip(kinds).flat_map(|(at, mark)| at.iter().map(move |at| (*at, mark)));
@@ -51,7 +51,7 @@ fn draw_title(state: &State, scene: &Scene, name: &str, area: Rect, buffer: &mut
     put(buffer, area, column, 0, legend, state.look.theme.style(Role::Dim));
 }
 
-/// Charts of these series of the analysis, and of the same ones of another analyzer, over one axis.
+/// Charts of these series of the analysis, and of the corresponding ones of another analyzer, over one axis.
 pub(super) fn draw_stack(
     state: &State,
     scene: &Scene,

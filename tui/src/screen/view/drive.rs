@@ -1,4 +1,5 @@
-//! The drive: motor, ratio, flywheel by every method; its characteristic and moments; places and runners-up.
+//! The drive: motor, ratio, flywheel by every method; its characteristic and moments; the two places of the flywheel
+//! and other motors.
 
 use assur_analysis::results::{Dynamics, MotorReport};
 use ratatui::buffer::Buffer;
@@ -43,7 +44,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// A line where there are warnings, which stand whole in the last part; what is left of the area.
+/// A notice if there are warnings, whose full text is in the last part; returns the remaining area.
 fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -> Rect {
     let warnings = dynamics.motor.as_ref().map_or(&[][..], |motor| &motor.warnings);
     let Some(first) = warnings.first() else { return area };
@@ -85,7 +86,7 @@ fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {
     lines
 }
 
-/// Rated data, and how the motor works.
+/// Rated data, and the motor's operation in the regime.
 fn motor_rows(motor: &MotorReport) -> Vec<Line> {
     let title = match &motor.catalogue {
         Some(catalogue) => format!("motor {} ({catalogue})", motor.designation),
@@ -111,7 +112,7 @@ fn motor_rows(motor: &MotorReport) -> Vec<Line> {
     lines
 }
 
-/// The two places of the flywheel, warnings, and the runners-up of the catalogue.
+/// The two places of the flywheel, warnings, and other suitable motors of the catalogue.
 fn places_and_motors(dynamics: &Dynamics) -> Vec<Line> {
     let mut lines = vec![(
         Role::Header,

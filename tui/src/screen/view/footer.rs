@@ -1,4 +1,4 @@
-//! The last two rows: the keys of this view, and what is answered or typed, which stands in the last row while it is there.
+//! The last two rows: the keys of this view, and in the last row a message or typed text if there is one.
 
 use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr;
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Command, Key, PromptKind, Role, Running, State, View};
 
-/// A command of at most so many views is their own.
+/// A command that applies in at most this many views belongs to them.
 const OWN: usize = 3;
 
 /// Draws the footer.
@@ -37,7 +37,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     draw_hints(state, area, buffer);
 }
 
-/// That an analysis runs, how far it is, and the key that stops it.
+/// The notice of an analysis in progress: its progress, and the key that stops it.
 pub(super) fn calculating(state: &State, running: &Running) -> String {
     let key = state.keys.first("close");
     match running.count.as_str() {
@@ -46,7 +46,7 @@ pub(super) fn calculating(state: &State, running: &Running) -> String {
     }
 }
 
-/// Why this position, or else another one, has no assembly.
+/// Why this position, or else another one, can't be assembled.
 fn failure(state: &State) -> Option<String> {
     let scene = state.scene.as_ref().filter(|_| state.view != View::Menu)?;
     let here = scene.failures.get(state.position)?;
@@ -81,7 +81,8 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, room, row, &more, theme.style(Role::Plain));
 }
 
-/// Commands that have a key now; stepping first, then the list of values, what belongs to the view alone, and the rest.
+/// Commands that have a key now: first stepping, then the list of values, the commands of the view alone, and the
+/// others.
 fn hinted(state: &State) -> Vec<&'static Command> {
     let has_key = |command: &&'static Command| {
         let meant = state.keys.keys(command.name).first().and_then(|key| state.command(*key));
@@ -104,7 +105,7 @@ fn hinted(state: &State) -> Vec<&'static Command> {
     fit
 }
 
-/// Pairs of opposite keys stand together: `←/→ step`.
+/// Pairs of opposite keys share an entry: `←/→ step`.
 fn keys_of_hint(state: &State, command: &'static Command) -> String {
     let shown = |key: &Key| match key.code {
         KeyCode::Left if !state.look.ascii => "←".to_owned(),
@@ -119,17 +120,17 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
     }
     let opposite = command.name.strip_prefix("next-").map(|what| format!("previous-{what}"));
     let opposite = opposite.and_then(|opposite| state.keys.keys(&opposite).first());
-    // Tab goes back with Shift everywhere; that needs no room.
+    // Shift+Tab is the opposite of Tab everywhere and needs no mention.
     match opposite.filter(|key| key.code != KeyCode::BackTab) {
         Some(opposite) => format!("{}/{key}", shown(opposite)),
         None => key,
     }
 }
 
-/// The faults of a file that was not taken.
+/// The errors of a file that could not be used.
 pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.saturating_sub(2));
-    // A line of the file stays one row, since the next one marks a place in it.
+    // A line of the file stays one row, because the next row marks a place in it.
     let quoted = |line: &str| {
         line.split_once('|').is_some_and(|(number, _)| number.trim().chars().all(|c| c.is_ascii_digit()))
     };
@@ -137,7 +138,7 @@ pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, bu
     let room = usize::from(area.height.saturating_sub(2));
     let mut shown: Vec<String> = fault.lines().flat_map(rows).collect();
     if shown.len() > room {
-        // What is wrong and where, of every fault, goes before the lines of the file.
+        // The message and place of every error, before the lines of the file.
         let told = |line: &&str| !quoted(line) && !line.is_empty() && !line.starts_with("  =");
         shown = fault.lines().filter(told).flat_map(rows).collect();
     }

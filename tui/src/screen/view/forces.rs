@@ -87,7 +87,7 @@ fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [S
     [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
 }
 
-/// Modulus of the difference of a reaction by two analyzers in a position; `None` where one has it not.
+/// Modulus of the difference of a reaction by two analyzers in a position; `None` if one of them does not have it.
 fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize) -> Option<f64> {
     let same = other.reactions.iter().find(|other| other.is_same(reaction))?;
     // Both projections, or the balancing load.

@@ -1,4 +1,4 @@
-//! The first two rows: where one is, and the views.
+//! The first two rows: scene and position, and the views.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -29,7 +29,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     draw_tabs(state, area, buffer);
 }
 
-/// `* link.crank.points.A 100 mm -> 101 mm`: the last change, how many others there are, and whether they were taken.
+/// `* link.crank.points.A 100 mm -> 101 mm`: the last change, the number of other changes, and whether they are valid.
 fn changed(state: &State, room: usize) -> Option<String> {
     let what = &state.what_if;
     let last = what.last()?;
@@ -55,7 +55,7 @@ fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let tabs = View::OF_SCENE.map(|view| (state.keys.first(view.command()), view));
     let whole: usize = tabs.iter().map(|(key, view)| key.width() + view.name().width() + 2).sum();
-    // Where all would not fit, the key stands close to its name.
+    // If not all fit, there is no space between key and name.
     let gap = whole <= usize::from(area.width) + 1;
     let mut column = 0;
     for (key, view) in tabs {

@@ -12,7 +12,7 @@ const KEYS_AT: u16 = 2;
 const NAME_AT: u16 = 17;
 const HELP_AT: u16 = 36;
 
-/// The pieces of one row: column, role and text of each.
+/// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
 
 /// Draws the help over the body.
@@ -56,7 +56,7 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     rows
 }
 
-/// A command in as many rows as its line of help needs; none where it has not what is wanted.
+/// A command in as many rows as its line of help needs; none if it does not match the search.
 fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
     let keys = state.keys.keys(command.name).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ");
     if ![command.name, command.help, &keys].iter().any(|text| text.to_lowercase().contains(wanted)) {
@@ -72,7 +72,7 @@ fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
     rows
 }
 
-/// The keys of the views in which the keys of a command mean it, where it is not every view with a scene: ` (view 3)`.
+/// The views in which the keys of a command apply, if not every view with a scene: ` (view 3)`.
 pub(crate) fn where_it_works(state: &State, command: &Command) -> String {
     let keys = |views: &[View]| {
         let keys: Vec<String> = views.iter().map(|view| state.keys.first(view.command())).collect();
@@ -90,17 +90,17 @@ pub(crate) fn where_it_works(state: &State, command: &Command) -> String {
     }
 }
 
-/// Rows that a page key scrolls: a row stays, to read on from.
+/// Rows that a page key scrolls: one row less than are visible.
 pub(crate) fn page(state: &State) -> usize {
     height(state).saturating_sub(1).max(1)
 }
 
-/// Rows of the help that are seen at once: two of header, two of footer and two of border are not.
+/// Visible rows of the help: without two of header, two of footer and two of border.
 fn height(state: &State) -> usize {
     usize::from(state.size.1.saturating_sub(6))
 }
 
-/// The farthest that the help can be scrolled.
+/// Greatest scroll position of the help.
 pub(crate) fn last_scroll(state: &State) -> usize {
     state.help.as_ref().map_or(0, |help| rows(state, help).len().saturating_sub(height(state)))
 }

@@ -7,9 +7,9 @@ use super::{arrows, panel};
 use crate::screen::draw::{Labels, Pen, Raster, Scale, Stroke, draw_figure, draw_ground, point_names, put};
 use crate::screen::state::{Owner, Role, Scene, State, Traces};
 
-/// Columns of the numbers beside the drawing.
+/// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
-/// Widths of a cell that the bar of the scale is long at most.
+/// Greatest length of the scale bar, in cell widths.
 const BAR: f64 = 12.0;
 
 /// Draws the view.
@@ -19,7 +19,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     panel::draw(state, scene, drawing, beside, buffer);
 }
 
-/// The drawing alone; the links in `marked` stand out.
+/// The drawing alone; the links in `marked` are highlighted.
 pub(crate) fn picture(
     state: &State,
     scene: &Scene,

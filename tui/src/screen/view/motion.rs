@@ -9,7 +9,7 @@ use crate::number::{digits, number, plain};
 use crate::screen::draw::{Chart, LABELS, put, put_lines, short};
 use crate::screen::state::{Found, Pane, Role, Scene, State};
 
-/// Rows that a chart needs to be read.
+/// Least number of rows of a readable chart.
 const LEAST_ROWS: u16 = 5;
 /// Columns for the numbers of the regime.
 const NUMBERS: u16 = 30;
@@ -26,7 +26,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     let regime = dynamics.map(|dynamics| &dynamics.regime);
-    // Its table needs the whole width.
+    // The table needs the whole width.
     if let (Some(regime), Pane::Hodograph) = (regime, state.pane) {
         return regime::draw_iteration(state, regime, area, buffer);
     }
@@ -46,7 +46,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// What the reader looks for first: the unevenness of a regime; or why there is no speed.
+/// The most important line: the unevenness of a regime, or why there is no speed.
 fn heading(scene: &Scene, found: &Found) -> (Role, String) {
     if let Some(dynamics) = &found.analysis.dynamics {
         return (Role::Header, unevenness(dynamics, found.analysis.input.angular));

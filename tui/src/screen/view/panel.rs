@@ -1,4 +1,4 @@
-//! The numbers beside the drawing: coordinate, speed, the chosen quantity, every link and slide.
+//! The numbers next to the drawing: coordinate, speed, the chosen quantity, every link and slide.
 
 use assur_mechanism::Motion;
 use ratatui::buffer::Buffer;
@@ -9,7 +9,7 @@ use crate::number::digits;
 use crate::screen::draw::{put_lines, wrapped};
 use crate::screen::state::{Role, Scene, State};
 
-/// Draws the panel; `drawing` is where the arrows are.
+/// Draws the panel; `drawing` is the area of the arrows.
 pub(super) fn draw(state: &State, scene: &Scene, drawing: Rect, area: Rect, buffer: &mut Buffer) {
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(plain).collect();
@@ -19,7 +19,7 @@ pub(super) fn draw(state: &State, scene: &Scene, drawing: Rect, area: Rect, buff
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
     } else {
         lines.extend(quantities(state, scene));
-        // What the arrows are and how long they are, at the foot of the panel.
+        // The legend and the scale of the arrows, at the foot of the panel.
         let legend = arrows::legend(state, scene, drawing);
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
         lines.extend(legend);
@@ -33,7 +33,7 @@ fn input(state: &State, scene: &Scene) -> Vec<String> {
     let mut lines = vec![format!("coordinate {}", scene.series[0].show(at))];
     let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
     let found = scene.found.as_ref();
-    // In a steady regime the speed is an answer, one for each position.
+    // In a steady regime the speed is a result, one for each position.
     let own = found.and_then(|found| found.series.iter().find(|series| series.short == "w"));
     let speed = match scene.linkage.mechanism.motion {
         Some(Motion::Prescribed { speed, .. }) => Some(format!("{} {unit}", digits(speed, 5))),

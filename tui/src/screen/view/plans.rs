@@ -12,7 +12,7 @@ use crate::screen::state::{Bounds, Found, PlanKind, Plans, Role, Scene, State};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
-/// A vector smaller than this part of the greatest is rounding.
+/// A vector smaller than this part of the greatest counts as zero.
 const LEAST: f64 = 1e-12;
 
 /// Name of the pole of a plan of velocities or accelerations.
@@ -60,7 +60,7 @@ fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffe
     put_lines(buffer, cut, 1, state.look, lines);
 }
 
-/// A plan: its vectors as a list, what it leaves open, and the drawing.
+/// A plan: its vectors as a list, its closure error, and the drawing.
 fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
@@ -70,7 +70,7 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     }
     let least = LEAST * plan.greatest();
     let shown: Vec<&PlanVector> = plan.items.iter().filter(|item| item.size > least).collect();
-    // The last rows say how far the plan is from closing; they are not pushed out by a long list.
+    // The last rows show the closure error; a long list must not push them out.
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
     let skip = match state.plan {
         PlanKind::Forces => 0,
@@ -102,7 +102,7 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     Diagram { arrows: arrows.collect(), unit: &plan.unit, pole }.draw(state.look, drawing, buffer);
 }
 
-/// What stands at a vector in the drawing and before it in the list: `R3`, or the point of an absolute velocity.
+/// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
 fn label(state: &State, item: &PlanVector, number: usize) -> String {
     match (state.plan, item.kind) {
         (PlanKind::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
@@ -131,7 +131,7 @@ fn role(kind: VectorKind) -> Role {
     }
 }
 
-/// Length at which 1 N is drawn: in the drawing of the mechanism the largest force is as long as half of it.
+/// Length at which 1 N is drawn: in the drawing of the mechanism the largest force is half as long as the mechanism.
 fn force_size(construction: &Construction, kind: Drawing) -> f64 {
     if kind != Drawing::Mechanism {
         return 1.0;
@@ -145,7 +145,7 @@ fn force_size(construction: &Construction, kind: Drawing) -> f64 {
     if most > 0.0 { 0.5 * width.max(height) / most } else { 1.0 }
 }
 
-/// The construction and the step in it that are meant by the number of a step over all constructions.
+/// The construction and its step that belong to the number of a step over all constructions.
 fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     let mut left = step.min(plans.step_count().saturating_sub(1));
     for construction in &plans.constructions {
@@ -157,7 +157,7 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     None
 }
 
-/// A construction as far as the chosen step, with the sentence that explains it.
+/// A construction up to the chosen step, with the sentence that explains it.
 fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer: &mut Buffer) {
     let Some((construction, last)) = chosen_step(plans, state.chosen.step) else {
         return say(state, "no method with a construction fits here", list, buffer);

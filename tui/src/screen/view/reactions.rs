@@ -1,4 +1,4 @@
-//! What the panes of the forces share: rows of tables, directions, charts of the chosen reaction.
+//! Common parts of the panes of the forces: rows of tables, directions, charts of the chosen reaction.
 
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ use crate::screen::state::{Found, Scene, State};
 /// Columns of the table: where each ends.
 const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
 
-/// A row of a table of forces: a sign, the name at the left, the other cells at the right of their columns.
+/// A row of a table of forces: a sign, the name at the left, the other cells right-aligned in their columns.
 pub(super) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
     let mut text = format!("{sign}{name}");
     for (cell, end) in cells.into_iter().zip(ENDS) {
@@ -26,14 +26,15 @@ pub(super) fn direction_text(fx: f64, fy: f64) -> String {
     if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
 }
 
-/// Direction of a force in (-180, 180], degrees; rounding beside the modulus turns nothing.
+/// Direction of a force in (-180, 180], degrees; components that are rounding compared with the modulus do not change
+/// it.
 fn direction(fx: f64, fy: f64) -> f64 {
     let least = 1e-12 * fx.hypot(fy);
     let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
     part(fy).atan2(part(fx)).to_degrees()
 }
 
-/// Charts of the chosen reaction: the given of its series; one that it has not stands for the last.
+/// Charts of the chosen reaction, with the given series; for one that it does not have, the last one.
 pub(super) fn draw_curves(
     state: &State,
     scene: &Scene,

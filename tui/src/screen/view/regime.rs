@@ -1,4 +1,4 @@
-//! The steady regime as plots: speed beside the first turn, moments with their mean, motor, iteration.
+//! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
 use assur_analysis::results::{Dynamics, RegimePoint, RegimeReport};
 use ratatui::buffer::Buffer;
@@ -52,7 +52,7 @@ pub(crate) fn draw_moments(
     buffer: &mut Buffer,
 ) {
     let (axis, at) = axis(state, scene);
-    // The resistance counts against the motion, as its mean does.
+    // The resistance is shown against the motion, as its mean is.
     let sense = scene.linkage.mechanism.input.sign();
     let lines = vec![
         ("motor", over(scene, regime, |row| sense * row.drive)),
@@ -75,7 +75,7 @@ pub(crate) fn draw_characteristic(state: &State, dynamics: &Dynamics, area: Rect
         .draw(area, state.look, buffer);
 }
 
-/// The way to the regime: a row a turn, then a row a trial of ratio and flywheel.
+/// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.
 pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, buffer: &mut Buffer) {
     let mut lines = vec![(Role::Header, "iteration to the periodic regime, from the mean speed".to_owned())];
     lines.push((Role::Dim, "turn   start, rad/s     end, rad/s     difference".to_owned()));

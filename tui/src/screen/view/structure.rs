@@ -8,7 +8,7 @@ use crate::number::{digits, plain};
 use crate::screen::draw::{cut, put, short, wrapped};
 use crate::screen::state::{Role, Scene, State};
 
-/// Columns before what is told of a group.
+/// Indent of the text on a group, in columns.
 const INDENT: usize = 5;
 /// Digits of the least determinant.
 const LEAST: usize = 3;
@@ -49,7 +49,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     mechanism::picture(state, scene, state.position, drawing, marked, buffer);
 }
 
-/// The tree; the heading of the chosen group is flagged, and only that group is open.
+/// The tree; the heading of the chosen group is flagged, and only that group is expanded.
 fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
     let linkage = &scene.linkage;
     let mechanism = &linkage.mechanism;

@@ -1,4 +1,4 @@
-//! Positions and quantities as a table: first column and header stay, the rest scrolls both ways.
+//! Positions and quantities as a table: first column and header are fixed, the rest scrolls both ways.
 
 use std::fmt::Write;
 
@@ -95,7 +95,7 @@ fn fitted(text: String, width: usize) -> String {
     }
 }
 
-/// What stands in a cell: the value, or the difference to a second scene; of the coordinate always the value.
+/// The content of a cell: the value, or the difference to a second scene; of the coordinate always the value.
 fn value(state: &State, column: usize, series: &Series, position: usize) -> String {
     match &state.compared {
         Some(compared) if column > 0 => compared.difference(series, position).map_or_else(
@@ -148,7 +148,7 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));
 }
 
-/// Where in the rows one is.
+/// The visible part of the rows.
 fn scroll_bar(area: Rect, skip: usize, shown: usize, count: usize, buffer: &mut Buffer) {
     if count <= shown || shown == 0 || area.width == 0 {
         return;

@@ -1,4 +1,4 @@
-//! The list of the scene's numbers, below the view that follows them.
+//! The list of the scene's numbers, below the view, which follows their changes.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -14,7 +14,7 @@ const HEIGHT: [u16; 2] = [7, 16];
 /// Greatest width of the keys.
 const KEYS: usize = 46;
 
-/// Rows that the list takes of a body.
+/// Number of rows of the list in a body of this height.
 pub(crate) fn height(body: Rect) -> u16 {
     (body.height / 3).clamp(HEIGHT[0], HEIGHT[1]).min(body.height)
 }
@@ -48,7 +48,7 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The end of a key that is too long, which says more than its beginning.
+/// The end of a key that is too long: it is more informative than the beginning.
 pub(crate) fn tail(key: &str, width: usize) -> String {
     let count = key.chars().count();
     if count <= width {
