@@ -2,7 +2,7 @@
 
 use assur_number::Real;
 
-/// Pose of a link (PF0) and its first and second derivatives by the input coordinate (PF1, PF2).
+/// Pose of a link (PF0) and its first and second derivatives with respect to the input coordinate (PF1, PF2).
 ///
 /// The direction of the link's x axis is a unit vector, not an angle. Derivatives are per unit of the coordinate:
 /// per rad, or per m for a sliding input.

@@ -6,7 +6,7 @@ use assur_number::Real;
 use crate::plane::{cross, direction, minus, opposite, times, vector};
 use crate::{Body, BuildError, PairGeometry, SeenPair, Wrench};
 
-/// A pin seen from a link of the group.
+/// A pin between a link of the group and another body.
 #[derive(Debug, Clone, Copy)]
 pub struct PinJoint<T> {
     /// Index of the pair in the chain.
@@ -75,7 +75,7 @@ impl<T: Real> PinJoint<T> {
     }
 }
 
-/// A slide seen from a link of the group: the point `own` stays on a line of the other body.
+/// A slide between a link of the group and another body: the point `own` stays on a line of the other body.
 #[derive(Debug, Clone, Copy)]
 pub struct SlideJoint<T> {
     /// Index of the pair in the chain.

@@ -65,9 +65,9 @@ impl Pair {
 pub struct Reading {
     /// The bodies that are the links of the pattern, in its order.
     pub links: Vec<usize>,
-    /// The inner pairs in the order of the pattern, each seen from its first link there.
+    /// The inner pairs in the order of the pattern, each with its first link there as body `a`.
     pub inner: Vec<SeenPair>,
-    /// The outer pairs in the order of the pattern, each seen from the link of the group.
+    /// The outer pairs in the order of the pattern, each with the link of the group as body `a`.
     pub outer: Vec<SeenPair>,
 }
 

@@ -57,7 +57,7 @@ pub struct Chain<T: Number> {
     pub input: Input<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
-    /// By group: whether it is solved. All are, unless [`limit_to`](Self::limit_to) says otherwise.
+    /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
     needed: Vec<bool>,
     bodies: usize,
 }

@@ -32,7 +32,7 @@ pub struct ScalarMotion {
     pub pf2: f64,
 }
 
-/// The angle that differs from `angle` by full turns and lies closest to `near`, rad.
+/// The angle that differs from `angle` by full turns and is closest to `near`, rad.
 pub fn continuous_angle(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 /// Tolerance for rounding at an end of a range, in units of the coordinate.
 pub(crate) const END_ROUNDING: f64 = 1e-9;
 
-/// Where a mechanism can be assembled around its first position.
+/// The range around the first position in which a mechanism can be assembled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Least coordinate, rad or m.

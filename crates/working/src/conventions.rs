@@ -6,16 +6,16 @@ const CONVENTIONS: [&str; 9] = [
     "Axes: x to the right, y up, fixed to the ground. Angles in rad, counter-clockwise positive, from the x axis; those of \
      links lie between -pi and pi, the tables of the analysis may differ by whole turns.",
     "Units: m, kg, s, rad, N, N·m.",
-    "PF0 is the place of a point (x, y) or the angle phi of the x axis of a link; PF1 and PF2 are its first and second \
-     derivatives by the input coordinate q, marked ' and ''. They are no velocities: v = PF1 w, a = PF2 w^2 + PF1 e with \
-     w = dq/dt, e = dw/dt.",
+    "PF0 is the position of a point (x, y) or the angle phi of the x axis of a link; PF1 and PF2 are its first and second \
+     derivatives with respect to the input coordinate q, marked ' and ''. They are not \
+     velocities: v = PF1 w, a = PF2 w^2 + PF1 e with w = dq/dt, e = dw/dt.",
     "x_A, y_A: point A. phi_r: link r. u_A_B, v_A_B: from A to B in the frame of their link. l_A_B: length. beta_A_B: angle \
      of A-B from the x axis of its link. alpha, tx, ty: angle and unit vector of a guide, its normal is (-ty, tx).",
     "Quantities of one group carry its number: D_2 is the determinant of group 2.",
     "Positions run from the input link to the last group; forces from the last group back to the input link.",
     "Results have 6 significant digits. Intermediate values are carried with all digits; each line shows as many digits of \
-     its numbers as its result needs, and recomputes from the digits shown. A result such as 0.00000 is zero but for \
-     rounding.",
+     its numbers as its result needs, and can be recomputed from the digits shown. A result such as 0.00000 is zero \
+     except for rounding.",
     "atan2(y, x) is the angle of the vector (x, y) in its own quadrant.",
     "Assumptions: plane motion, rigid links, pairs without clearance.",
 ];

@@ -14,8 +14,8 @@ impl Work<'_> {
         let frame = self.linkage.structure.groups[group].frame.clone();
         let places = 3 * frame.links.len();
         self.sheet.note(format!(
-            "This group is worked by its linear system of {places} equations: J u' = b and J u'' = b, two equations a pair. \
-             Its solution stands first; below, both sides of every equation agree with it."
+            "This group is solved by its linear system of {places} equations: J u' = b and J u'' = b, two equations \
+             for each pair. Its solution is given first; below, both sides of every equation agree with it."
         ));
         for &link in &frame.links {
             self.given_pose(link);
@@ -126,8 +126,8 @@ impl Work<'_> {
             return false;
         }
         self.sheet.note(
-            "The reactions solve the equations of equilibrium of the links (J transposed). They stand first; below, for each \
-             link, their sum is the opposite of that of the loads.",
+            "The reactions solve the equations of equilibrium of the links (J transposed). They are given first; below, \
+             for each link, their sum is the opposite of that of the loads.",
         );
         let mut acting: Vec<(usize, Load)> = Vec::new();
         for pair in frame.pairs() {

@@ -147,7 +147,7 @@ impl Work<'_> {
         let d = q.from(&p, 0);
         let length = self.sheet.work(&format!("L_{name}"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
         if length.value() == 0.0 {
-            self.sheet.note("without length it has no direction: no force");
+            self.sheet.note("a spring of zero length has no direction: no force");
             return;
         }
         let stiffness = self.sheet.given(&format!("c_{name}"), spring.stiffness, "N/m", "stiffness");

@@ -1,10 +1,10 @@
 //! The working of a calculation by hand: equations in symbols, with numbers substituted, and their results.
 //!
 //! * [`Expr`]: the right side of an equation. One tree is printed in symbols, printed with numbers, and evaluated, so
-//! the three always agree.
+//!   the three always agree.
 //! * [`Sheet`]: collects [`Line`]s in [`Section`]s, and the symbols of points, links and loads.
 //! * [`WorkingPlugin`]: the registry entry by which a kind of group provides its own equations. A kind without an
-//! entry uses the general linear system.
+//!   entry uses the general linear system.
 //!
 //! Intermediate values are carried with all digits. Each line shows its numbers with as many digits as are needed to
 //! recompute its printed result from them.

@@ -8,7 +8,7 @@ use assur_number::Real;
 
 use crate::PATTERN;
 
-/// One group RPP, its lengths in the number `T`.
+/// One group RPP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rpp<T> {
     frame: GroupFrame,
@@ -19,22 +19,22 @@ pub struct Rpp<T> {
     pub(crate) outer: SlideJoint<T>,
     /// Direction of the inner guide in the frame of the outer body with the guide.
     inner_along: [T; 2],
-    /// Turn of link 1 from that body.
+    /// Rotation of link 1 relative to that body.
     turn: [T; 2],
     /// Distance of the point of link 2 from the outer pin across the inner guide, m.
     pub(crate) across: T,
     /// Distance of the point of the inner slide from the outer pin along the inner guide, m.
     reach: T,
-    /// Height of the outer guide over the origin of its carrier, m.
+    /// Height of the outer guide above the origin of its carrier, m.
     height: T,
-    /// Sine of the angle between the guides, from the inner to the outer: it never changes.
+    /// Sine of the angle from the inner to the outer guide, which is constant.
     d: T,
     inverse: T,
-    /// Its cosine.
+    /// Cosine of the angle from the inner to the outer guide.
     cosine: T,
 }
 
-/// What the closed forms know of one position.
+/// The quantities of one position that the formulas share.
 #[derive(Debug)]
 pub struct Lines<T> {
     /// A, and P of link 2.
@@ -46,7 +46,7 @@ pub struct Lines<T> {
 }
 
 impl<T: Real> Rpp<T> {
-    /// Compiles a group.
+    /// Builds the kernel from a group.
     ///
     /// # Errors
     ///

@@ -9,13 +9,13 @@ use assur_number::Real;
 
 use crate::PATTERN;
 
-/// Rounding that a length is allowed before the group counts as open, in units of the last place.
+/// Rounding of a length, in units of the last place, up to which the group can still be assembled.
 const SLACK: f64 = 8.0;
 
-/// One group RPR, its lengths in the number `T`.
+/// One group RPR, with its lengths in the number type `T`.
 ///
-/// Its health is |s| / sqrt(D² + scale²): the part of the pins' distance along the guide, against the size of the
-/// mechanism or the distance itself, whichever is greater.
+/// Its health is |s| / sqrt(D² + scale²): the distance of the pins along the guide, relative to the size of the
+/// mechanism or the distance of the pins, whichever is greater.
 #[derive(Debug, Clone)]
 pub struct Rpr<T> {
     frame: GroupFrame,
@@ -33,7 +33,7 @@ pub struct Rpr<T> {
     slack: f64,
 }
 
-/// The right triangle of outer pins and guide at one position.
+/// The right triangle of outer pins and guide in one position.
 #[derive(Debug)]
 pub struct Triangle<T> {
     pins: [[T; 2]; 2],
@@ -47,7 +47,7 @@ pub struct Triangle<T> {
 }
 
 impl<T: Real> Rpr<T> {
-    /// Compiles a group.
+    /// Builds the kernel from a group.
     ///
     /// # Errors
     ///
@@ -86,8 +86,8 @@ impl<T: Real> Rpr<T> {
         GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
     }
 
-    /// Refuses derivatives and reactions of which no digit would be left: s is a root of D² - e², so that a rounding of
-    /// the distance D counts with D/s²; for a central guide with 1/s only.
+    /// Returns an error if derivatives and reactions would have no correct digit: s is a root of D² - e², so a
+    /// rounding of the distance D is magnified by D/s²; for a central guide only by 1/s.
     #[inline]
     fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
         GroupError::if_singular(health)?;

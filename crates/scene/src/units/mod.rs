@@ -80,7 +80,7 @@ pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, U
     }
 }
 
-/// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number alone is SI already.
+/// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI.
 ///
 /// # Errors
 ///
