@@ -80,7 +80,7 @@ fn results_that_are_not_whole_replace_nothing() {
     fs::write(path.join("old.json"), "old").unwrap();
     let kept = run("old.json");
     assert_eq!((code(&kept), fs::read_to_string(path.join("old.json")).unwrap().as_str()), (1, "old"));
-    assert!(err(&kept).contains("the results are not whole"), "{}", err(&kept));
+    assert!(err(&kept).contains("the results are incomplete"), "{}", err(&kept));
     // A new file tells what there is.
     assert_eq!(code(&run("new.json")), 1);
     assert!(fs::read_to_string(path.join("new.json")).unwrap().starts_with('{'));

@@ -81,8 +81,8 @@ fn bad_usage_ends_with_2_and_touches_no_file() {
     for (arguments, message) in [
         (
             &["--vary", "link.crank.mas=1..2:3", "-o", "b.csv"],
-            "error: `link.crank.mas`: `link.crank` has no `mas`; what is left to its default must be written in the \
-             scene to be varied; it has: points\n",
+            "error: `link.crank.mas`: `link.crank` has no `mas`; a default must be written in the scene \
+             before it can be varied; it has: points\n",
         ),
         (
             &["--vary", "link.piston.mass=-1..-2:3", "-o", "b.csv"],

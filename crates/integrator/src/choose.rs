@@ -61,7 +61,7 @@ pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Cho
     }
     let integrator = find(name)?;
     integrator.supports(dependence)?;
-    let first = Candidate { integrator, reason: "asked for by name".to_owned() };
+    let first = Candidate { integrator, reason: "chosen by name".to_owned() };
     Ok(Choice { first, others: Vec::new(), stiff: None })
 }
 

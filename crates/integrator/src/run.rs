@@ -200,7 +200,7 @@ impl<'a, C: Curve> Run<'a, C> {
             Until::Coordinate(target) => time + (target - coordinate) / speed,
         };
         if end < time {
-            return Err(self.not_reached("goes away from it at a speed that stays"));
+            return Err(self.not_reached("moves away from it at constant speed"));
         }
         if end > self.request.latest() {
             return Err(self.not_reached("the limit of time is over"));

@@ -76,7 +76,7 @@ pub enum RowFault {
         poles: u32,
     },
     /// Another row has the same designation.
-    #[error("the designation stands in the table twice")]
+    #[error("the designation occurs twice in the table")]
     Duplicate,
 }
 

@@ -148,7 +148,7 @@ fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
         draft.push(Drawing::Mechanism, StepKind::Load, [(name, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
-    let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m stays") };
+    let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m remains") };
     let what = "the point at which the loads of the coupler are taken".to_owned();
     draft.push(Drawing::Mechanism, StepKind::Point, [("K", k, [0.0; 2], what)]);
     let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);

@@ -12,7 +12,7 @@ use crate::speed;
 pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
     name: "quadrature",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "J constant, M(t) or M(w): speed and way by quadrature over time, time and way by quadrature over the speed",
+    summary: "J constant, M(t) or M(w): speed and displacement by quadrature over time, time and displacement by quadrature over the speed",
     source: "D 3.21, case 2",
     order: 0,
     knob: Knob::Tolerance,

@@ -62,7 +62,8 @@ impl<'a> Output<'a> {
 
 fn refuse_partial(path: &Path, status: Status) -> Result<(), Fault> {
     if status != Status::Done && path.is_file() && !files::is_stream(path) {
-        let problem = "the results are not whole, and what is there stays; name a new file to have them";
+        let problem =
+            "the results are incomplete, so the existing file is kept; name a new file to write them";
         return Err(Fault::Partial(FileError::write(path, problem), status));
     }
     Ok(())

@@ -45,7 +45,7 @@ fn explained(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Erro
             };
             owner.map(|owner| {
                 format!(
-                    "`{option}` belongs to a command and stands behind it: `assur {owner} SCENE {option} ...`"
+                    "`{option}` belongs to a command and must follow it: `assur {owner} SCENE {option} ...`"
                 )
             })
         }
@@ -90,7 +90,7 @@ fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
     let lost = before.iter().find(|(_, given)| *given);
     if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {
         return Some(fault(&format!(
-            "`{option}` stands before the command `{name}`, where it says nothing to it; write it behind: `assur {name} ... {option} NAME`"
+            "`{option}` stands before the command `{name}`, where it has no effect; write it behind: `assur {name} ... {option} NAME`"
         )));
     }
     if let Some((option, _)) = lost {

@@ -78,7 +78,7 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
         return Err(ScreenError::NoTerminal);
     }
     let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
-    let title = "The configuration was not taken; the defaults hold. Any key goes on.";
+    let title = "The configuration could not be used; the defaults apply. Press any key.";
     state.fault = options.config_fault.clone().map(|fault| (title, fault));
     state.size = terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);

@@ -16,7 +16,7 @@ pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -
         (plan.inertia_loads && carry::heavy_groups(mechanism, structure), "accelerations of masses"),
         (
             (plan.reduction || plan.forces) && carry::opposed(mechanism),
-            "whether a point stands on which a load acts against the motion",
+            "whether a point is at rest on which a load acts against the motion",
         ),
     ];
     let first = [

@@ -179,7 +179,7 @@ fn always(list: &mut Vec<Remark>) {
         ),
         (
             "clearance in pairs, impacts",
-            "pins and guides fit exactly; it can't be included (where a force in a guide changes its sign, the results tell it)",
+            "pins and guides fit exactly; it can't be included (where a force in a guide changes its sign, the results report it)",
         ),
         ("forces across the plane", "the mechanism and all loads lie in one plane; it can't be included"),
     ];

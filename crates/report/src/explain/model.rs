@@ -98,7 +98,7 @@ fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         let direction = match force.direction {
             Direction::AgainstMotion => ", always against the motion of its point",
             Direction::Link(_) => ", in a direction that turns with the link",
-            Direction::Ground(_) => ", in a direction that stays",
+            Direction::Ground(_) => ", in a fixed direction",
         };
         let on = link(force.at.link);
         let how = format!("at a point of `{on}`, {}{direction}", law(&force.value));

@@ -239,7 +239,7 @@ fn checks(plan: &Plan) -> Stage {
     }
     run(
         "checks",
-        "numbers are worth as much as their residuals",
+        "the residuals show how far the numbers can be trusted",
         "closure of every pair, derivatives against differences, equilibrium of every link, agreement of two analyzers, \
          Lagrange-d'Alembert, virtual power against the balancing load",
     )

@@ -15,7 +15,7 @@ const EVENTS: usize = 20;
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     if let Some(problem) = &source.analysis.no_motion {
         page.section("Motion");
-        page.paragraph(&format!("There is no motion to tell: {problem}"));
+        page.paragraph(&format!("There is no motion to report: {problem}"));
     }
     if let Some(found) = &source.analysis.integration {
         page.section("Motion");

@@ -45,7 +45,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
                 }
                 None => Entry::refused(
                     row,
-                    "no other method can treat this equation, so that nothing can judge it",
+                    "no other method can treat this equation, so there is no reference for it",
                 ),
             });
         }

@@ -49,7 +49,7 @@ pub enum ChartError {
     Dynamics(#[from] assur_dynamics::DynamicsError),
     /// No integrator finds the motion.
     #[error(
-        "no integrator finds the motion of the scene, so that nothing can be judged; `assur analyze` says why"
+        "no integrator finds the motion of the scene, so there is no reference; `assur analyze` says why"
     )]
     NoMotion,
     /// No integrator or no analyzer is linked.

@@ -100,7 +100,7 @@ pub(crate) fn accept_without_digits(row: &mut Row) {
     if !row.ok && row.error.is_some_and(|error| error <= row.bound || row.bound >= 1.0) {
         row.ok = true;
         row.reason = Some(
-            "no digit is left, as the bound says; the linear system can't see it, the closed forms refuse here"
+            "no digit is left, as the bound says; the linear system can't detect it, the closed forms give an error here"
                 .to_owned(),
         );
     }

@@ -5,7 +5,7 @@ use assur_analysis::results::Check;
 use super::{jobs, whatif};
 use crate::screen::state::{Chosen, Compared, Found, Purpose, Report, Role, Scene, State, View, Zoom};
 
-const FAULT: &str = "The scene was not taken; the old result stays. Any key goes on.";
+const FAULT: &str = "The scene could not be read; the old result is still shown. Press any key.";
 
 /// Takes a report of the worker; returns whether the frame may differ.
 pub(crate) fn take(state: &mut State, report: Report) -> bool {

@@ -83,7 +83,7 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
         }
         Err(text) if !late => {
             what.reading = Reading::Refused;
-            let title = "The change was not taken; the old result stays. Undo it, or change it again.";
+            let title = "The change gives no valid scene; the old result is still shown. Undo it, or change it again.";
             state.fault = Some((title, text));
         }
         Err(_) => {}

@@ -114,11 +114,13 @@ fn other_keys_are_what_counts_and_what_is_shown() {
 #[test]
 fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
     let mut state = opened("shaper");
-    state.fault =
-        Some(("The configuration was not taken", "error: two\n  config.toml, line 2, column 1".to_owned()));
+    state.fault = Some((
+        "The configuration could not be used",
+        "error: two\n  config.toml, line 2, column 1".to_owned(),
+    ));
     let frame = text(&state, 80, 24);
     assert!(
-        frame.contains("The configuration was not taken") && frame.contains("line 2, column 1"),
+        frame.contains("The configuration could not be used") && frame.contains("line 2, column 1"),
         "{frame}"
     );
     press(&mut state, "Right");

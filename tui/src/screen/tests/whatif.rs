@@ -91,7 +91,10 @@ fn a_change_that_makes_no_scene_is_told_and_taken_back() {
         let before = text(&state, 80, 24);
         write(&mut state, &format!(":value {LENGTH} {wrong}"));
         let frame = text(&state, 80, 24);
-        assert!(frame.contains("The change was not taken") && frame.contains("line 9, column 23"), "{frame}");
+        assert!(
+            frame.contains("The change gives no valid scene") && frame.contains("line 9, column 23"),
+            "{frame}"
+        );
         assert!(header(&state).contains("(not taken)"), "{frame}");
         press(&mut state, "Right Left");
         assert!(text(&state, 80, 24).contains("PF0 100.000 mm"), "the old result stays");
