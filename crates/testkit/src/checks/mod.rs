@@ -28,7 +28,7 @@ impl Tried {
     pub(crate) fn enough(&self) -> Result<(), Fault> {
         let few = self.regular < 20 || self.singular < 20 || self.open.is_some_and(|open| open < 10);
         if few {
-            let what = format!("too few came to a check: {self:?}");
+            let what = format!("too few samples were suitable for a check: {self:?}");
             return Err(Fault { check: "samples", seed: 0, what });
         }
         Ok(())

@@ -59,8 +59,13 @@ pub(crate) fn all_ways_close(case: &Case) -> Result<(), Fault> {
 
 /// The health that `place` returns equals that of `health`, and is between 0 and about 1.
 pub(crate) fn health_is_consistent(case: &Case, bodies: &[Body<f64>], health: f64) -> Result<(), Fault> {
-    let asked = case.kernel.health(bodies);
-    case.within("health", "what `place` and `health` say", health.abs() - asked.abs(), 1e-13 / health.abs())?;
+    let separate = case.kernel.health(bodies);
+    case.within(
+        "health",
+        "what `place` and `health` say",
+        health.abs() - separate.abs(),
+        1e-13 / health.abs(),
+    )?;
     if health.abs() > 1.5 {
         return Err(case.fault("health", format!("{health} is far above 1")));
     }
