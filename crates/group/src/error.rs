@@ -18,18 +18,33 @@ pub enum GroupError {
         /// The dimensionless determinant of the group.
         health: f64,
     },
+    /// The iteration from the starting pose that the known places give came to a singular pose.
+    #[error(
+        "the starting guess is singular (dimensionless determinant {health:.3e}): give `[assembly]` more points"
+    )]
+    SingularStart {
+        /// The dimensionless determinant of the group.
+        health: f64,
+    },
     /// The group has too many links for the general solution, or its count is wrong: it needs three pairs for every
     /// two links.
-    #[error(
-        "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has {links} links \
-         and {pairs} pairs and needs a kind of its own"
-    )]
+    #[error("{}", unfit(*links, *pairs))]
     Unfit {
         /// Links of the group.
         links: usize,
         /// Its pairs, inner and outer together.
         pairs: usize,
     },
+}
+
+fn unfit(links: usize, pairs: usize) -> String {
+    if links.is_multiple_of(2) && 2 * pairs != 3 * links {
+        return format!("{links} links need {} pairs, the group has {pairs}", 3 * links / 2);
+    }
+    format!(
+        "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has {links} links \
+         and {pairs} pairs and needs a kind of its own"
+    )
 }
 
 /// Lengths that don't form a group of a kind.

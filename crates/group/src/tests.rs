@@ -118,6 +118,11 @@ fn errors_read_as_sentences() {
             "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has 10 links \
              and 15 pairs and needs a kind of its own",
         ),
+        (GroupError::Unfit { links: 4, pairs: 5 }, "4 links need 6 pairs, the group has 5"),
+        (
+            GroupError::SingularStart { health: 0.0 },
+            "the starting guess is singular (dimensionless determinant 0.000e0): give `[assembly]` more points",
+        ),
     ] {
         assert_eq!(error.to_string(), text);
     }

@@ -1,10 +1,12 @@
 //! The assembly of the first position.
 
 use assur_group::plane::{dot, minus, vector};
-use assur_group::{AssurGroup, Body, Number};
-use assur_mechanism::Mechanism;
+use assur_group::{AssurGroup, Body, GroupError, Number};
+use assur_mechanism::{GROUND, Mechanism};
 use assur_number::{Dd, Real};
+use assur_structure::Structure;
 
+use crate::start::start;
 use crate::{Chain, ChainError};
 
 /// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the ways
@@ -15,16 +17,17 @@ const SAME: f64 = 1e-14;
 pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 
 /// Finds the way of each group at the coordinate `from` that is closest to the places in `[assembly]`, and places the
-/// links. Where a group can't be placed: the ways of the groups before it, and the error. `scale` is a typical length
-/// of the mechanism, m.
+/// links. Where a group can't be placed: the ways of the groups before it, and the error.
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
-    scale: f64,
+    structure: &Structure,
     (chain, extended): (&Chain<f64>, Option<&Chain<Dd>>),
     from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
     let wanted = wanted(mechanism);
-    let mut bodies = guessed_bodies(&wanted, chain);
+    let mut bodies = chain.bodies();
+    let mut placed = vec![false; mechanism.links.len()];
+    (placed[GROUND], placed[chain.input.link()]) = (true, true);
     chain.set_input(from, &mut bodies);
     let mut wide: Vec<_> = bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
     if let Some(extended) = extended {
@@ -34,6 +37,11 @@ pub(crate) fn first_ways(
     for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.is_needed(*group)) {
         let extended = extended.map(|chain| chain.groups[group].as_ref());
         let links = &kernel.frame().links;
+        let iterates = structure.groups[group].plugin.iterates;
+        if iterates {
+            start(mechanism, kernel.frame(), &placed, &mut bodies);
+            copy(links, &bodies, &mut wide);
+        }
         let mut best: Option<(f64, u8)> = None;
         let mut failure = None;
         for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
@@ -42,9 +50,13 @@ pub(crate) fn first_ways(
                     // In 32 digits where possible: close to a change point the ways differ by little.
                     let exact = extended.and_then(|kernel| miss(&wanted, kernel, way, &mut wide).ok());
                     let found = exact.unwrap_or(found);
-                    if best.is_none_or(|(least, _)| found < least - SAME * scale) {
+                    if best.is_none_or(|(least, _)| found < least - SAME * structure.scale) {
                         best = Some((found, way));
                     }
+                }
+                // Whether the position is singular is not known before it is found.
+                Err(GroupError::Singular { health }) if iterates => {
+                    failure = Some(ChainError { group, source: GroupError::SingularStart { health } });
                 }
                 Err(source) => failure = Some(ChainError { group, source }),
             }
@@ -58,12 +70,18 @@ pub(crate) fn first_ways(
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
         if extended.is_none_or(|kernel| kernel.place(&mut wide, usize::from(ways[group])).is_err()) {
             // The gap is only rounding: the pose in 16 digits is kept.
-            for &link in links {
-                wide[link] = bodies[link].map(Dd::from_f64);
-            }
+            copy(links, &bodies, &mut wide);
         }
+        links.iter().for_each(|&link| placed[link] = true);
     }
     Ok((ways, bodies))
+}
+
+/// Sets links in 32 digits to their poses in 16 digits.
+fn copy(links: &[usize], from: &[Body<f64>], to: &mut [Body<Dd>]) {
+    for &link in links {
+        to[link] = from[link].map(Dd::from_f64);
+    }
 }
 
 /// The place that `[assembly]` gives for a point of a link.
@@ -87,26 +105,6 @@ fn wanted(mechanism: &Mechanism) -> Vec<Vec<Wanted>> {
     wanted
 }
 
-/// Starting pose for kinds that iterate: each link at the mean of its wanted points.
-fn guessed_bodies(wanted: &[Vec<Wanted>], chain: &Chain<f64>) -> Vec<Body<f64>> {
-    let mut bodies = chain.bodies();
-    for (body, wanted) in bodies.iter_mut().zip(wanted).skip(1) {
-        let known: Vec<_> = wanted.iter().map(|one| (one.own, one.place)).collect();
-        match known[..] {
-            [] => {}
-            [(own, place)] => (body.x, body.y) = (place[0] - own[0], place[1] - own[1]),
-            [(own, place), .., (own2, place2)] => {
-                let wanted = (place2[1] - place[1]).atan2(place2[0] - place[0]);
-                let angle = wanted - (own2[1] - own[1]).atan2(own2[0] - own[0]);
-                (body.s, body.c) = angle.sin_cos();
-                let arm = body.arm(own);
-                body.hang_place(arm, place);
-            }
-        }
-    }
-    bodies
-}
-
 /// Root of the sum of the squared distances between a group's points in one way and their wanted places, m. Leaves
 /// the links of the group unchanged.
 fn miss<T: Number>(
@@ -114,7 +112,7 @@ fn miss<T: Number>(
     kernel: &dyn AssurGroup<T>,
     way: u8,
     bodies: &mut [Body<T>],
-) -> Result<f64, assur_group::GroupError> {
+) -> Result<f64, GroupError> {
     let links = &kernel.frame().links;
     let before: Vec<_> = links.iter().map(|&link| bodies[link]).collect();
     let placed = kernel.place(bodies, usize::from(way));

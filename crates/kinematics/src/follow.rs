@@ -49,11 +49,14 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain
     let from = mechanism.input.from;
     // Where a kernel can't be built in 32 digits, meetings are not searched for.
     let extended = Chain::<Dd>::compile(mechanism, structure).ok();
-    let begin = |q: f64| first_ways(mechanism, structure.scale, (chain, extended.as_ref()), q);
+    let begin = |q: f64| first_ways(mechanism, structure, (chain, extended.as_ref()), q);
     let found = match begin(from) {
         // Coincident equal links may point in any direction; their assembly is chosen a small distance behind the
         // position.
-        Err((_, ChainError { source: GroupError::Singular { .. }, .. })) => begin(from + BESIDE * unit),
+        Err((
+            _,
+            ChainError { source: GroupError::Singular { .. } | GroupError::SingularStart { .. }, .. },
+        )) => begin(from + BESIDE * unit),
         found => found,
     };
     let (first, start) = match found {

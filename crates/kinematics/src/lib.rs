@@ -25,6 +25,7 @@ mod motion;
 mod poles;
 mod rank;
 mod samples;
+mod start;
 mod ways;
 mod wide;
 
