@@ -7,16 +7,26 @@ use assur_number::Real;
 use crate::sample::Sample;
 
 /// A failed check.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{check} (seed {seed}): {what}")]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     /// Name of the check.
     pub check: &'static str,
-    /// Description of the sample.
-    pub seed: u64,
+    /// Seed of the sample; `None` where the entry in the registry is at fault.
+    pub seed: Option<u64>,
     /// The measured numbers.
     pub what: String,
 }
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.seed {
+            Some(seed) => write!(f, "{} (seed {seed}): {}", self.check, self.what),
+            None => f.write_str(&self.what),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
 
 /// A sample and its kernel in f64.
 #[derive(Debug)]
@@ -34,7 +44,7 @@ pub(crate) struct Case {
 impl Case {
     /// Builds the kernel; a fault if the kind refuses the group, or declares another number of ways than it has.
     pub(crate) fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
-        let fault = |what| Fault { check: "build", seed, what };
+        let fault = |what| Fault { check: "build", seed: Some(seed), what };
         if plugin.pattern.find(&sample.frame).is_none() {
             return Err(fault("does not match a group of its own kind".into()));
         }
@@ -47,7 +57,7 @@ impl Case {
 
     /// A fault of this case.
     pub(crate) fn fault(&self, check: &'static str, what: impl Into<String>) -> Fault {
-        Fault { check, seed: self.seed, what: what.into() }
+        Fault { check, seed: Some(self.seed), what: what.into() }
     }
 
     /// A failed call of the kernel as a fault.

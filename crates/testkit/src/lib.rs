@@ -8,6 +8,7 @@
 mod arrangement;
 mod case;
 mod checks;
+mod pattern;
 mod rng;
 mod sample;
 pub mod specimen;
@@ -41,9 +42,17 @@ pub fn conformance(name: &str) {
 ///
 /// The first [`Fault`] found.
 pub fn judge(name: &str) -> Result<(), Fault> {
-    let broken = |what: String| Fault { check: "registry", seed: 0, what };
-    let all = groups().map_err(|error| broken(error.to_string()))?;
-    let plugin = *all.iter().find(|plugin| plugin.name == name).ok_or_else(|| broken("not there".into()))?;
+    let broken = |check: &'static str, what: String| Fault { check, seed: None, what };
+    let all = groups().map_err(|error| broken("registry", error.to_string()))?;
+    let plugin = *all.iter().find(|plugin| plugin.name == name).ok_or_else(|| {
+        let names: Vec<_> = all.iter().map(|plugin| plugin.name).collect();
+        let what = format!(
+            "no kind `{name}` is registered; registered are {}; is `use your_crate as _;` in the test?",
+            names.join(", ")
+        );
+        broken("registry", what)
+    })?;
+    pattern::is_assur_group(&plugin.pattern).map_err(|what| broken("pattern", what))?;
     let mut tried = checks::Tried::default();
     for seed in 0..SAMPLES {
         let mut rng = Rng::new(seed);

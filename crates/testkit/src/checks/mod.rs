@@ -29,7 +29,7 @@ impl Tried {
         let few = self.regular < 20 || self.singular < 20 || self.open.is_some_and(|open| open < 10);
         if few {
             let what = format!("too few samples were suitable for a check: {self:?}");
-            return Err(Fault { check: "samples", seed: 0, what });
+            return Err(Fault { check: "samples", seed: None, what });
         }
         Ok(())
     }

@@ -54,3 +54,26 @@ inventory::submit! {
         outer: &[(0, Pin), (2, Pin)],
     })
 }
+
+// Patterns that are no Assur group.
+
+// A chain of four: links 0 and 1 are a dyad, links 2 and 3 another one on it.
+inventory::submit! {
+    entry("two-dyads", Pattern {
+        links: 4,
+        inner: &[([0, 1], Pin), ([1, 2], Pin), ([2, 3], Pin)],
+        outer: &[(0, Pin), (1, Pin), (3, Pin)],
+    })
+}
+
+inventory::submit! {
+    entry("held-twice", Pattern { inner: &[([0, 1], Pin)], outer: &[(0, Pin), (0, Pin)], links: 2 })
+}
+
+inventory::submit! { entry("link-out-of-range", Pattern { inner: &[([0, 1], Pin), ([0, 7], Pin)], ..TRIAD }) }
+
+inventory::submit! { entry("pair-missing", Pattern { outer: &[(1, Pin), (2, Pin)], ..TRIAD }) }
+
+inventory::submit! {
+    entry("three-links", Pattern { inner: &[([0, 1], Pin), ([1, 2], Pin)], outer: &[(0, Pin), (2, Pin)], links: 3 })
+}

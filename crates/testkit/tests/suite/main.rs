@@ -52,9 +52,27 @@ conforms!(
 );
 
 #[test]
+fn patterns_that_are_no_assur_group_are_refused() {
+    for (name, what) in [
+        ("two-dyads", "the pattern is no Assur group: links 0 and 1 are a group of their own"),
+        ("held-twice", "the pattern is no Assur group: link 0 has more outer pairs than it needs"),
+        ("link-out-of-range", "the pattern names link 7; it has 0 to 3"),
+        ("pair-missing", "4 links need 6 pairs, the pattern has 5"),
+        ("three-links", "a group has 2, 4, 6 ... links, the pattern has 3"),
+    ] {
+        let fault = judge(name).expect_err("no Assur group");
+        assert_eq!((fault.check, fault.to_string().as_str()), ("pattern", what), "{name}");
+    }
+}
+
+#[test]
 fn an_unknown_kind_is_refused() {
-    let fault = judge("no-such").unwrap_err();
-    assert_eq!(fault.to_string(), "registry (seed 0): not there");
+    let fault = judge("no-such").unwrap_err().to_string();
+    assert!(
+        fault.starts_with("no kind `no-such` is registered; registered are contour-of-four, "),
+        "{fault}"
+    );
+    assert!(fault.ends_with("; is `use your_crate as _;` in the test?"), "{fault}");
 }
 
 #[test]
