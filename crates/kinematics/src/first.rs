@@ -72,7 +72,9 @@ pub(crate) fn first_ways(
             // The gap is only rounding: the pose in 16 digits is kept.
             copy(links, &bodies, &mut wide);
         }
-        links.iter().for_each(|&link| placed[link] = true);
+        for &link in links {
+            placed[link] = true;
+        }
     }
     Ok((ways, bodies))
 }

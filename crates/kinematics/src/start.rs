@@ -30,6 +30,9 @@ pub(crate) fn start(mechanism: &Mechanism, frame: &GroupFrame, placed: &[bool], 
     leave_singular(frame, bodies);
 }
 
+/// A point of a link: in the frame of the link and in that of the ground, m.
+type Located = ([f64; 2], [f64; 2]);
+
 /// What is known about the places of points.
 struct Known<'a> {
     mechanism: &'a Mechanism,
@@ -54,8 +57,8 @@ impl<'a> Known<'a> {
         Self { mechanism, frame, placed: placed.to_vec(), places }
     }
 
-    /// The known points of a link: each in the frame of the link and in that of the ground, m.
-    fn points(&self, link: usize) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
+    /// The known points of a link.
+    fn points(&self, link: usize) -> impl Iterator<Item = Located> {
         let all = self.mechanism.points.iter().zip(&self.places);
         all.filter_map(move |(point, place)| {
             let of = point.places.iter().find(|of| of.link == link)?;
@@ -64,7 +67,7 @@ impl<'a> Known<'a> {
     }
 
     /// Two known points of a link: the first, and the one farthest from it if it is elsewhere.
-    fn two(&self, link: usize) -> Option<(([f64; 2], [f64; 2]), Option<([f64; 2], [f64; 2])>)> {
+    fn two(&self, link: usize) -> Option<(Located, Option<Located>)> {
         let first = self.points(link).next()?;
         let distance = |own: [f64; 2]| (own[0] - first.0[0]).hypot(own[1] - first.0[1]);
         let far = self.points(link).max_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
