@@ -164,3 +164,22 @@ fn places_depend_on_the_coordinate_alone() {
     };
     assert_eq!(solved(&[0.3]), solved(&[-0.3, 0.1, 0.3]));
 }
+
+#[test]
+fn its_start_needs_only_the_points_that_nothing_else_places() {
+    // A and D are points of the input link; the places of the ground's pins are known too.
+    let kept = |line: &&str| !line.starts_with("A = [0.094") && !line.starts_with("D = [0.022");
+    let text = STEPHENSON_II.lines().filter(kept).collect::<Vec<_>>().join("\n");
+    let natural = assur_scene::read("natural.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(natural.assembly.len(), 3);
+    let first = |mechanism: Mechanism| {
+        let linkage = Linkage::compile(mechanism).unwrap_or_else(|error| panic!("{error}"));
+        let mut position = linkage.position();
+        let found = linkage.solve_index(0, assur_group::Order::Place, &mut position);
+        found.unwrap_or_else(|error| panic!("{error}"));
+        position.bodies
+    };
+    for (one, other) in first(natural).iter().zip(&first(stephenson())) {
+        assert!((one.x - other.x).hypot(one.y - other.y) < 1e-14, "{one:?} {other:?}");
+    }
+}

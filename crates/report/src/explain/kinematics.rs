@@ -43,12 +43,20 @@ pub(super) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Pla
     run("positions (PF0)", reason, method)
 }
 
-pub(super) fn transfer(plan: &Plan) -> Stage {
+pub(super) fn transfer(structure: &Structure, plan: &Plan) -> Stage {
     let name = "transfer functions (PF1, PF2)";
-    let method = if solved(plan) == 0 {
-        "of the input link, exact"
-    } else {
-        "derivatives of the closed forms of each group by the input coordinate, not by differences"
+    let needed = || structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed);
+    let iterating = needed().filter(|(group, _)| group.plugin.iterates).count();
+    let method = match solved(plan) {
+        0 => "of the input link, exact",
+        all if iterating == all => {
+            "derivatives of the constraints of each group by the input coordinate, not by differences"
+        }
+        _ if iterating > 0 => {
+            "derivatives of the closed forms of each group by the input coordinate, of the constraints where a kind \
+             iterates, not by differences"
+        }
+        _ => "derivatives of the closed forms of each group by the input coordinate, not by differences",
     };
     let groups = match solved(plan) {
         0 => String::new(),

@@ -18,7 +18,7 @@ pub(super) fn stages(
     vec![
         structure_stage(plan),
         kinematics::positions(mechanism, structure, plan),
-        kinematics::transfer(plan),
+        kinematics::transfer(structure, plan),
         kinematics::velocities(mechanism, plan),
         reduction(mechanism, plan),
         motion(mechanism, methods, equation),

@@ -31,6 +31,14 @@ fn row(page: &mut Page, what: &str, value: &str, unit: &str) {
     page.paragraph(format!("{what}: {value} {unit}").trim_end());
 }
 
+/// The power that the motor needs, W; `None` without a motor where it is only rounding of the powers in the cycle.
+fn required_power(found: &Dynamics, regime: &RegimeReport) -> Option<f64> {
+    /// In parts of the power that accelerates and brakes the links.
+    const ROUNDING: f64 = 1e-9;
+    let is_rounding = found.required_power.abs() * regime.cycle_time <= ROUNDING * found.excess_work.abs();
+    (found.motor.is_some() || !is_rounding).then_some(found.required_power)
+}
+
 fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &mut Page) {
     let (rate, place) = (source.units.rates[0], source.units.coordinate);
     let moment = source.units.reduced[2].name;
@@ -43,7 +51,7 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
         ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
         ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
         ("Constant moment of the drive", found.torque, moment),
-        ("Power that the motor needs, at the mean speed", Some(found.required_power), "W"),
+        ("Power that the motor needs, at the mean speed", required_power(found, regime), "W"),
         ("Time of a cycle", Some(regime.cycle_time), "s"),
         ("A small change of the speed is multiplied over a cycle by", Some(regime.multiplier), ""),
     ];

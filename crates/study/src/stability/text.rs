@@ -52,7 +52,9 @@ impl Stability {
         if self.failure.is_none() && !self.groups.is_empty() {
             self.margins(&mut text);
         }
-        self.walks(&mut text);
+        if !self.rows.is_empty() {
+            self.walks(&mut text);
+        }
         self.conclusion(&mut text);
         text
     }
@@ -138,12 +140,15 @@ impl Stability {
                 millimeters(change)
             );
         }
-        let _ = writeln!(
-            text,
-            "  {} of {} rows keep their bound or refuse with a reason.",
-            self.rows.len() - failed,
-            self.rows.len()
-        );
+        let _ = match self.rows.len() {
+            0 => writeln!(
+                text,
+                "  No walk was made: there is no reference in 32 digits, or no place to walk to."
+            ),
+            all => {
+                writeln!(text, "  {} of {all} rows keep their bound or refuse with a reason.", all - failed)
+            }
+        };
         for row in self.rows.iter().filter(|row| !row.ok).take(MOST_FAILED) {
             let reason = row.reason.as_deref().unwrap_or("");
             let _ = writeln!(
