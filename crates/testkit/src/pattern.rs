@@ -56,9 +56,9 @@ pub(crate) fn is_assur_group(pattern: &Pattern) -> Result<(), String> {
 /// the group are left out.
 fn mobility(pattern: &Pattern, part: usize) -> i64 {
     let has = |link: usize| part >> link & 1 == 1;
-    let inner = pattern.inner.iter().filter(|([a, b], _)| has(*a) && has(*b)).count();
-    let outer = pattern.outer.iter().filter(|(link, _)| has(*link)).count();
-    3 * i64::from(part.count_ones()) - 2 * (inner + outer) as i64
+    let inner = pattern.inner.iter().filter(|([a, b], _)| has(*a) && has(*b)).map(|_| 2);
+    let outer = pattern.outer.iter().filter(|(link, _)| has(*link)).map(|_| 2);
+    3 * i64::from(part.count_ones()) - inner.chain(outer).sum::<i64>()
 }
 
 /// `links 0, 1 and 4`.
