@@ -51,6 +51,7 @@ const OUTER: &str = "[ground]\npoints = { O = [0, 0], D = [0.5, 0] }\n\
     [[slide]]\nlink = \"slider\"\non = \"ground\"\nthrough = [0, 0.45]\n";
 
 /// The linkage at its first position, all of whose pins are closed, and which turns fully.
+#[expect(clippy::unwrap_used, reason = "the scene of the test is valid")]
 fn first(scene: &str, assembly: &str) -> (Linkage, Position) {
     let text = format!("{scene}{LINKS}[assembly]\n{assembly}");
     let linkage = Linkage::compile(assur_scene::read("triad", &text).unwrap()).unwrap();
