@@ -2,8 +2,7 @@
 
 use assur_integrator::{IntegrationError, Motion, MotionError, Request, Run, State, Trajectory, Until};
 
-use super::panel::Panel;
-use super::passage::Passage;
+use super::panel::{Panel, Passage};
 use crate::QUADRATURE;
 
 /// Least tolerance: the rounding errors of a fit.

@@ -1,7 +1,7 @@
 //! A panel of the speed with the polynomials of time and way.
 
 use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
-use assur_integrator::{Equation, MotionError, Node, State};
+use assur_integrator::{Curve, Equation, MotionError, Node, State};
 use assur_number::search::root;
 
 /// A root of the moment further away than this is not used (x = 1 is the end of the panel).
@@ -236,4 +236,19 @@ fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (
         }
     }
     inverse(wanted, [low, high], 0.5 * (low + high), ENOUGH, function)
+}
+
+/// The motion through a panel.
+#[derive(Debug, Clone)]
+pub(crate) struct Passage {
+    pub(super) panel: Box<Panel>,
+    /// Parameters at its ends; the last may be infinite.
+    pub(super) ends: [f64; 2],
+}
+
+impl Curve for Passage {
+    fn at(&self, from: &State, time: f64) -> State {
+        let place = self.panel.at(self.panel.at_time(time - from.time, self.ends));
+        State { time, coordinate: from.coordinate + place.way, speed: place.speed }
+    }
 }

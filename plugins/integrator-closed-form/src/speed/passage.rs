@@ -1,24 +1,9 @@
 //! How the motion through a panel ends.
 
-use assur_integrator::{Curve, EventKind, IntegrationError, State, Until};
+use assur_integrator::{EventKind, IntegrationError, State, Until};
 
 use super::march::March;
-use super::panel::Panel;
-
-/// The motion through a panel.
-#[derive(Debug, Clone)]
-pub(crate) struct Passage {
-    panel: Box<Panel>,
-    /// Parameters at its ends; the last may be infinite.
-    ends: [f64; 2],
-}
-
-impl Curve for Passage {
-    fn at(&self, from: &State, time: f64) -> State {
-        let place = self.panel.at(self.panel.at_time(time - from.time, self.ends));
-        State { time, coordinate: from.coordinate + place.way, speed: place.speed }
-    }
-}
+use super::panel::{Panel, Passage};
 
 /// What ends the motion through a panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
