@@ -1,6 +1,6 @@
 //! Builders of a kind's kernel, one for each number type.
 
-use assur_number::{Dd, F64x4, Real};
+use assur_number::{Dd, Lanes, Real};
 
 use crate::{AssurGroup, BuildError, GroupFrame};
 
@@ -12,7 +12,7 @@ pub struct Builders {
     pub(crate) double: Build<f64>,
     pub(crate) single: Build<f32>,
     pub(crate) extended: Build<Dd>,
-    pub(crate) lanes: Build<F64x4>,
+    pub(crate) lanes: Build<Lanes>,
 }
 
 /// A kind of group whose formulas are generic over the number type.
@@ -39,7 +39,7 @@ impl Builders {
             double: boxed::<K, f64>,
             single: boxed::<K, f32>,
             extended: boxed::<K, Dd>,
-            lanes: boxed::<K, F64x4>,
+            lanes: boxed::<K, Lanes>,
         }
     }
 }
@@ -69,4 +69,4 @@ macro_rules! number {
 number!(f64, double);
 number!(f32, single);
 number!(Dd, extended);
-number!(F64x4, lanes);
+number!(Lanes, lanes);

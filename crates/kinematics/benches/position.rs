@@ -1,9 +1,9 @@
-//! One position of shipped mechanisms: PF0 alone, with PF1, with PF2; compiling; four positions in lanes.
+//! One position of shipped mechanisms: PF0 alone, with PF1, with PF2; compiling; eight positions in lanes.
 
 use assur_all as _;
 use assur_group::Order;
-use assur_kinematics::{Chain, Linkage};
-use assur_number::{F64x4, Lanes, Real};
+use assur_kinematics::Linkage;
+use assur_number::Lanes;
 
 fn main() {
     divan::main();
@@ -43,18 +43,14 @@ fn pf0_pf1_pf2(bencher: divan::Bencher, name: &str) {
 }
 
 #[divan::bench(args = SCENES)]
-fn four_in_lanes(bencher: divan::Bencher, name: &str) {
+fn eight_in_lanes(bencher: divan::Bencher, name: &str) {
     let linkage = Linkage::compile(scene(name)).expect("a good mechanism");
-    let chain = Chain::<F64x4>::compile(&linkage.mechanism, &linkage.structure).expect("a good mechanism");
-    let mut bodies = chain.bodies();
-    let mut health = vec![F64x4::ZERO; chain.groups.len()];
+    let mut position = linkage.lane_position();
     let mut q = 0.3;
     bencher.bench_local(|| {
-        q += 0.04;
-        let coordinate = Lanes([q, q + 0.01, q + 0.02, q + 0.03]);
-        chain
-            .solve(divan::black_box(coordinate), linkage.ways.at(q), Order::Second, &mut bodies, &mut health)
-            .is_ok()
+        q += 0.08;
+        let coordinates = Lanes::of(|lane| q + 0.01 * lane as f64);
+        linkage.solve_lanes(divan::black_box(coordinates), Order::Second, &mut position).is_ok()
     });
 }
 

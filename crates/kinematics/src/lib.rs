@@ -2,7 +2,8 @@
 //!
 //! [`Linkage::compile`] decomposes a mechanism, builds the kernel of each group, chooses the assembly of the first
 //! position and follows it once over the whole cycle. After that, [`Linkage::solve`] is a pure function of the
-//! coordinate: it does not depend on earlier calls, allocates nothing and takes no lock.
+//! coordinate: it does not depend on earlier calls, allocates nothing and takes no lock. [`Linkage::solve_lanes`] solves
+//! eight positions at once.
 //!
 //! At a change point (parallelogram, kite) two ways of a group meet, and the assembly continues in the way that makes
 //! the motion smooth. These coordinates are found when the mechanism is compiled, so the way of each group is known
@@ -19,6 +20,7 @@ mod follower;
 mod guesses;
 mod interpolant;
 mod interpolants;
+mod lanes;
 mod linkage;
 mod meeting;
 mod motion;
@@ -33,6 +35,7 @@ pub use chain::{Chain, ChainError, Input};
 pub use error::{CompileError, PositionError};
 pub use guesses::iterated;
 pub use interpolant::Interpolation;
+pub use lanes::LanePosition;
 pub use linkage::{Linkage, Position};
 pub use motion::{PointMotion, ScalarMotion, continuous_angle};
 pub use rank::mobility_in;

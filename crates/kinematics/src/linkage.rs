@@ -2,6 +2,7 @@
 
 use assur_group::{AssurGroup, Body, Order};
 use assur_mechanism::Mechanism;
+use assur_number::Lanes;
 use assur_structure::Structure;
 
 use crate::dependence::Dependence;
@@ -21,6 +22,10 @@ pub struct Linkage {
     pub structure: Structure,
     /// The compiled chain.
     pub chain: Chain<f64>,
+    /// The compiled chain for eight positions at once.
+    pub(crate) lane_chain: Chain<Lanes>,
+    /// Whether a group that is needed iterates from a starting pose.
+    pub(crate) iterates: bool,
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
@@ -29,7 +34,7 @@ pub struct Linkage {
     first_failure: Option<ChainError>,
     /// What ends the range, below and above.
     ends: [Option<ChainError>; 2],
-    interpolants: Interpolants,
+    pub(crate) interpolants: Interpolants,
     /// Starting poses for the groups that iterate.
     guesses: Option<Guesses>,
 }
@@ -74,11 +79,16 @@ impl Linkage {
     ) -> Result<Self, CompileError> {
         let mut chain = Chain::compile(&mechanism, &structure)?;
         chain.limit_to(needed);
+        let mut lane_chain = Chain::compile(&mechanism, &structure)?;
+        lane_chain.limit_to(needed);
+        let iterates = structure.groups.iter().zip(needed).any(|(group, needed)| *needed && group.plugin.iterates);
         let followed = follow(&mechanism, &structure, &chain);
         Ok(Self {
             mechanism,
             structure,
             chain,
+            lane_chain,
+            iterates,
             ways: followed.ways,
             range: followed.range,
             first_failure: followed.first_failure,
@@ -139,7 +149,7 @@ impl Linkage {
     /// The coordinate shifted into the interval in which the assembly was followed: if the mechanism does not turn
     /// fully, an angle is taken in the turn that begins at the lower end.
     #[inline]
-    fn followed(&self, coordinate: f64) -> f64 {
+    pub(crate) fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
             Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
             _ => coordinate,

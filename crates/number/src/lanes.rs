@@ -4,28 +4,30 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::Real;
 
-/// `N` numbers that are put through a formula together; plain arrays that the compiler turns into vector
-/// instructions.
+/// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
+/// instructions (one register of AVX-512, two of AVX).
+///
+/// Every lane gets the bits that `f64` gets by the same formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(32))]
-pub struct Lanes<const N: usize>(pub [f64; N]);
+#[repr(align(64))]
+pub struct Lanes(pub [f64; Lanes::WIDTH]);
 
-impl<const N: usize> Lanes<N> {
-    #[inline]
+impl Lanes {
+    /// Number of lanes.
+    pub const WIDTH: usize = 8;
+
+    /// The numbers that a function gives for each lane.
+    #[inline(always)]
+    pub fn of(lane: impl FnMut(usize) -> f64) -> Self {
+        Self(std::array::from_fn(lane))
+    }
+
+    #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self(self.0.map(f))
+        Self::of(|lane| f(self.0[lane]))
     }
 
-    #[inline]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let mut out = self.0;
-        for (a, b) in out.iter_mut().zip(other.0) {
-            *a = f(*a, b);
-        }
-        Self(out)
-    }
-
-    #[inline]
+    #[inline(always)]
     fn fold(self, better: impl Fn(f64, f64) -> bool) -> f64 {
         // The result must be NaN if a lane is NaN, which a comparison would hide. Without branches, because this is
         // in the inner loop.
@@ -40,11 +42,11 @@ impl<const N: usize> Lanes<N> {
 
 macro_rules! lanewise {
     ($trait:ident, $method:ident, $op:tt) => {
-        impl<const N: usize> $trait for Lanes<N> {
+        impl $trait for Lanes {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.zip(other, |a, b| a $op b)
+                Self::of(|lane| self.0[lane] $op other.0[lane])
             }
         }
     };
@@ -54,62 +56,62 @@ lanewise!(Sub, sub, -);
 lanewise!(Mul, mul, *);
 lanewise!(Div, div, /);
 
-impl<const N: usize> Neg for Lanes<N> {
+impl Neg for Lanes {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.map(|a| -a)
     }
 }
 
-impl<const N: usize> AddAssign for Lanes<N> {
-    #[inline]
+impl AddAssign for Lanes {
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<const N: usize> SubAssign for Lanes<N> {
-    #[inline]
+impl SubAssign for Lanes {
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<const N: usize> Real for Lanes<N> {
-    const ZERO: Self = Self([0.0; N]);
-    const ONE: Self = Self([1.0; N]);
+impl Real for Lanes {
+    const ZERO: Self = Self([0.0; Self::WIDTH]);
+    const ONE: Self = Self([1.0; Self::WIDTH]);
     const EPSILON: f64 = f64::EPSILON;
 
-    #[inline]
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self([value; N])
+        Self([value; Self::WIDTH])
     }
-    #[inline]
+    #[inline(always)]
     fn to_f64(self) -> f64 {
         self.0[0]
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         self.map(f64::abs)
     }
-    #[inline]
+    #[inline(always)]
     fn least(self) -> f64 {
         self.fold(|a, b| a < b)
     }
-    #[inline]
+    #[inline(always)]
     fn greatest(self) -> f64 {
         self.fold(|a, b| a > b)
     }
-    #[inline]
+    #[inline(always)]
     fn clamp_negative(self) -> Self {
         self.map(|a| if a < 0.0 { 0.0 } else { a })
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         (self.map(f64::sin), self.map(f64::cos))
     }

@@ -13,8 +13,5 @@ pub use dd::Dd;
 pub use lanes::Lanes;
 pub use real::Real;
 
-/// The lanes in which batches of positions are computed.
-pub type F64x4 = Lanes<4>;
-
 #[cfg(test)]
 mod tests;

@@ -1,10 +1,10 @@
-//! Time of one solution with PF1 and PF2: alone, four side by side, and by the general solution.
+//! Time of one solution with PF1 and PF2: alone, eight side by side, and by the general solution.
 
 use assur_group::{
     AssurGroup, Body, Closed, GroupFrame, Number, Order, Pair, PairGeometry, Wrench, derive_generally,
 };
 use assur_group_rrr::Rrr;
-use assur_number::{F64x4, Lanes, Real};
+use assur_number::{Lanes, Real};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -50,8 +50,8 @@ fn f64_place(bencher: Bencher<'_, '_>) {
 }
 
 #[divan::bench(sample_size = 2000)]
-fn four_lanes_pf2(bencher: Bencher<'_, '_>) {
-    solve::<F64x4>(bencher, Lanes([0.7, 0.8, 0.9, 1.0]), Order::Second);
+fn eight_lanes_pf2(bencher: Bencher<'_, '_>) {
+    solve::<Lanes>(bencher, Lanes::of(|lane| 0.7 + 0.1 * lane as f64), Order::Second);
 }
 
 #[divan::bench(sample_size = 2000)]

@@ -20,7 +20,7 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
     let mut entries = vec![
         of_positions(work, number("closed-form", "f64"), 1, own(work)),
         of_positions(work, number("closed-form", "f32"), 1, closed::<f32>(work)?),
-        lanes::entry(work, number("closed-form", "f64x4"))?,
+        lanes::entry(work, number("closed-form", "f64x8")),
     ];
     for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
         entries.push(of_positions(work, number(name, "f64"), 1, general::<f64>(work, places)?));

@@ -1,21 +1,21 @@
 //! Checks of a kernel in other number types.
 
 use assur_group::Number;
-use assur_number::{Dd, F64x4, Lanes, Real};
+use assur_number::{Dd, Lanes, Real};
 
 use super::{motion, places};
 use crate::case::{Case, Fault};
 
-/// Coordinates of the four lanes.
-const LANES: [f64; 4] = [0.0, 0.004, -0.003, 0.007];
+/// Coordinates of the lanes.
+const LANES: [f64; Lanes::WIDTH] = [0.0, 0.004, -0.003, 0.007, -0.006, 0.002, -0.001, 0.005];
 
-/// Four positions in lanes give the results of each alone: bit for bit, if the kind does not iterate.
+/// Positions in lanes give the results of each alone: bit for bit, if the kind does not iterate.
 pub(crate) fn lanes(case: &Case, way: usize, health: f64) -> Result<(), Fault> {
     let alone: Vec<_> = LANES.iter().filter_map(|&q| case.solved(&*case.kernel, q, way).ok()).collect();
     if alone.len() < LANES.len() {
         return Ok(());
     }
-    let kernel = case.kernel_in::<F64x4>()?;
+    let kernel = case.kernel_in::<Lanes>()?;
     let together = case.called("lanes", case.solved(&*kernel, Lanes(LANES), way))?;
     for (lane, bodies) in alone.iter().enumerate() {
         for &i in &case.sample.frame.links {

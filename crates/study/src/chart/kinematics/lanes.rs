@@ -1,67 +1,37 @@
-//! The closed forms on four positions at once.
+//! The program's own positions, eight at once.
 
 use std::hint::black_box;
 
-use assur_group::{Body, Order};
-use assur_kinematics::Chain;
-use assur_number::{F64x4, Lanes, Real};
+use assur_group::Order;
+use assur_kinematics::PositionError;
+use assur_number::Lanes;
 
-use super::failure;
 use crate::chart::entry::{Entry, Verdict};
 use crate::chart::work::Work;
-use crate::chart::{ChartError, Row};
+use crate::chart::Row;
 
-const WIDTH: usize = 4;
-
-/// Positions of one assembly that are solved together.
-struct Batch<'a> {
-    /// Their indices; the last batch of an assembly repeats its last position.
-    indices: [usize; WIDTH],
-    coordinates: F64x4,
-    ways: &'a [u8],
-}
-
-/// The closed forms over all positions, four by four.
-pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Result<Entry<'a>, ChartError> {
-    let linkage = work.linkage;
-    let chain = Chain::<F64x4>::compile(&linkage.mechanism, &linkage.structure)?;
-    let (mut bodies, mut health) = (chain.bodies(), vec![F64x4::ZERO; chain.groups.len()]);
-    let (batches, count) = (batches(work), work.coordinates.len());
+/// The closed forms over all positions, block by block; the last block repeats the last position.
+pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Entry<'a> {
+    let (linkage, coordinates) = (work.linkage, &work.coordinates);
+    let (mut block, mut position) = (linkage.lane_position(), linkage.position());
     let groups = linkage.groups().len() as u64;
     let run = move |judged: bool| {
-        let mut errors = vec![Ok(0.0); if judged { count } else { 0 }];
-        for batch in &batches {
-            let solved = chain
-                .solve(batch.coordinates, batch.ways, Order::Second, &mut bodies, &mut health)
-                .map_err(|error| failure(linkage, batch.coordinates.0[0], &error));
-            for (lane, index) in batch.indices.into_iter().enumerate().take(if judged { WIDTH } else { 0 }) {
-                errors[index] = solved.clone().map(|()| work.deviation(index, &lane_of(&bodies, lane)));
+        let mut errors = vec![Ok(0.0); if judged { coordinates.len() } else { 0 }];
+        for (index, eight) in coordinates.chunks(Lanes::WIDTH).enumerate() {
+            let lanes = Lanes::of(|lane| eight[lane.min(eight.len() - 1)]);
+            let solved = linkage.solve_lanes(lanes, Order::Second, &mut block);
+            for (lane, error) in errors.iter_mut().skip(index * Lanes::WIDTH).take(Lanes::WIDTH).enumerate() {
+                block.copy_lane(lane, &mut position);
+                *error = Ok(work.deviation(index * Lanes::WIDTH + lane, &position.bodies));
             }
-            black_box(&bodies);
+            for (lane, failure) in solved.err().unwrap_or_default() {
+                if let Some(error) = errors.get_mut(index * Lanes::WIDTH + lane) {
+                    *error = Err(PositionError::to_string(&failure));
+                }
+            }
+            black_box(&block);
         }
         Verdict::of_positions(groups, errors.into_iter())
     };
-    Ok(Entry { units: count as f64, ..Entry::run(row, run) })
-}
-
-/// Positions with the same assembly modes of all groups, four by four.
-fn batches<'a>(work: &'a Work<'a>) -> Vec<Batch<'a>> {
-    let ways = |index: usize| work.linkage.ways.at(work.coordinates[index]);
-    let mut kinds: Vec<&[u8]> = (0..work.coordinates.len()).map(ways).collect();
-    kinds.sort_unstable();
-    kinds.dedup();
-    let mut batches = Vec::new();
-    for kind in kinds {
-        let alike: Vec<usize> = (0..work.coordinates.len()).filter(|index| ways(*index) == kind).collect();
-        for four in alike.chunks(WIDTH) {
-            let indices = std::array::from_fn(|lane| four[lane.min(four.len() - 1)]);
-            let coordinates = Lanes(indices.map(|index| work.coordinates[index]));
-            batches.push(Batch { indices, coordinates, ways: kind });
-        }
-    }
-    batches
-}
-
-fn lane_of(bodies: &[Body<F64x4>], lane: usize) -> Vec<Body<f64>> {
-    bodies.iter().map(|body| body.map(|x| x.0[lane])).collect()
+    Entry { units: coordinates.len() as f64, ..Entry::run(row, run) }
 }

@@ -1,0 +1,142 @@
+//! Eight positions at once, in lanes.
+
+use assur_group::{Body, Order};
+use assur_number::{Lanes, Real};
+
+use crate::{Linkage, Position, PositionError};
+
+/// Pose and derivatives of all links at eight coordinates: the scratch of [`Linkage::solve_lanes`].
+///
+/// `bodies` has the layout of [`Position::bodies`], with a lane for each coordinate: `bodies[link].x.0[lane]`. Stages
+/// that are written over [`Real`] take it as it is; [`copy_lane`](Self::copy_lane) gives one of the positions to the others.
+#[derive(Debug, Clone)]
+pub struct LanePosition {
+    /// The coordinates, rad or m.
+    pub coordinates: Lanes,
+    /// One for each link, the ground first.
+    pub bodies: Vec<Body<Lanes>>,
+    /// Dimensionless determinant of each group: 0 at a singular position. Its sign carries no meaning.
+    pub health: Vec<Lanes>,
+    /// For the lanes that are solved one at a time.
+    single: Position,
+}
+
+impl LanePosition {
+    /// Copies one of the eight positions.
+    pub fn copy_lane(&self, lane: usize, position: &mut Position) {
+        position.coordinate = self.coordinates.0[lane];
+        for (one, all) in position.bodies.iter_mut().zip(&self.bodies) {
+            *one = all.map(|number| number.0[lane]);
+        }
+        for (one, all) in position.health.iter_mut().zip(&self.health) {
+            *one = all.0[lane];
+        }
+    }
+
+    /// Puts the single position into a lane.
+    fn put_single(&mut self, lane: usize) {
+        for (all, one) in self.bodies.iter_mut().zip(&self.single.bodies) {
+            let mut numbers = one.numbers().into_iter();
+            *all = all.map(|all| with_lane(all, lane, numbers.next().unwrap_or(f64::NAN)));
+        }
+        for (all, one) in self.health.iter_mut().zip(&self.single.health) {
+            all.0[lane] = *one;
+        }
+    }
+
+    /// Copies the numbers of one lane to another.
+    fn repeat(&mut self, from: usize, to: usize) {
+        self.bodies.iter_mut().for_each(|body| *body = body.map(|all| with_lane(all, to, all.0[from])));
+        self.health.iter_mut().for_each(|all| *all = with_lane(*all, to, all.0[from]));
+    }
+}
+
+fn with_lane(mut all: Lanes, lane: usize, number: f64) -> Lanes {
+    all.0[lane] = number;
+    all
+}
+
+impl Linkage {
+    /// Storage for eight solved positions.
+    pub fn lane_position(&self) -> LanePosition {
+        LanePosition {
+            coordinates: Lanes::from_f64(f64::NAN),
+            bodies: self.lane_chain.bodies(),
+            health: vec![Lanes::ZERO; self.groups().len()],
+            single: self.position(),
+        }
+    }
+
+    /// Solves all links at eight coordinates. Every lane gets the bits that [`solve`](Self::solve) gives at its
+    /// coordinate, whatever the other lanes are.
+    ///
+    /// A lane without a position holds the bodies and the health of a lane that has one, if there is any, so that
+    /// formulas over all lanes stay defined.
+    ///
+    /// # Errors
+    ///
+    /// The lanes that have no position, each with the group, the coordinate and the reason; the others are solved.
+    pub fn solve_lanes(
+        &self,
+        coordinates: Lanes,
+        order: Order,
+        position: &mut LanePosition,
+    ) -> Result<(), Vec<(usize, PositionError)>> {
+        position.coordinates = coordinates;
+        let mut alone = self.alone(coordinates);
+        if let Some(first) = alone.iter().position(|alone| !alone) {
+            // A lane that is solved alone must not keep the others from being solved together.
+            let together = Lanes::of(|lane| coordinates.0[if alone[lane] { first } else { lane }]);
+            let ways = self.ways.at(self.followed(coordinates.0[first]));
+            let (bodies, health) = (&mut position.bodies, &mut position.health);
+            if self.lane_chain.solve(together, ways, order, bodies, health).is_err() {
+                alone = [true; Lanes::WIDTH];
+            }
+        }
+        if alone.contains(&true) { self.solve_alone(&alone, order, position) } else { Ok(()) }
+    }
+
+    /// The lanes that must be solved one at a time: those whose motion is interpolated or whose groups are in other ways
+    /// than in the first lane, and all of a mechanism with groups that iterate.
+    fn alone(&self, coordinates: Lanes) -> [bool; Lanes::WIDTH] {
+        if self.iterates {
+            return [true; Lanes::WIDTH];
+        }
+        let mut common = None;
+        coordinates.0.map(|coordinate| {
+            if !coordinate.is_finite() || self.interpolants.cover(coordinate) {
+                return true;
+            }
+            let ways = self.ways.at(self.followed(coordinate));
+            *common.get_or_insert(ways) != ways
+        })
+    }
+
+    /// Solves some of the lanes one at a time.
+    #[cold]
+    fn solve_alone(
+        &self,
+        alone: &[bool; Lanes::WIDTH],
+        order: Order,
+        position: &mut LanePosition,
+    ) -> Result<(), Vec<(usize, PositionError)>> {
+        let mut failures = Vec::new();
+        let mut solved = alone.iter().position(|alone| !alone);
+        for lane in (0..Lanes::WIDTH).filter(|&lane| alone[lane]) {
+            match self.solve(position.coordinates.0[lane], order, &mut position.single) {
+                Ok(()) => {
+                    position.put_single(lane);
+                    solved = Some(lane);
+                }
+                Err(error) => failures.push((lane, error)),
+            }
+        }
+        if failures.is_empty() {
+            return Ok(());
+        }
+        if let Some(solved) = solved {
+            failures.iter().for_each(|(lane, _)| position.repeat(solved, *lane));
+        }
+        Err(failures)
+    }
+}
