@@ -81,7 +81,8 @@ impl Linkage {
         chain.limit_to(needed);
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
-        let iterates = structure.groups.iter().zip(needed).any(|(group, needed)| *needed && group.plugin.iterates);
+        let iterates =
+            structure.groups.iter().zip(needed).any(|(group, needed)| *needed && group.plugin.iterates);
         let followed = follow(&mechanism, &structure, &chain);
         Ok(Self {
             mechanism,

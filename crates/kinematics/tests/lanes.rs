@@ -53,8 +53,7 @@ fn compare(
         assert_eq!(failure, solved.err().map(|error| error.to_string()), "{coordinate}");
         block.copy_lane(lane, scratch);
         if failure.is_none() {
-            let (one, all) =
-                (bits(&alone.bodies, &alone.health), bits(&scratch.bodies, &scratch.health));
+            let (one, all) = (bits(&alone.bodies, &alone.health), bits(&scratch.bodies, &scratch.health));
             // Derivatives above the order keep what they were.
             let compared = |at: usize| match order {
                 Order::Place => at % 10 < 4,

@@ -6,9 +6,9 @@ use assur_group::Order;
 use assur_kinematics::PositionError;
 use assur_number::Lanes;
 
+use crate::chart::Row;
 use crate::chart::entry::{Entry, Verdict};
 use crate::chart::work::Work;
-use crate::chart::Row;
 
 /// The closed forms over all positions, block by block; the last block repeats the last position.
 pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Entry<'a> {
