@@ -2,7 +2,6 @@
 //!
 //! * [`force_polygons`]: loads and reactions of every group and of the input link, head to tail.
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
-//! * [`instant_centers`]: absolute and relative, at infinity as a direction.
 //! * [`construction_plans`]: the construction of a force analyzer (longitudinal reactions, Zhukovsky's lever).
 //! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
 //! * [`enveloping`]: the straight line that an arc envelopes.
@@ -10,7 +9,6 @@
 //!
 //! SI units. Knows no terminal, no file and no concrete method.
 
-mod centers;
 mod construction;
 mod cycle;
 mod enveloping;
@@ -25,7 +23,6 @@ mod sign;
 mod split;
 mod text;
 
-pub use centers::{Center, CenterAt, instant_centers};
 pub use construction::construction_plans;
 pub use cycle::{Extreme, Hodograph};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};

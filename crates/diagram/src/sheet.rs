@@ -1,13 +1,14 @@
 //! All plans of one position.
 
 use assur_force::{AnalyzerPlugin, Construction, Loads, Reactions, State, analyzers};
+use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use serde::Serialize;
 
 use crate::{
-    Center, DiagramError, Plan, Split, acceleration_plan, construction_plans, force_polygons,
-    instant_centers, named_loads, split, velocity_plan,
+    DiagramError, Plan, Split, acceleration_plan, construction_plans, force_polygons, named_loads, split,
+    velocity_plan,
 };
 
 /// All plans of one position.

@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use assur_geometry::{Center, CenterAt};
+
 use crate::plan::length;
-use crate::{Center, CenterAt, JointForce, Plan, Sheet, Split};
+use crate::{JointForce, Plan, Sheet, Split};
 
 /// A number below this part of the greatest in its column counts as zero.
 const ROUNDING: f64 = 1e-13;

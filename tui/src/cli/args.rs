@@ -46,6 +46,8 @@ pub(crate) enum Command {
     Chart(super::chart::ChartArgs),
     /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
     Stability(StabilityArgs),
+    /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
+    Geometry(super::geometry::GeometryArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point
     Sweep(super::sweep::SweepArgs),
     /// List every registered group, force analyzer, integrator and catalogue

@@ -7,6 +7,7 @@ mod check;
 mod config;
 mod explain;
 mod fault;
+mod geometry;
 mod lists;
 mod options;
 mod output;
@@ -78,6 +79,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Explain(args)) => explain::run(&args, style),
         Some(Command::Chart(args)) => chart::run(&args, style),
         Some(Command::Stability(args)) => stability::run(&args, style),
+        Some(Command::Geometry(args)) => geometry::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),

@@ -3,10 +3,7 @@ use assur_group::plane::{minus, plus};
 
 use super::{all, reactions, solved, state};
 use crate::plan::length;
-use crate::{
-    CenterAt, Plan, VectorKind, acceleration_plan, force_polygons, instant_centers, named_loads,
-    velocity_plan,
-};
+use crate::{Plan, VectorKind, acceleration_plan, force_polygons, named_loads, velocity_plan};
 
 /// Sum of the sides of a polygon, over the greatest of them.
 fn left_open(plan: &Plan) -> f64 {

@@ -1,7 +1,9 @@
 use assur_force::State;
 
 use super::{compile, fixture, solved};
-use crate::{CenterAt, VectorKind, acceleration_plan, instant_centers, velocity_plan};
+use assur_geometry::{CenterAt, instant_centers};
+
+use crate::{VectorKind, acceleration_plan, velocity_plan};
 
 const PARALLELOGRAM: &str = "[ground]\npoints = { O = 0, C = 0.3 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n\
     [link.rod]\npoints = { A = 0, B = 0.3 }\n[link.rocker]\npoints = { C = 0, B = 0.1 }\n\

@@ -1,6 +1,7 @@
 //! CSV: one header row with the unit in the name, comma separated, numbers with all their digits.
 
 mod analysis;
+mod geometry;
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -11,6 +12,7 @@ use crate::json::NotFinite;
 use crate::to_ascii;
 
 pub use analysis::{CsvFile, FILES, to_csv};
+pub use geometry::geometry;
 
 /// A table can't be written as CSV.
 #[derive(Debug, thiserror::Error)]

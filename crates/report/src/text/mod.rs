@@ -8,6 +8,7 @@ mod drive;
 mod forces;
 mod geometry;
 mod layout;
+mod measured;
 mod motion;
 mod number;
 mod structure;
@@ -21,6 +22,7 @@ use crate::json::{NotFinite, finite};
 use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;
+pub use measured::geometry;
 use units::Units;
 
 /// The data of a report.

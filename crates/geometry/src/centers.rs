@@ -6,8 +6,6 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::GROUND;
 use serde::Serialize;
 
-use crate::plan::length;
-
 /// A relative rotation below this part of the relative motion, over a typical length, counts as zero.
 const STILL: f64 = 1e-12;
 
@@ -50,19 +48,23 @@ pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
 }
 
 /// The point in which two bodies have one velocity.
-fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
+pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
     let origin = [one.x, one.y];
     let other = two.first(minus(origin, [two.x, two.y]));
     let slip = minus([one.x1, one.y1], other);
     let turn = one.w1 - two.w1;
-    let motion = length([one.x1, one.y1]) + length(other) + scale * (one.w1.abs() + two.w1.abs());
+    let motion = modulus([one.x1, one.y1]) + modulus(other) + scale * (one.w1.abs() + two.w1.abs());
     if turn.abs() * scale > STILL * motion {
         // slip + turn x (P - origin) = 0
         return CenterAt::Point(plus(origin, scaled(1.0 / turn, perp(slip))));
     }
-    let size = length(slip);
+    let size = modulus(slip);
     if size > STILL * motion {
         return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
     }
     CenterAt::Everywhere
+}
+
+fn modulus(v: [f64; 2]) -> f64 {
+    v[0].hypot(v[1])
 }

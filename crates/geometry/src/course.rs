@@ -1,0 +1,179 @@
+//! A quantity over the cycle: its greatest and least values, and where it rests.
+
+use assur_group::Order;
+use assur_kinematics::{Position, PositionError, continuous_angle};
+use assur_number::search;
+use serde::Serialize;
+
+use crate::cycle::Cycle;
+
+/// A quantity whose values differ by less than this part of the largest one is constant.
+const CONSTANT: f64 = 1e-11;
+
+/// Part of its largest size below which a derivative is zero.
+const ZERO: f64 = 1e-9;
+
+/// Local maxima of the samples within this part of the range from the greatest are searched for the greatest value.
+const NEAR_GREATEST: f64 = 0.02;
+
+/// Golden sections of the search for an extreme without derivative: down to rounding of the value.
+const SECTIONS: usize = 45;
+
+/// Least and greatest value of a quantity over the cycle, found between positions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Extremes {
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+    /// Coordinate of the least value, rad or m.
+    pub at_min: f64,
+    /// Coordinate of the greatest value, rad or m.
+    pub at_max: f64,
+}
+
+/// Value of a vector and its first two derivatives by the coordinate.
+pub(crate) type Motion<const N: usize> = [[f64; N]; 3];
+
+/// A vector over the cycle.
+pub(crate) struct Course<'a, const N: usize> {
+    pub(crate) cycle: &'a Cycle<'a>,
+    of: Box<dyn Fn(&Position) -> Motion<N> + 'a>,
+    /// Its values at the samples of the cycle.
+    pub(crate) samples: Vec<Motion<N>>,
+    angular: bool,
+}
+
+/// A position in which a quantity has no speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rest {
+    pub(crate) coordinate: f64,
+    /// Whether the motion goes back from there; otherwise it pauses and goes on.
+    pub(crate) reverses: bool,
+}
+
+impl<'a, const N: usize> Course<'a, N> {
+    /// A vector that is a function of the position.
+    pub(crate) fn of(cycle: &'a Cycle<'a>, of: impl Fn(&Position) -> Motion<N> + 'a) -> Self {
+        let samples = cycle.samples.iter().map(&of).collect();
+        Self { cycle, of: Box::new(of), samples, angular: false }
+    }
+
+    /// An angle, which becomes continuous over the cycle.
+    pub(crate) fn angle(cycle: &'a Cycle<'a>, of: impl Fn(&Position) -> Motion<N> + 'a) -> Self {
+        let mut course = Self::of(cycle, of);
+        for i in 1..course.samples.len() {
+            let near = course.samples[i - 1][0][0];
+            let angle = &mut course.samples[i][0][0];
+            *angle = continuous_angle(*angle, near);
+        }
+        Self { angular: true, ..course }
+    }
+
+    /// Its value at any coordinate near a sample.
+    pub(crate) fn at(
+        &self,
+        coordinate: f64,
+        sample: usize,
+        position: &mut Position,
+    ) -> Result<Motion<N>, PositionError> {
+        self.cycle.linkage.solve(coordinate, Order::Second, position)?;
+        let mut motion = (self.of)(position);
+        if self.angular {
+            motion[0][0] = continuous_angle(motion[0][0], self.samples[sample][0][0]);
+        }
+        Ok(motion)
+    }
+
+    /// Least and greatest value of a part: its value and its first two derivatives, NaN where one is not known.
+    pub(crate) fn extremes(&self, part: impl Fn(&Motion<N>) -> [f64; 3]) -> Result<Extremes, PositionError> {
+        let (at_max, max) = self.greatest(&part)?;
+        let (at_min, least) = self.greatest(|motion| part(motion).map(|x| -x))?;
+        let inside = |coordinate| self.cycle.inside(coordinate);
+        Ok(Extremes { min: -least, max, at_min: inside(at_min), at_max: inside(at_max) })
+    }
+
+    /// Coordinate and size of the greatest value of a part.
+    fn greatest(&self, part: impl Fn(&Motion<N>) -> [f64; 3]) -> Result<(f64, f64), PositionError> {
+        let values: Vec<f64> = self.samples.iter().map(|motion| part(motion)[0]).collect();
+        let coordinate = |sample: usize| self.cycle.samples[sample].coordinate;
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for (i, &value) in values.iter().enumerate() {
+            least = least.min(value);
+            if value > values[best] {
+                best = i;
+            }
+        }
+        let range = values[best] - least;
+        let mut found = (coordinate(best), values[best]);
+        if range <= CONSTANT * values[best].abs().max(least.abs()) {
+            return Ok(found);
+        }
+        let last = values.len() - 1;
+        let mut position = self.cycle.linkage.position();
+        // The first sample of a closed cycle is the last one as well.
+        for i in usize::from(self.cycle.period.is_some())..=last {
+            let before = i.saturating_sub(1);
+            let next = match (i == last, self.cycle.period) {
+                (false, _) => (i + 1, coordinate(i + 1)),
+                (true, Some(period)) => (1, coordinate(1) + period),
+                (true, None) => (i, coordinate(i)),
+            };
+            let is_top = (i == 0 || values[i] > values[before]) && values[i] >= values[next.0];
+            if !is_top || values[i] < values[best] - NEAR_GREATEST * range {
+                continue;
+            }
+            let mut value = |q: f64| Ok::<_, PositionError>(part(&self.at(q, i, &mut position)?));
+            let [low, high] = [coordinate(before), next.1];
+            let at = if value(low)?[1] > 0.0 && value(high)?[1] < 0.0 {
+                search::try_newton_root(low, high, |q| value(q).map(|[_, slope, bend]| (slope, bend)))?
+            } else {
+                search::try_least(low, high, SECTIONS, |q| value(q).map(|[value, ..]| -value))?.0
+            };
+            let top = value(at)?[0];
+            if top > found.1 {
+                found = (at, top);
+            }
+        }
+        Ok(found)
+    }
+
+    /// Whether it rests over the whole cycle; `unit`: a derivative that counts as motion.
+    pub(crate) fn rests_always(&self, unit: f64) -> bool {
+        self.largest_derivative() <= CONSTANT * unit
+    }
+
+    fn largest_derivative(&self) -> f64 {
+        self.samples.iter().map(|motion| product(&motion[1], &motion[1]).sqrt()).fold(0.0, f64::max)
+    }
+
+    /// The positions of rest, in the order of the motion. The square of the first derivative has a minimum in each.
+    pub(crate) fn rests(&self) -> Result<Vec<Rest>, PositionError> {
+        let zero = ZERO * self.largest_derivative();
+        let slope = |motion: &Motion<N>| product(&motion[1], &motion[2]);
+        let mut position = self.cycle.linkage.position();
+        let mut found = Vec::new();
+        for (i, pair) in self.samples.windows(2).enumerate() {
+            if !(slope(&pair[0]) < 0.0 && slope(&pair[1]) >= 0.0) {
+                continue;
+            }
+            let [low, high] = [i, i + 1].map(|sample| self.cycle.samples[sample].coordinate);
+            let coordinate = search::try_newton_root(low, high, |q| {
+                let motion = self.at(q, i, &mut position)?;
+                Ok((slope(&motion), product(&motion[2], &motion[2])))
+            })?;
+            let motion = self.at(coordinate, i, &mut position)?;
+            if product(&motion[1], &motion[1]).sqrt() <= zero {
+                let reverses = product(&pair[0][1], &pair[1][1]) < 0.0;
+                found.push(Rest { coordinate: self.cycle.inside(coordinate), reverses });
+            }
+        }
+        let input = &self.cycle.linkage.mechanism.input;
+        found.sort_by(|a, b| (input.sign() * a.coordinate).total_cmp(&(input.sign() * b.coordinate)));
+        Ok(found)
+    }
+}
+
+fn product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -1,0 +1,27 @@
+//! Geometry of the motion of a mechanism: what can be said about its paths, strokes and centers without loads.
+//!
+//! * [`geometry`]: strokes with their dead points, time ratio, extremes, force angles and positions of rest over the
+//!   cycle, found between positions; centrodes, inflection circles and curvature in every position.
+//! * [`instant_centers`]: absolute and relative, at infinity as a direction.
+//! * [`Centers`], [`Curvature`]: the same for one link or one point in one position.
+//!
+//! SI units, angles in rad. Derivatives are by the input coordinate, so that nothing here needs a motion; only mean
+//! speeds do.
+
+mod centers;
+mod course;
+mod curvature;
+mod cycle;
+mod data;
+mod instant;
+mod measure;
+mod relative;
+mod stroke;
+
+pub use centers::{Center, CenterAt, instant_centers};
+pub use course::Extremes;
+pub use curvature::Curvature;
+pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+pub use instant::{Centers, centers_of};
+pub use measure::{GeometryError, geometry};
+pub use stroke::Stroke;

@@ -1,0 +1,197 @@
+//! Measures the motion of a mechanism over its cycle.
+
+use std::f64::consts::TAU;
+
+use assur_group::Order;
+use assur_kinematics::{Linkage, PositionError};
+use assur_mechanism::{GROUND, LinkId, PointId, SlideId};
+
+use crate::course::{Course, Motion, Rest};
+use crate::cycle::Cycle;
+use crate::data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+use crate::{Curvature, Stroke, centers_of};
+
+/// Version of the format of the JSON.
+const FORMAT: u32 = 1;
+
+/// Difference from a whole number below which a link has made whole turns.
+const WHOLE: f64 = 1e-9;
+
+/// Why there is no geometry of the motion.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the motion is measured over the whole cycle (`[input] from` and `to` choose a part of it): {0}")]
+pub struct GeometryError(#[from] pub PositionError);
+
+/// The geometry of the motion of a mechanism over its cycle; `against` is the link from which the centers are seen, the
+/// ground for absolute ones.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, GeometryError> {
+    let mechanism = &linkage.mechanism;
+    let cycle = Cycle::of(linkage)?;
+    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.clone()));
+    let links =
+        moving().map(|(id, name)| Ok((name, link(&cycle, id)?))).collect::<Result<_, PositionError>>()?;
+    let mut points = Vec::new();
+    for (id, point) in mechanism.points.iter().enumerate() {
+        if point.places.iter().all(|place| place.link != GROUND) {
+            points.push((point.name.clone(), self::point(&cycle, id)?));
+        }
+    }
+    let slides = mechanism.slides.iter().enumerate();
+    let slides = slides
+        .map(|(id, found)| Ok((found.name.clone(), slide(&cycle, id)?)))
+        .collect::<Result<_, PositionError>>()?;
+    let groups = (0..linkage.structure.groups.len())
+        .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
+        .collect::<Result<_, PositionError>>()?;
+    let positions = positions(linkage, against, &points)?;
+    Ok(Geometry {
+        format: FORMAT,
+        title: mechanism.title.clone(),
+        angular: linkage.angular(),
+        against: mechanism.links[against].name.clone(),
+        links,
+        points,
+        slides,
+        groups,
+        positions,
+    })
+}
+
+fn coordinates(rests: &[Rest]) -> Vec<f64> {
+    rests.iter().map(|rest| rest.coordinate).collect()
+}
+
+/// The three orders of a scalar, for [`Course::extremes`]: value, first and second derivative of each.
+const ORDERS: [fn(&Motion<1>) -> [f64; 3]; 3] = [
+    |motion| motion.map(|[value]| value),
+    |motion| [motion[1][0], motion[2][0], f64::NAN],
+    |motion| [motion[2][0], f64::NAN, f64::NAN],
+];
+
+fn link(cycle: &Cycle<'_>, id: LinkId) -> Result<LinkCourse, PositionError> {
+    let linkage = cycle.linkage;
+    let angle = Course::angle(cycle, |position| {
+        let found = linkage.link_motion(id, position);
+        [[found.pf0], [found.pf1], [found.pf2]]
+    });
+    let unit = 1.0 / linkage.coordinate_unit();
+    let scale = linkage.structure.scale;
+    let whole = Course::of(cycle, |position| {
+        let body = &position.bodies[id];
+        [[body.x, body.y, 0.0], [body.x1, body.y1, scale * body.w1], [body.x2, body.y2, scale * body.w2]]
+    });
+    let rests_always = whole.rests_always(scale * unit);
+    let ends = [&angle.samples[0], &angle.samples[angle.samples.len() - 1]].map(|motion| motion[0][0]);
+    let turns = (ends[1] - ends[0]) / TAU;
+    let is_whole = cycle.period.is_some() && turns.round() != 0.0 && (turns - turns.round()).abs() < WHOLE;
+    let turns = is_whole.then(|| linkage.mechanism.input.sign() * turns.round());
+    let pf0 = if is_whole { None } else { Some(angle.extremes(ORDERS[0])?) };
+    let swings = if angle.rests_always(unit) { Vec::new() } else { angle.rests()? };
+    Ok(LinkCourse {
+        turns,
+        pf0,
+        stroke: pf0
+            .and_then(|pf0| Stroke::of(&swings, cycle.period, &linkage.mechanism, |_| pf0.max - pf0.min)),
+        pf1: angle.extremes(ORDERS[1])?,
+        pf2: angle.extremes(ORDERS[2])?,
+        rests: if rests_always { Vec::new() } else { coordinates(&whole.rests()?) },
+        rests_always,
+    })
+}
+
+fn slide(cycle: &Cycle<'_>, id: SlideId) -> Result<SlideCourse, PositionError> {
+    let linkage = cycle.linkage;
+    let course = Course::of(cycle, |position| {
+        let found = linkage.slide_motion(id, position);
+        [[found.pf0], [found.pf1], [found.pf2]]
+    });
+    let pf0 = course.extremes(ORDERS[0])?;
+    let unit = linkage.structure.scale / linkage.coordinate_unit();
+    let rests = if course.rests_always(unit) { Vec::new() } else { course.rests()? };
+    Ok(SlideCourse {
+        pf0,
+        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, |_| pf0.max - pf0.min),
+        pf1: course.extremes(ORDERS[1])?,
+        pf2: course.extremes(ORDERS[2])?,
+        rests: coordinates(&rests),
+    })
+}
+
+fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
+    let linkage = cycle.linkage;
+    let course = Course::of(cycle, |position| {
+        let found = linkage.point_motion(id, position);
+        [found.pf0, found.pf1, found.pf2]
+    });
+    let coordinate =
+        |axis: usize| course.extremes(move |motion: &Motion<2>| [0, 1, 2].map(|order| motion[order][axis]));
+    let modulus = |v: &[f64; 2]| v[0].hypot(v[1]);
+    let unit = linkage.structure.scale / linkage.coordinate_unit();
+    let rests = if course.rests_always(unit) { Vec::new() } else { course.rests()? };
+    let mut position = linkage.position();
+    let mut places = Vec::new();
+    for rest in rests.iter().filter(|rest| rest.reverses) {
+        places.push(course.at(rest.coordinate, 0, &mut position)?[0]);
+    }
+    let farthest = places.iter().flat_map(|a| places.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+    let stroke = farthest.fold(0.0, f64::max);
+    Ok(PointCourse {
+        x: coordinate(0)?,
+        y: coordinate(1)?,
+        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, |_| stroke),
+        pf1: course.extremes(|motion| {
+            let size = modulus(&motion[1]);
+            let slope = motion[1][0] * motion[2][0] + motion[1][1] * motion[2][1];
+            [size, slope, f64::NAN]
+        })?,
+        pf2: course.extremes(|motion| [modulus(&motion[2]), f64::NAN, f64::NAN])?,
+        rests: coordinates(&rests),
+    })
+}
+
+fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, PositionError> {
+    let found = &cycle.linkage.structure.groups[group];
+    let force_angle = &found.plugin.force_angle;
+    let course = Course::of(cycle, |position| {
+        let angle = (force_angle.of)(&found.frame, &position.bodies, position.health[group].abs());
+        [[angle], [f64::NAN], [f64::NAN]]
+    });
+    Ok(ForceAngles { what: force_angle.words, extremes: course.extremes(ORDERS[0])? })
+}
+
+fn positions(
+    linkage: &Linkage,
+    against: LinkId,
+    points: &[(String, PointCourse)],
+) -> Result<Vec<AtPosition>, PositionError> {
+    let mechanism = &linkage.mechanism;
+    let scale = linkage.structure.scale;
+    let mut position = linkage.position();
+    let mut found = Vec::with_capacity(mechanism.input.positions);
+    for index in 0..mechanism.input.positions {
+        linkage.solve_index(index, Order::Second, &mut position)?;
+        let bodies = &position.bodies;
+        let links = (1..bodies.len()).filter(|&link| link != against).map(|link| {
+            (mechanism.links[link].name.clone(), centers_of(&bodies[link], &bodies[against], scale))
+        });
+        let curved = points.iter().filter_map(|(name, course)| {
+            let motion = linkage.point_motion(mechanism.point(name)?, &position);
+            Some((name.clone(), Curvature::of(&motion, course.pf1.max)?))
+        });
+        let angles = linkage.structure.groups.iter().zip(&position.health);
+        let angles =
+            angles.map(|(group, health)| (group.plugin.force_angle.of)(&group.frame, bodies, health.abs()));
+        found.push(AtPosition {
+            index,
+            coordinate: position.coordinate,
+            links: links.collect(),
+            points: curved.collect(),
+            angles: angles.collect(),
+        });
+    }
+    Ok(found)
+}

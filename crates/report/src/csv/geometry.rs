@@ -1,0 +1,51 @@
+//! The geometry of the motion, one row for each position.
+
+use assur_geometry::{AtPosition, CenterAt, Geometry};
+
+use super::{Cell, CsvError, write};
+
+/// Centers of the links, curvature of the paths and force angles in every position, SI.
+///
+/// # Errors
+///
+/// [`CsvError`] for a number that is not finite.
+pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
+    let unit = if found.angular { "rad" } else { "m" };
+    let mut header = vec!["position".to_owned(), format!("coordinate_{unit}")];
+    let first = found.positions.first();
+    for (link, _) in first.iter().flat_map(|at| &at.links) {
+        for center in ["center", "center_on_link", "inflection_pole", "acceleration_pole"] {
+            header.extend(["x", "y"].map(|axis| format!("{link}_{center}_{axis}_m")));
+        }
+    }
+    for (point, _) in &found.points {
+        header.extend([
+            format!("{point}_curvature_1/m"),
+            format!("{point}_curvature_center_x_m"),
+            format!("{point}_curvature_center_y_m"),
+        ]);
+    }
+    header.extend(found.groups.iter().map(|(group, at)| format!("{group}: {}_rad", at.what)));
+    write(&header, found.positions.iter().map(|at| row(found, at)), ascii)
+}
+
+fn row(found: &Geometry, at: &AtPosition) -> Vec<Cell<'static>> {
+    let mut cells = vec![Cell::Number(at.index as f64), Cell::Number(at.coordinate)];
+    let place = |cells: &mut Vec<Cell<'static>>, place: Option<[f64; 2]>| match place {
+        Some(place) => cells.extend(place.map(Cell::Number)),
+        None => cells.extend([Cell::Empty; 2]),
+    };
+    for (_, centers) in &at.links {
+        let center = if let CenterAt::Point(center) = centers.center { Some(center) } else { None };
+        for point in [center, centers.on_link, centers.inflection_pole, centers.acceleration_pole] {
+            place(&mut cells, point);
+        }
+    }
+    for (name, _) in &found.points {
+        let curvature = at.points.iter().find(|(point, _)| point == name).map(|(_, curvature)| curvature);
+        cells.push(curvature.map_or(Cell::Empty, |found| Cell::Number(found.curvature)));
+        place(&mut cells, curvature.and_then(|found| found.center));
+    }
+    cells.extend(at.angles.iter().map(|&angle| Cell::Number(angle)));
+    cells
+}

@@ -1,0 +1,60 @@
+//! `assur geometry` from outside: exit status, errors, forms.
+
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn geometry(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_assur"))
+        .arg("geometry")
+        .args(arguments)
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures"))
+        .env("LC_ALL", "C.UTF-8")
+        .output()
+        .unwrap()
+}
+
+fn text(output: &Output) -> (i32, &str, &str) {
+    let [out, err] = [&output.stdout, &output.stderr].map(|bytes| str::from_utf8(bytes).unwrap());
+    (output.status.code().unwrap(), out, err)
+}
+
+#[test]
+fn forms() {
+    let output = geometry(&["shaper.toml", "--format", "json"]);
+    let (code, out, _) = text(&output);
+    let found: serde_json::Value = serde_json::from_str(out).unwrap();
+    assert_eq!(code, 0);
+    let ram = &found["slides"]["ram/ground"];
+    assert!((ram["stroke"].as_f64().unwrap() - 0.35).abs() < 1e-12);
+    assert!((ram["max"].as_f64().unwrap() - 0.175).abs() < 1e-12);
+    assert_eq!(found["positions"].as_array().unwrap().len(), 48);
+
+    let output = geometry(&["shaper.toml", "--ascii"]);
+    let (code, out, _) = text(&output);
+    assert!(code == 0 && out.is_ascii());
+    assert!(out.contains("ram/ground     350 mm      194.478, 345.522"), "{out}");
+
+    let output = geometry(&["shaper.toml", "--format", "csv", "--against", "rocker"]);
+    let (code, out, _) = text(&output);
+    assert_eq!((code, out.lines().count()), (0, 49));
+    assert!(out.starts_with("position,coordinate_rad,crank_center_x_m,"));
+    assert!(!out.contains("rocker_center"));
+}
+
+#[test]
+fn faults() {
+    let output = geometry(&["shaper.toml", "--against", "crnk"]);
+    let (code, out, err) = text(&output);
+    assert_eq!((code, out), (2, ""));
+    assert!(err.contains("no such link, only ground, crank"), "{err}");
+    let folder = tempfile::tempdir().unwrap();
+    let scene = assur_fixtures::scene("slider-crank").replace("240 mm", "50 mm");
+    let path = folder.path().join("short.toml");
+    std::fs::write(&path, scene).unwrap();
+    let output = geometry(&[path.to_str().unwrap()]);
+    let (code, out, err) = text(&output);
+    assert_eq!((code, out), (1, ""));
+    assert!(err.contains("the motion is measured over the whole cycle"), "{err}");
+}
