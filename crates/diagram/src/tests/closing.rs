@@ -1,4 +1,5 @@
 use assur_force::{Loads, State};
+use assur_geometry::{CenterAt, instant_centers};
 use assur_group::plane::{minus, plus};
 
 use super::{all, reactions, solved, state};
