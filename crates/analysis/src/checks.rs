@@ -1,6 +1,6 @@
 //! The checks of the numbers.
 
-use assur_check::{Check, Subject, methods};
+use assur_check::{Check, Chosen, Coverage, Subject, methods, notable};
 use assur_dynamics::{Steady, Transient};
 use assur_force::State;
 use assur_mechanism::{Motion, Solve, Torque};
@@ -9,50 +9,38 @@ use crate::progress::{Stopped, Watch};
 use crate::reader::Reader;
 use crate::{Calculation, InputMotion, Progress};
 
-/// Greatest number of states of a transient motion that are checked, equally spaced.
-const MOST_STATES: usize = 96;
-
 impl Calculation {
-    /// Every check that applies to the scene; none where the plan leaves out groups.
+    /// Every check that applies to the scene, in the covered positions and samples of the motion; none where the plan
+    /// leaves out groups.
     ///
     /// # Errors
     ///
     /// [`Stopped`] where `watch` breaks.
-    pub fn checks(&self, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
-        if self.plan.is_partial() {
+    pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
+        if self.plan.is_partial() || coverage == Coverage::None {
             return Ok(Vec::new());
         }
-        let mut found = self.position_checks(watch)?;
+        let checked = Checked::of(self, coverage);
+        let mut found = self.position_checks(&checked, watch)?;
         match &self.motion {
             InputMotion::Prescribed => {}
-            InputMotion::Transient(motion) => found.extend(self.transient_checks(motion)),
-            InputMotion::Steady(motion) => found.extend(self.steady_checks(motion)),
+            InputMotion::Transient(motion) => found.extend(self.transient_checks(motion, &checked)),
+            InputMotion::Steady(motion) => found.extend(self.steady_checks(motion, &checked)),
         }
         Ok(found)
     }
 
-    fn position_checks(&self, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
+    fn position_checks(&self, checked: &Checked<'_>, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
         let subject = Subject {
             linkage: &self.linkage,
             loads: self.loads.as_ref().filter(|_| self.plan.forces && self.no_motion.is_none()),
-            states: self.checked_states(),
+            positions: checked.positions.clone(),
+            states: checked.states.clone(),
+            state: &|number| checked.state(number),
             methods: methods(&self.linkage, self.analyzer.map(|plugin| plugin.name)),
         };
         let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
-    }
-
-    /// The states of the positions with their numbers; in a transient motion samples of the trajectory, because only
-    /// they have speeds.
-    fn checked_states(&self) -> Vec<(usize, State)> {
-        if !matches!(self.motion, InputMotion::Transient(_)) {
-            let input = &self.linkage.mechanism.input;
-            return (0..input.positions).map(|index| (index, self.state(input.coordinate(index)))).collect();
-        }
-        let states = self.states();
-        let step = states.len().div_ceil(MOST_STATES).max(1);
-        let each = states.into_iter().enumerate().step_by(step);
-        each.filter(|(_, state)| self.is_regular(state)).collect()
     }
 
     fn is_regular(&self, state: &State) -> bool {
@@ -65,6 +53,7 @@ impl Calculation {
     /// (force) below which nothing is resolved.
     fn drive_check(
         &self,
+        checked: &Checked<'_>,
         given: impl Fn(&State) -> f64,
         least: f64,
         limit: f64,
@@ -77,7 +66,8 @@ impl Calculation {
         let mut reader = Reader::new(self);
         let mut compared = false;
         let (mut worst, mut at, mut largest) = (0.0_f64, None, least);
-        for (index, state) in &self.checked_states() {
+        for (index, state) in checked.states.iter().filter_map(|index| Some((index, checked.state(index)?))) {
+            let state = &state;
             if reader.solve_second(state.coordinate).is_err() {
                 continue;
             }
@@ -93,16 +83,16 @@ impl Calculation {
             compared = true;
             // A residual that is NaN must show, and a comparison with it would hide it.
             if miss > worst || miss.is_nan() {
-                (worst, at) = (miss, Some(*index));
+                (worst, at) = (miss, Some(index));
             }
         }
         compared.then_some(())?;
         let scale = if largest > 0.0 { largest } else { 1.0 };
         let check = Check::of("drive against force analysis", worst / scale, limit, "input link", reason);
-        Some(Check { at, ..check })
+        Some(Check { at, sample: checked.states.share(), ..check })
     }
 
-    fn transient_checks(&self, found: &Transient) -> Vec<Check> {
+    fn transient_checks(&self, found: &Transient, checked: &Checked<'_>) -> Vec<Check> {
         let mut rows = Vec::new();
         let tolerance = match self.linkage.mechanism.motion {
             Some(Motion::Transient { tolerance, .. }) => tolerance,
@@ -122,12 +112,12 @@ impl Calculation {
         let given =
             |state: &State| machine.drive().torque(state) - machine.drive().inertia * state.acceleration;
         let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
-        rows.extend(self.drive_check(given, 0.0, 1e-9, reason));
+        rows.extend(self.drive_check(checked, given, 0.0, 1e-9, reason));
         rows.extend(self.work_check(found));
         rows
     }
 
-    fn steady_checks(&self, found: &Steady) -> Vec<Check> {
+    fn steady_checks(&self, found: &Steady, checked: &Checked<'_>) -> Vec<Check> {
         let regime = &found.regime;
         let mut rows = Vec::new();
         let reason = "the equation of motion is met between the nodes to 2e-13 of the energy; its acceleration to some more";
@@ -136,7 +126,7 @@ impl Calculation {
         // Moments come from the kinetic energy over the cycle: work and energy are equal.
         let start = regime.state(self.linkage.mechanism.input.from);
         let least = 0.5 * (start.inertia + regime.drive_inertia) * start.speed * start.speed;
-        rows.extend(self.drive_check(given, least, 1e-8, reason));
+        rows.extend(self.drive_check(checked, given, least, 1e-8, reason));
         rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
         // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
@@ -169,5 +159,47 @@ impl Calculation {
             ));
         }
         rows
+    }
+}
+
+/// The positions and states that are checked.
+struct Checked<'a> {
+    calculation: &'a Calculation,
+    positions: Chosen,
+    states: Chosen,
+    /// The samples of a transient motion, of which only some have forces; otherwise the states are those of the
+    /// positions.
+    trajectory: Option<Vec<State>>,
+}
+
+impl<'a> Checked<'a> {
+    fn of(calculation: &'a Calculation, coverage: Coverage) -> Self {
+        let linkage = &calculation.linkage;
+        let forces = calculation.loads.as_ref().zip(calculation.analyzer);
+        let count = linkage.mechanism.input.positions;
+        let at = |index| (index, calculation.state(linkage.mechanism.input.coordinate(index)));
+        let transient = matches!(calculation.motion, InputMotion::Transient(_));
+        let of_positions = if transient { None } else { forces };
+        let positions = coverage.choose(count, || notable(linkage, of_positions, (0..count).map(at)));
+        let trajectory = transient.then(|| calculation.states());
+        let states = trajectory.as_ref().map_or_else(
+            || positions.clone(),
+            |all| {
+                let each = all.iter().copied().enumerate();
+                coverage.choose(all.len(), || notable(linkage, forces, each))
+            },
+        );
+        Self { calculation, positions, states, trajectory }
+    }
+
+    /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
+    fn state(&self, number: usize) -> Option<State> {
+        match &self.trajectory {
+            Some(all) => all.get(number).copied().filter(|state| self.calculation.is_regular(state)),
+            None => {
+                let input = &self.calculation.linkage.mechanism.input;
+                Some(self.calculation.state(input.coordinate(number)))
+            }
+        }
     }
 }

@@ -20,6 +20,7 @@ pub mod results;
 mod structure;
 mod trajectory;
 
+pub use assur_check::Coverage;
 pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, methods};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};

@@ -3,7 +3,7 @@
 use crate::results::Analysis;
 use assur_all as _;
 
-use crate::{AnalysisError, Calculation, Options, unwatched};
+use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
 mod forces;
 mod jumps;
@@ -116,12 +116,12 @@ fn forces_of_a_pair_sum_to_zero() {
 #[test]
 fn checks_hold_and_belong_to_the_whole() {
     let study_whole = study(&text("shaper")).unwrap();
-    let checks = study_whole.checks(&mut unwatched).unwrap();
+    let checks = study_whole.checks(Coverage::Sample, &mut unwatched).unwrap();
     assert!(checks.len() > 5 && checks.iter().all(|check| check.ok));
     assert!(
         study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n"))
             .unwrap()
-            .checks(&mut unwatched)
+            .checks(Coverage::Sample, &mut unwatched)
             .unwrap()
             .is_empty()
     );

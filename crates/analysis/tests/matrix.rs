@@ -2,7 +2,7 @@
 //! the wrong sign is caught. Of all combinations a spread runs, so that the test takes seconds.
 
 use assur_all as _;
-use assur_analysis::{Calculation, Options, unwatched};
+use assur_analysis::{Calculation, Coverage, Options, unwatched};
 use assur_force::Loads;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
@@ -136,7 +136,7 @@ fn turn(mechanism: &mut Mechanism) {
 
 /// The checks that fail.
 fn failing(calculation: &Calculation) -> Vec<String> {
-    let checks = calculation.checks(&mut unwatched).expect("nobody stops them");
+    let checks = calculation.checks(Coverage::Sample, &mut unwatched).expect("nobody stops them");
     assert!(checks.len() > 8, "only {} checks", checks.len());
     let failed = checks.iter().filter(|check| check.failed());
     let words = failed.map(|check| {

@@ -19,6 +19,9 @@ pub struct Check {
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: &'static str,
+    /// Where not all positions (samples of a motion) were checked: how many were, and out of how many.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sample: Option<[usize; 2]>,
     /// Positions that could not be checked, or not in full (too close to the limit of assembly, or singular).
     pub left_out: usize,
     /// The reason for the first of them; empty where all were checked.
@@ -43,6 +46,7 @@ impl Check {
             at: None,
             place: place.to_owned(),
             reason,
+            sample: None,
             left_out: 0,
             why_left_out: if proves_nothing { LIMIT_TOO_WIDE } else { "" },
             judged: !proves_nothing,

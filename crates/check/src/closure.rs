@@ -1,7 +1,5 @@
 //! Closure: at every pair both bodies have the same place, PF1 and PF2.
 
-use std::ops::ControlFlow;
-
 use assur_group::{Body, Pair, PairGeometry};
 
 use crate::check::{Check, Collector};
@@ -20,41 +18,45 @@ const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units o
 /// Closure error of a pair: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
 
-pub(crate) fn checks<B>(
-    subject: &Subject<'_>,
-    solved: &[Solved],
-    step: &mut impl FnMut() -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<Check>> {
-    let mut collectors = NAMES.map(|name| Collector::new(name, REASON));
-    let linkage = subject.linkage;
-    for one in solved {
-        step()?;
-        let bodies = &one.position.bodies;
+/// The closure errors of the positions that were added.
+pub(crate) struct Closure([Collector; 3]);
+
+impl Closure {
+    pub(crate) fn new() -> Self {
+        Self(NAMES.map(|name| Collector::new(name, REASON)))
+    }
+
+    pub(crate) fn add(&mut self, subject: &Subject<'_>, one: &Solved) {
+        let (linkage, bodies) = (subject.linkage, &one.position.bodies);
         let gaps: Vec<Gap> = linkage.structure.pairs.iter().map(|named| gap(&named.pair, bodies)).collect();
         let sizes = [0, 1, 2].map(|order| gaps.iter().map(|gap: &Gap| gap[order].1).fold(0.0, f64::max));
+        let lost = [0, 1, 2].map(|order| subject.lost_by_interpolation(one, order));
         for (id, gap) in gaps.iter().enumerate() {
             for (order, (open, _)) in gap.iter().enumerate() {
                 let size = sizes[order];
-                let limit = ROUNDINGS * f64::EPSILON * size * subject.lost_by_interpolation(one, order);
+                let limit = ROUNDINGS * f64::EPSILON * size * lost[order];
                 let unit = subject.unit(order, true);
-                collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
+                self.0[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
                 });
             }
         }
         // Where the position is interpolated, the determinant does not matter.
         let across = linkage.is_interpolated(one.position.coordinate);
-        let turned = subject.lost_by_interpolation(one, 0) / if across { 1.0 } else { one.health };
+        let turned = lost[0] / if across { 1.0 } else { one.health };
         for (id, body) in bodies.iter().enumerate().skip(1) {
             // The direction of a link is a unit vector.
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
             let limit = ROUNDINGS * f64::EPSILON * turned;
-            collectors[0].offer(one.index, off, limit, || {
+            self.0[0].offer(one.index, off, limit, || {
                 format!("direction of link {}", linkage.mechanism.links[id].name)
             });
         }
     }
-    ControlFlow::Continue(collectors.into_iter().filter_map(Collector::into_check).collect())
+
+    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
+        self.0.into_iter().filter_map(Collector::into_check)
+    }
 }
 
 fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {

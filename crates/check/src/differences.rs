@@ -25,7 +25,8 @@ pub(crate) struct Estimate {
 /// value because they all step over something narrow. So the best row must agree with its better neighbor and with the
 /// row of the smallest step; otherwise the error is raised to the disagreement.
 pub(crate) fn extrapolated(quotients: &[(f64, f64)], rounding: f64) -> Estimate {
-    let rows = best_of_rows(quotients, rounding);
+    let mut rows = [Estimate { value: f64::NAN, error: f64::INFINITY }; LEVELS];
+    let rows = best_of_rows(quotients, rounding, &mut rows);
     let Some(best) = (0..rows.len()).min_by(|&i, &k| rows[i].error.total_cmp(&rows[k].error)) else {
         return Estimate { value: f64::NAN, error: f64::INFINITY };
     };
@@ -40,27 +41,27 @@ pub(crate) fn extrapolated(quotients: &[(f64, f64)], rounding: f64) -> Estimate 
 }
 
 /// The entry of least error in each row of the extrapolation except the first, which has no entry to compare with.
-fn best_of_rows(quotients: &[(f64, f64)], rounding: f64) -> Vec<Estimate> {
-    let mut rows = Vec::with_capacity(LEVELS);
-    let mut before: Vec<f64> = Vec::with_capacity(LEVELS);
-    for (step, quotient) in quotients {
-        let mut row = Vec::with_capacity(LEVELS);
-        row.push(*quotient);
-        let mut best: Option<Estimate> = None;
+fn best_of_rows<'a>(
+    quotients: &[(f64, f64)],
+    rounding: f64,
+    rows: &'a mut [Estimate; LEVELS],
+) -> &'a [Estimate] {
+    // Row by row in place: what stands in `row[j]` is the entry of the row before until it is replaced.
+    let mut row = [0.0; LEVELS];
+    for (i, (step, quotient)) in quotients.iter().enumerate().take(LEVELS) {
+        let mut coarse = std::mem::replace(&mut row[0], *quotient);
         let mut power = 1.0;
-        for (j, coarse) in before.iter().enumerate() {
+        for j in 0..i {
             power *= 4.0;
             let fine = row[j];
             let value = fine + (fine - coarse) / (power - 1.0);
             let apart = (value - fine).abs().max((value - coarse).abs());
             let error = apart + 1.5 * rounding / step;
-            if best.is_none_or(|best| error < best.error) {
-                best = Some(Estimate { value, error });
+            if j == 0 || error < rows[i - 1].error {
+                rows[i - 1] = Estimate { value, error };
             }
-            row.push(value);
+            coarse = std::mem::replace(&mut row[j + 1], value);
         }
-        rows.extend(best);
-        before = row;
     }
-    rows
+    &rows[..quotients.len().saturating_sub(1).min(LEVELS)]
 }

@@ -63,6 +63,11 @@ impl Element {
         }
     }
 
+    /// Number of components of its transfer functions.
+    pub(crate) fn components(self) -> usize {
+        if matches!(self, Self::Place(..)) { 2 } else { 1 }
+    }
+
     /// Whether its PF0 is a length; otherwise an angle.
     pub(crate) fn is_length(self) -> bool {
         !matches!(self, Self::Link(_))

@@ -1,7 +1,5 @@
 //! The checks of forces: loads, reduced quantities, equilibrium, agreement of methods, power.
 
-use std::ops::ControlFlow;
-
 use assur_force::{Loads, State, joint_reactions};
 use assur_group::Wrench;
 
@@ -14,46 +12,62 @@ use crate::{agreement, equilibrium, power};
 /// Why a position is skipped where all methods fail.
 const NO_ANSWER: &str = "no method finds reactions there: the position is singular";
 
-pub(crate) fn checks<B>(
-    subject: &Subject<'_>,
-    loads: &Loads,
-    step: &mut impl FnMut() -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<Check>> {
-    let writer = Writer::new(subject);
-    let mut written = Collector::new(
-        "loads",
-        "each load written out from the scene once more; limit: 64 rounding units of its terms",
-    );
-    let mut balance = equilibrium::collectors();
-    let mut agreement = agreement::collector();
-    let mut powers = power::collectors();
-    for (index, state) in &subject.states {
-        step()?;
-        let Some(one) = &subject.solve(*index, state.coordinate) else { continue };
-        let items = &writer.items(loads, state, &one.position.bodies);
-        if items.values().all(|item| item.size == 0.0) {
-            continue;
+/// The checks of forces in the states that were added.
+pub(crate) struct Forces<'a> {
+    subject: &'a Subject<'a>,
+    loads: &'a Loads,
+    writer: Writer<'a>,
+    written: Collector,
+    balance: [Collector; 3],
+    agreement: Collector,
+    powers: [Collector; 3],
+}
+
+impl<'a> Forces<'a> {
+    pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads) -> Self {
+        let reason = "each load written out from the scene once more; limit: 64 rounding units of its terms";
+        Self {
+            subject,
+            loads,
+            writer: Writer::new(subject),
+            written: Collector::new("loads", reason),
+            balance: equilibrium::collectors(),
+            agreement: agreement::collector(),
+            powers: power::collectors(),
         }
-        compare_loads(subject, items, loads, state, one, &mut written);
+    }
+
+    pub(crate) fn add(&mut self, index: usize, state: &State) {
+        let (subject, loads) = (self.subject, self.loads);
+        let Some(one) = &subject.solve(index, state.coordinate) else { return };
+        let items = &self.writer.items(loads, state, &one.position.bodies);
+        if items.values().all(|item| item.size == 0.0) {
+            return;
+        }
+        compare_loads(subject, items, loads, state, one, &mut self.written);
         let methods = subject.methods.iter();
         let answers: Vec<_> =
             methods.map(|method| subject.answer(method, loads, state, &one.position)).collect();
         let full = (0..answers.len()).find(|&i| subject.methods[i].gives_reactions && answers[i].is_some());
         let Some((full, reactions)) = full.and_then(|i| Some((i, answers[i].as_ref()?))) else {
-            let [links, joints, guides] = &mut balance;
+            let [links, joints, guides] = &mut self.balance;
             let guides = Some(guides).filter(|_| !subject.linkage.mechanism.slides.is_empty());
-            let all = [links, joints, &mut agreement].into_iter().chain(&mut powers[1..]).chain(guides);
-            all.for_each(|collector| collector.leave_out(*index, NO_ANSWER));
-            continue;
+            let all =
+                [links, joints, &mut self.agreement].into_iter().chain(&mut self.powers[1..]).chain(guides);
+            all.for_each(|collector| collector.leave_out(index, NO_ANSWER));
+            return;
         };
         let joints = joint_reactions(subject.linkage, reactions);
         let case = Case { subject, loads, one, state, items, answers: &answers, full, reactions, joints };
-        agreement::compare(&case, &mut agreement);
-        equilibrium::compare(&case, &mut balance);
-        power::compare(&case, &mut powers);
+        agreement::compare(&case, &mut self.agreement);
+        equilibrium::compare(&case, &mut self.balance);
+        power::compare(&case, &mut self.powers);
     }
-    let all = [written].into_iter().chain(balance).chain([agreement]).chain(powers);
-    ControlFlow::Continue(all.filter_map(Collector::into_check).collect())
+
+    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
+        let all = [self.written].into_iter().chain(self.balance).chain([self.agreement]).chain(self.powers);
+        all.filter_map(Collector::into_check)
+    }
 }
 
 fn compare_loads(

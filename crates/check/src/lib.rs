@@ -1,7 +1,7 @@
 //! Checks of the calculated numbers of one mechanism (S, stages 3, 8, 9 and 10).
 //!
-//! Every check compares a result with one from an independent computation, over all positions of the scene, and gives
-//! its largest residual, where it occurs, and a limit. Each limit follows from the rounding unit, the sizes of the
+//! Every check compares a result with one from an independent computation, over the positions of the scene or a sample
+//! of them ([`Coverage`]), and gives its largest residual, where it occurs, and a limit. Each limit follows from the rounding unit, the sizes of the
 //! terms of sums, the nearness to a singular position, and, for differences, from their own error estimate. A check
 //! that does not apply is left out.
 //!
@@ -11,23 +11,28 @@ mod agreement;
 mod case;
 mod check;
 mod closure;
+mod coverage;
 mod differences;
-mod double_double;
 mod elements;
 mod equilibrium;
 mod forces;
+mod interpolated;
 mod kinetics;
+mod notable;
+mod numbers;
 mod perturbation;
 mod power;
 mod rounding;
 mod run;
-mod sample;
 mod stroke;
 mod subject;
+mod surroundings;
 mod test_pf;
 mod written;
 
 pub use check::Check;
+pub use coverage::{Chosen, Coverage, SAMPLE};
+pub use notable::notable;
 pub use run::checks;
 pub use subject::{Subject, methods};
 

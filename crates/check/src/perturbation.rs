@@ -1,5 +1,5 @@
-//! The effect of rounding on the numbers of a position: the chain is solved in about 32 digits with every datum
-//! perturbed by a rounding unit of f64, and the deviation of each number is its true amplification.
+//! The effect of rounding on the numbers of a position: the chain is solved with every datum perturbed by a small part
+//! of its size, and the deviation of each number, in parts of the perturbation, is its true amplification.
 //!
 //! A backward-stable calculation gives the exact result for data that are perturbed by a few rounding units. Its error
 //! is then (rounding units) x (amplification), whatever the mechanism, and near a singular position it grows as it
@@ -11,22 +11,24 @@
 
 use assur_group::{Body, Pair, PairGeometry};
 use assur_kinematics::Linkage;
-use assur_number::{Dd, Real};
+use assur_number::Real;
 use assur_structure::Structure;
 
 /// Perturbations in random directions; the greatest effect counts.
 pub(crate) const TRIALS: u64 = 4;
 
-/// Perturbs data by a rounding unit, up or down at random.
+/// Perturbs data by a small part of their size, up or down at random.
 #[derive(Debug)]
 pub(crate) struct Perturbation {
     /// Distance of the farthest pair from the origin of each link, m: the scale for the rounding of places.
     reach: Vec<f64>,
+    /// The part.
+    part: f64,
     state: u64,
 }
 
 impl Perturbation {
-    pub(crate) fn new(linkage: &Linkage) -> Self {
+    pub(crate) fn new(linkage: &Linkage, part: f64) -> Self {
         let mut reach = vec![0.0_f64; linkage.structure.links];
         for named in &linkage.structure.pairs {
             let (a, b) = match named.pair.geometry {
@@ -37,7 +39,7 @@ impl Perturbation {
                 reach[link] = reach[link].max(at[0].hypot(at[1]));
             }
         }
-        Self { reach, state: 0 }
+        Self { reach, part, state: 0 }
     }
 
     /// Begins a trial.
@@ -45,11 +47,11 @@ impl Perturbation {
         self.state = trial + 1;
     }
 
-    /// Plus or minus a rounding unit, by the next bit of a linear congruential generator (Knuth's MMIX).
+    /// Plus or minus the part, by the next bit of a linear congruential generator (Knuth's MMIX).
     fn next(&mut self) -> f64 {
         self.state =
             self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        if self.state >> 63 == 0 { f64::EPSILON } else { -f64::EPSILON }
+        if self.state >> 63 == 0 { self.part } else { -self.part }
     }
 
     /// The structure with perturbed lengths and angles of all groups.
@@ -78,12 +80,12 @@ impl Perturbation {
     }
 
     /// The ground is at rest exactly, but its pins and guides are data.
-    pub(crate) fn ground(&mut self, body: &mut Body<Dd>) {
+    pub(crate) fn ground<T: Real>(&mut self, body: &mut Body<T>) {
         self.place(body, 0);
     }
 
-    /// Perturbs each number of a link by a rounding unit of the size of the terms of which it was computed.
-    pub(crate) fn link(&mut self, body: &mut Body<Dd>, link: usize) {
+    /// Perturbs each number of a link by a part of the size of the terms of which it was computed.
+    pub(crate) fn link<T: Real>(&mut self, body: &mut Body<T>, link: usize) {
         self.place(body, link);
         let reach = self.reach[link];
         let [x1, y1, w1, x2, y2, w2] =
@@ -98,15 +100,15 @@ impl Perturbation {
             (&mut body.y2, second),
             (&mut body.w2, turn),
         ] {
-            *number += Dd::from_f64(self.next() * size);
+            *number += T::from_f64(self.next() * size);
         }
     }
 
-    fn place(&mut self, body: &mut Body<Dd>, link: usize) {
+    fn place<T: Real>(&mut self, body: &mut Body<T>, link: usize) {
         let size = body.x.to_f64().abs() + body.y.to_f64().abs() + self.reach[link];
-        body.x += Dd::from_f64(self.next() * size);
-        body.y += Dd::from_f64(self.next() * size);
-        let turn = Dd::from_f64(self.next());
+        body.x += T::from_f64(self.next() * size);
+        body.y += T::from_f64(self.next() * size);
+        let turn = T::from_f64(self.next());
         (body.c, body.s) = (body.c - turn * body.s, body.s + turn * body.c);
     }
 }

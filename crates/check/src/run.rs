@@ -6,42 +6,66 @@ use std::ops::ControlFlow;
 use assur_force::{Loads, State};
 use assur_kinematics::Linkage;
 
+use crate::Chosen;
 use crate::check::Check;
+use crate::closure::Closure;
+use crate::forces::Forces;
 use crate::subject::{Subject, methods};
-use crate::{closure, forces, test_pf};
+use crate::test_pf::TestPf;
 
-/// Every check of a linkage under its prescribed motion, by all registered methods.
+/// Every check of a linkage under its prescribed motion, in all positions and by all registered methods.
 ///
 /// Where loads need a motion that the scene does not define, the checks of forces are left out.
 pub fn checks(linkage: &Linkage) -> Vec<Check> {
     let loads = Loads::compile(linkage).ok();
     let input = &linkage.mechanism.input;
-    let state = |index| (index, State::prescribed(&linkage.mechanism, input.coordinate(index)));
-    let states = (0..input.positions).map(state).collect();
-    let subject = Subject { linkage, loads: loads.as_ref(), states, methods: methods(linkage, None) };
+    let all = Chosen::all(input.positions);
+    let subject = Subject {
+        linkage,
+        loads: loads.as_ref(),
+        positions: all.clone(),
+        states: all,
+        state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+        methods: methods(linkage, None),
+    };
     let ControlFlow::Continue(all) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
     all
 }
 
 impl Subject<'_> {
-    /// Every check that applies: of the transfer functions over all positions of the scene that can be solved, of the
-    /// forces over the [states](Self::states). `watch` is called before each piece of work with the number of finished
-    /// pieces and of all pieces, and may stop the run.
+    /// Every check that applies: of the transfer functions over the [positions](Self::positions) that can be solved, of
+    /// the forces over the [states](Self::states). `watch` is called before each of them with the number of those that
+    /// are finished and of all, and may stop the run.
     pub fn checks<B>(
         &self,
         watch: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
     ) -> ControlFlow<B, Vec<Check>> {
-        let positions = self.positions();
-        let states = if self.loads.is_some() { self.states.len() } else { 0 };
-        let (mut done, total) = (0, 2 * positions.len() + states);
+        let states = if self.loads.is_some() { self.states.count() } else { 0 };
+        let (mut done, total) = (0, self.positions.count() + states);
         let mut step = || {
             done += 1;
             watch(done - 1, total)
         };
-        let mut all = closure::checks(self, &positions, &mut step)?;
-        all.extend(test_pf::checks(self, &positions, &mut step)?);
+        let (mut closure, mut test_pf) = (Closure::new(), TestPf::new(self));
+        for index in self.positions.iter() {
+            step()?;
+            if let Some(one) = self.solve(index, self.linkage.mechanism.input.coordinate(index)) {
+                closure.add(self, &one);
+                test_pf.add(&one);
+            }
+        }
+        let mut all: Vec<Check> = closure.finish().chain(test_pf.finish()).collect();
+        all.iter_mut().for_each(|check| check.sample = self.positions.share());
         if let Some(loads) = self.loads {
-            all.extend(forces::checks(self, loads, &mut step)?);
+            let mut forces = Forces::new(self, loads);
+            for index in self.states.iter() {
+                step()?;
+                if let Some(state) = (self.state)(index) {
+                    forces.add(index, &state);
+                }
+            }
+            let found = forces.finish();
+            all.extend(found.map(|check| Check { sample: self.states.share(), ..check }));
         }
         ControlFlow::Continue(all)
     }

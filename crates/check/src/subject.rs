@@ -4,16 +4,21 @@ use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
 use assur_group::Order;
 use assur_kinematics::{Interpolation, Linkage, Position};
 
+use crate::Chosen;
+
 /// What is checked.
-#[derive(Debug)]
 pub struct Subject<'a> {
     /// The linkage.
     pub linkage: &'a Linkage,
     /// Its loads; `None`: only the transfer functions are checked.
     pub loads: Option<&'a Loads>,
-    /// The states in which forces are checked, each with the number to report: that of a position of the scene, or of a
-    /// sample of a trajectory. A state has its own coordinate.
-    pub states: Vec<(usize, State)>,
+    /// The positions of the scene in which the transfer functions are checked.
+    pub positions: Chosen,
+    /// The states in which forces are checked, by the numbers to report: those of positions of the scene, or of samples
+    /// of a trajectory.
+    pub states: Chosen,
+    /// The state of such a number; `None` where forces are not determined.
+    pub state: &'a dyn Fn(usize) -> Option<State>,
     /// The methods. All checks use the first one that gives reactions; the others are compared with it.
     pub methods: Vec<AnalyzerPlugin>,
 }
@@ -40,12 +45,6 @@ pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
 }
 
 impl Subject<'_> {
-    /// The positions of the scene that can be solved.
-    pub(crate) fn positions(&self) -> Vec<Solved> {
-        let input = &self.linkage.mechanism.input;
-        (0..input.positions).filter_map(|index| self.solve(index, input.coordinate(index))).collect()
-    }
-
     /// The position at a coordinate; `None` where there is none.
     pub(crate) fn solve(&self, index: usize, coordinate: f64) -> Option<Solved> {
         let mut position = self.linkage.position();

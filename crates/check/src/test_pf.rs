@@ -1,77 +1,136 @@
 //! `TestPf` (S, stage 3): PF1 and PF2 of every element against numerical differentiation of PF0 and PF1, and the derivative of
 //! the reduced inertia against differences of the reduced inertia.
 
-use std::ops::ControlFlow;
+use assur_kinematics::Position;
+use assur_number::Dd;
 
 use crate::check::{Check, Collector};
-use crate::differences::{SAFETY, extrapolated};
-use crate::double_double::DoubleDouble;
+use crate::differences::{LEVELS, SAFETY, extrapolated};
 use crate::elements::{Element, elements};
+use crate::interpolated::interpolated;
 use crate::kinetics;
-use crate::sample::{Sample, Surroundings, interpolated, sample};
+use crate::numbers::{Numbers, numbers};
 use crate::subject::{Solved, Subject};
+use crate::surroundings::{Differences, Surroundings};
+
+/// Greatest limit, relative to what is compared, with which differences in 16 digits judge; where they need a wider one,
+/// and where they find a deviation, the differences are taken in about 32 digits.
+const JUDGES_IN_DOUBLE: f64 = 1e-9;
 
 /// Least rounding of any value, in units of the last place of its own size and of a typical one.
 const FLOOR: f64 = 4.0;
 
-const REASON: &str = "against numerical differentiation of the order below, in about 32 digits with steps far smaller than the \
-                      distance to a singular position; limit: 8 times the error estimate of the extrapolation and 64 \
-                      rounding units by what each is magnified to there (across a change point in 16 digits, with the \
-                      rounding measured)";
+const REASON: &str = "against numerical differentiation of the order below, with steps far smaller than the distance to a \
+                      singular position, in about 32 digits where 16 don't judge to 1e-9; limit: 8 times the error \
+                      estimate of the extrapolation and 64 rounding units by what each is magnified to there (across a \
+                      change point with the rounding measured)";
 
 const NO_ROOM: &str = "no room for differences before the end of assembly";
 
+/// The check of the derivatives in the positions that were added.
+pub(crate) struct TestPf<'a> {
+    subject: &'a Subject<'a>,
+    elements: Vec<Element>,
+    /// Of PF1, PF2 and J'.
+    collectors: [Collector; 3],
+    /// Whether there is an inertia.
+    heavy: bool,
+    scratch: Position,
+    double: Option<Differences<'a, f64>>,
+    /// Compiled at the first position that needs it.
+    double_double: Option<Option<Differences<'a, Dd>>>,
+}
+
+impl<'a> TestPf<'a> {
+    pub(crate) fn new(subject: &'a Subject<'a>) -> Self {
+        let linkage = subject.linkage;
+        let mut moving = linkage.mechanism.links.iter().skip(1);
+        Self {
+            subject,
+            elements: elements(linkage),
+            collectors: ["TestPf PF1", "TestPf PF2", "TestPf J'"].map(|name| Collector::new(name, REASON)),
+            heavy: moving.any(|link| link.mass > 0.0 || link.inertia > 0.0),
+            scratch: linkage.position(),
+            double: Differences::of(subject),
+            double_double: None,
+        }
+    }
+
+    pub(crate) fn add(&mut self, one: &Solved) {
+        let Some(deviations) = self.deviations(one) else {
+            let applying = if self.heavy { 3 } else { 2 };
+            self.collectors[..applying]
+                .iter_mut()
+                .for_each(|collector| collector.leave_out(one.index, NO_ROOM));
+            return;
+        };
+        for Deviation { check, element, off, limit, size } in deviations {
+            self.collectors[check].offer_of(one.index, off, limit, size, || {
+                element.map_or_else(|| "all links".to_owned(), |element| element.name(self.subject.linkage))
+            });
+        }
+    }
+
+    /// The deviations at a position, by the cheapest differences that judge them; `None` where there is no room for any.
+    fn deviations(&mut self, one: &Solved) -> Option<Vec<Deviation>> {
+        let Self { subject, elements: all, heavy, .. } = self;
+        let deviations = |around| Comparison::of(subject, all, one, around).deviations(all, *heavy);
+        if subject.linkage.is_interpolated(one.position.coordinate) {
+            return interpolated(subject, all, one, &mut self.scratch).map(deviations);
+        }
+        let found = self.double.as_mut().and_then(|double| double.around(all, one)).map(deviations);
+        if let Some(found) = found.filter(|found| found.iter().all(Deviation::is_judged_in_double)) {
+            return Some(found);
+        }
+        match self.double_double.get_or_insert_with(|| Differences::of(subject)) {
+            Some(double_double) => double_double.around(all, one).map(deviations),
+            None => interpolated(subject, all, one, &mut self.scratch).map(deviations),
+        }
+    }
+
+    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
+        self.collectors.into_iter().filter_map(Collector::into_check)
+    }
+}
+
+/// How far a derivative is from the differences.
+pub(crate) struct Deviation {
+    /// Which check.
+    check: usize,
+    /// `None`: the reduced inertia.
+    element: Option<Element>,
+    pub(crate) off: f64,
+    pub(crate) limit: f64,
+    /// Of what is compared.
+    size: f64,
+}
+
+impl Deviation {
+    pub(crate) fn is_judged_in_double(&self) -> bool {
+        self.off <= self.limit && self.limit <= JUDGES_IN_DOUBLE * self.size
+    }
+}
+
 /// What is compared at one position.
-struct Comparison<'a> {
+pub(crate) struct Comparison<'a> {
     subject: &'a Subject<'a>,
     one: &'a Solved,
     around: Surroundings,
     /// The calculated numbers.
-    found: Sample<f64>,
+    found: Numbers<f64>,
     /// The largest PF0, PF1, PF2 of anything on each link, in its unit, at least 1: what stands still on a fast link is a
     /// difference of what moves.
     sizes: Vec<[f64; 3]>,
 }
 
-pub(crate) fn checks<B>(
-    subject: &Subject<'_>,
-    solved: &[Solved],
-    step: &mut impl FnMut() -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<Check>> {
-    let mut collectors = ["TestPf PF1", "TestPf PF2", "TestPf J'"].map(|name| Collector::new(name, REASON));
-    let linkage = subject.linkage;
-    let all = elements(linkage);
-    let heavy = linkage.mechanism.links.iter().skip(1).any(|link| link.mass > 0.0 || link.inertia > 0.0);
-    let applying = if heavy { 3 } else { 2 };
-    let mut scratch = linkage.position();
-    let mut double_double = DoubleDouble::of(subject);
-    for one in solved {
-        step()?;
-        let crossing = linkage.is_interpolated(one.position.coordinate);
-        let around = match double_double.as_mut().filter(|_| !crossing) {
-            Some(chain) => chain.surroundings(&all, one),
-            None => interpolated(subject, &all, one, &mut scratch),
-        };
-        let Some(around) = around else {
-            collectors[..applying].iter_mut().for_each(|collector| collector.leave_out(one.index, NO_ROOM));
-            continue;
-        };
-        let here = Comparison::of(subject, &all, one, around);
-        for (i, element) in all.iter().enumerate() {
-            for order in [1, 2] {
-                here.compare((i, *element), order, &mut collectors[order - 1]);
-            }
-        }
-        if heavy {
-            here.compare_inertia(&mut collectors[2]);
-        }
-    }
-    ControlFlow::Continue(collectors.into_iter().filter_map(Collector::into_check).collect())
-}
-
 impl<'a> Comparison<'a> {
-    fn of(subject: &'a Subject<'a>, all: &[Element], one: &'a Solved, around: Surroundings) -> Self {
-        let found = sample(subject.linkage, all, &one.position, &one.position);
+    pub(crate) fn of(
+        subject: &'a Subject<'a>,
+        all: &[Element],
+        one: &'a Solved,
+        around: Surroundings,
+    ) -> Self {
+        let found = numbers(subject.linkage, all, &one.position, &one.position);
         let mut sizes = vec![[1.0_f64; 3]; subject.linkage.structure.links];
         for (i, element) in all.iter().enumerate() {
             let numbers = [0, 1, 2].map(|order| {
@@ -87,38 +146,54 @@ impl<'a> Comparison<'a> {
         Self { subject, one, around, found, sizes }
     }
 
+    pub(crate) fn deviations(&self, all: &[Element], heavy: bool) -> Vec<Deviation> {
+        let mut found = Vec::with_capacity(4 * all.len() + 1);
+        for (i, element) in all.iter().enumerate() {
+            for order in [1, 2] {
+                found.extend(self.compare((i, *element), order));
+            }
+        }
+        found.extend(self.compare_inertia().filter(|_| heavy));
+        found
+    }
+
     /// Deviation and limit of a derivative. `slope`: which of the differences; `below`, `own`: rounding of what was differenced
     /// and of the value itself.
-    fn deviation(&self, slope: impl Fn(&Sample<f64>) -> f64, value: f64, below: f64, own: f64) -> [f64; 2] {
-        let quotients = self.around.quotients.iter().map(|all| (all.step, slope(&all.slopes)));
-        let estimate = extrapolated(&quotients.collect::<Vec<_>>(), below);
+    fn deviation(&self, slope: impl Fn(&Numbers<f64>) -> f64, value: f64, below: f64, own: f64) -> [f64; 2] {
+        let mut quotients = [(0.0, 0.0); LEVELS];
+        for (one, all) in quotients.iter_mut().zip(&self.around.quotients) {
+            *one = (all.step, slope(&all.slopes));
+        }
+        let estimate = extrapolated(&quotients[..self.around.quotients.len().min(LEVELS)], below);
         [(value - estimate.value).abs(), SAFETY * (estimate.error + own)]
     }
 
-    fn compare(&self, (i, element): (usize, Element), order: usize, collector: &mut Collector) {
-        let Self { subject, one, around, found, sizes } = self;
+    /// Of both components of the transfer function of an element; links and slides have one.
+    fn compare(&self, (i, element): (usize, Element), order: usize) -> impl Iterator<Item = Deviation> {
+        let Self { subject, around, found, sizes, .. } = self;
         let unit = subject.unit(order, element.is_length());
         let below_unit = subject.unit(order - 1, element.is_length());
         let floor = |number: f64, unit: f64| FLOOR * f64::EPSILON * (number.abs() + unit);
         let links = element.links(subject.linkage);
         let size = links.map(|link| sizes[link][order]).into_iter().fold(1.0, f64::max);
-        for k in [0, 1] {
+        let components = 0..element.components();
+        components.map(move |k| {
             let below = around.below.motion(i, order - 1, k);
             let below = below.max(around.floor * floor(around.values.motion(i, order - 1, k), below_unit));
             let least = around.floor.max(1.0) * floor(around.values.motion(i, order, k), unit);
             let own = around.own.motion(i, order, k) + least;
-            let slope = |slopes: &Sample<f64>| slopes.motion(i, order - 1, k);
+            let slope = |slopes: &Numbers<f64>| slopes.motion(i, order - 1, k);
             let [off, limit] = self.deviation(slope, found.motion(i, order, k), below, own);
-            let name = || element.name(subject.linkage);
-            collector.offer_of(one.index, off / unit, limit / unit, size, name);
-        }
+            let (off, limit) = (off / unit, limit / unit);
+            Deviation { check: order - 1, element: Some(element), off, limit, size }
+        })
     }
 
-    fn compare_inertia(&self, collector: &mut Collector) {
+    fn compare_inertia(&self) -> Option<Deviation> {
         let Self { subject, one, around, found, .. } = self;
         let [size, slope] = [0, 1].map(|order| around.values.inertia(order));
         if size == 0.0 {
-            return;
+            return None;
         }
         let unit = size.abs() / subject.linkage.coordinate_unit();
         // J' sums products of PF1 and PF2 that cancel; the rounding of each is that of the terms.
@@ -127,8 +202,7 @@ impl<'a> Comparison<'a> {
         let below = around.below.inertia(0).max(around.floor * floor * size.abs());
         let own = around.own.inertia(1) + around.floor.max(1.0) * floor * (slope.abs() + unit);
         let [off, limit] = self.deviation(|slopes| slopes.inertia(0), found.inertia(1), below, own);
-        collector.offer_of(one.index, off / unit, limit / unit, 1.0_f64.max(terms / unit), || {
-            "all links".to_owned()
-        });
+        let (off, limit, size) = (off / unit, limit / unit, 1.0_f64.max(terms / unit));
+        Some(Deviation { check: 2, element: None, off, limit, size })
     }
 }

@@ -3,7 +3,9 @@ use assur_kinematics::Linkage;
 
 use crate::{Check, checks};
 
+mod coverage;
 mod differences;
+mod double;
 mod fixtures;
 mod mutants;
 mod mutations;

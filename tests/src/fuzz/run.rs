@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use assur_all as _;
-use assur_analysis::{Calculation, Options, Progress};
+use assur_analysis::{Calculation, Coverage, Options, Progress};
 use assur_report::{csv, json as writer, text};
 
 use super::{exact, json};
@@ -91,7 +91,7 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
         }
     };
     let Ok(mut analysis) = calculation.analyze(&mut watch) else { return Ok(Outcome::Stopped) };
-    let Ok(checks) = calculation.checks(&mut watch) else { return Ok(Outcome::Stopped) };
+    let Ok(checks) = calculation.checks(Coverage::Sample, &mut watch) else { return Ok(Outcome::Stopped) };
     analysis.checks = checks;
     let written = writer::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;

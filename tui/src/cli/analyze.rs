@@ -18,14 +18,15 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     if args.format == Format::Csv && args.output.is_none() {
         return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
     }
-    let output = Output::of(args.output.as_deref(), &args.scene.scene)?;
-    let study = scene::study(&args.scene, style)?;
+    let scene = &args.checked.scene;
+    let output = Output::of(args.output.as_deref(), &scene.scene)?;
+    let study = scene::study(scene, style)?;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new();
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
-    analysis.checks = study.checks(&mut line.watch()).map_err(Fault::other)?;
+    analysis.checks = study.checks(args.checked.checks.into(), &mut line.watch()).map_err(Fault::other)?;
     drop(line);
-    let added = args.plans.add(&study, &args.scene, style, &mut analysis)?;
+    let added = args.plans.add(&study, scene, style, &mut analysis)?;
     if let Err(problem) = json::finite(&analysis) {
         style.tell(&format!("error: {problem}"));
         return Ok(Status::Failed);

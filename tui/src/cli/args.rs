@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use super::options::{Format, MethodArgs, SceneArgs};
+use super::options::{CheckedArgs, Format, MethodArgs, SceneArgs};
 
 /// Planar linkages by Assur groups: positions, transfer functions, reactions, with checks.
 #[derive(Debug, Parser)]
@@ -39,7 +39,7 @@ pub(crate) enum Command {
     /// Calculate everything that a scene asks for
     Analyze(AnalyzeArgs),
     /// Run every check on a scene, one line each
-    Check(SceneArgs),
+    Check(CheckedArgs),
     /// Explain what is modelled, what is left out and why, and which method each stage uses
     Explain(ExplainArgs),
     /// Measure speed against accuracy of every method that can do a scene
@@ -77,7 +77,7 @@ pub(crate) enum Command {
 #[derive(Debug, Clone, Args)]
 pub(crate) struct AnalyzeArgs {
     #[command(flatten)]
-    pub(crate) scene: SceneArgs,
+    pub(crate) checked: CheckedArgs,
     #[command(flatten)]
     pub(crate) plans: super::plans::PlanArgs,
     /// Form of the results

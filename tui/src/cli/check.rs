@@ -4,15 +4,15 @@ use assur_analysis::results::Check;
 use assur_report::text;
 
 use super::fault::{Fault, Status};
-use super::options::SceneArgs;
+use super::options::CheckedArgs;
 use super::style::Style;
 use super::{analyze, output, scene};
 use crate::progress::ProgressLine;
 
-pub(crate) fn run(args: &SceneArgs, style: Style) -> Result<Status, Fault> {
+pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
-    let study = scene::whole_study(args, style)?;
-    let checks = study.checks(&mut ProgressLine::new().watch()).map_err(Fault::other)?;
+    let study = scene::whole_study(&args.scene, style)?;
+    let checks = study.checks(args.checks.into(), &mut ProgressLine::new().watch()).map_err(Fault::other)?;
     output::print(&text::checks(&checks, style.ascii))?;
     analyze::tell_checks(&checks, style);
     let judged = checks.is_empty() || checks.iter().any(|check| check.judged);

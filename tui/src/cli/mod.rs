@@ -28,7 +28,7 @@ use clap::CommandFactory;
 
 use args::{AnalyzeArgs, Cli, Command};
 use fault::{Fault, Status};
-use options::{Format, SceneArgs};
+use options::{CheckedArgs, Checks, Format, SceneArgs};
 use plans::PlanArgs;
 use style::Style;
 
@@ -105,8 +105,9 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
         }
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
+            let checked = CheckedArgs { scene, checks: Checks::Sample };
             analyze::run(
-                &AnalyzeArgs { scene, format: Format::Text, output: None, plans: PlanArgs::default() },
+                &AnalyzeArgs { checked, format: Format::Text, output: None, plans: PlanArgs::default() },
                 style,
             )
         }

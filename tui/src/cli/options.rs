@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use assur_analysis::Coverage;
 use clap::{Args, ValueEnum};
 
 /// Methods by name.
@@ -22,6 +23,37 @@ pub(crate) struct SceneArgs {
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) methods: MethodArgs,
+}
+
+/// A scene, methods, and how much is checked.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct CheckedArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Which positions are checked
+    #[arg(long, value_enum, default_value_t = Checks::Sample)]
+    pub(crate) checks: Checks,
+}
+
+/// Which positions are checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Checks {
+    /// All up to 360; of more, 360 spread over the cycle, with the greatest values and the worst condition among them
+    Sample,
+    /// All, however many
+    All,
+    /// None
+    None,
+}
+
+impl From<Checks> for Coverage {
+    fn from(checks: Checks) -> Self {
+        match checks {
+            Checks::Sample => Self::Sample,
+            Checks::All => Self::All,
+            Checks::None => Self::None,
+        }
+    }
 }
 
 /// Form of results.

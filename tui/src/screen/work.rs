@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use assur_analysis::{Calculation, Options};
+use assur_analysis::{Calculation, Coverage, Options};
 use assur_fixtures::SCENES;
 use assur_mechanism::Mechanism;
 use assur_study::chart;
@@ -120,7 +120,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
         return report;
     }
     tell(report);
-    let checks = whole.checks(&mut watch);
+    let checks = whole.checks(Coverage::Sample, &mut watch);
     Report::Checked { number, checks: checks.unwrap_or_default() }
 }
 

@@ -5,7 +5,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Direction, Mechanism};
 
 use super::{analyzed, study};
-use crate::unwatched;
+use crate::{Coverage, unwatched};
 
 /// A slider-crank that runs down against a force over the stroke, a weight and a moment.
 const TRANSIENT: &str = "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n\
@@ -24,7 +24,7 @@ fn failing(change: impl FnOnce(&mut Mechanism)) -> Vec<&'static str> {
     let mut mechanism = calculation.linkage.mechanism.clone();
     change(&mut mechanism);
     calculation.loads = Some(Loads::compile(&Linkage::compile(mechanism).unwrap()).unwrap());
-    let checks = calculation.checks(&mut unwatched).unwrap();
+    let checks = calculation.checks(Coverage::Sample, &mut unwatched).unwrap();
     checks.iter().filter(|check| check.failed()).map(|check| check.name).collect()
 }
 

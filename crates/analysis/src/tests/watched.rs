@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{study, text};
-use crate::{AnalysisError, Calculation, Options, Progress, Stopped, unwatched};
+use crate::{AnalysisError, Calculation, Coverage, Options, Progress, Stopped, unwatched};
 
 #[test]
 fn watching_changes_no_number() {
@@ -13,7 +13,11 @@ fn watching_changes_no_number() {
         let mechanism = assur_scene::read("test", &text(name)).unwrap();
         let watched = Calculation::of(mechanism, &Options::default(), &mut go_on).unwrap();
         assert_eq!(watched.analyze(&mut go_on), plain.analyze(&mut unwatched), "{name}");
-        assert_eq!(watched.checks(&mut go_on), plain.checks(&mut unwatched), "{name}");
+        assert_eq!(
+            watched.checks(Coverage::Sample, &mut go_on),
+            plain.checks(Coverage::Sample, &mut unwatched),
+            "{name}"
+        );
     }
 }
 
@@ -46,7 +50,7 @@ fn an_analysis_ends_at_the_piece_where_it_is_stopped() {
             calls += 1;
             if calls > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        assert_eq!(shaper.checks(&mut watch), Err(Stopped));
+        assert_eq!(shaper.checks(Coverage::Sample, &mut watch), Err(Stopped));
         assert_eq!(calls, last + 1);
     }
 }

@@ -9,7 +9,7 @@ use assur_kinematics::{Input, Linkage, Position};
 use assur_mechanism::{Direction, Mechanism, Value};
 
 use super::mutants::{Mutant, SLIP, SLIPS, Slip};
-use crate::{Subject, methods};
+use crate::{Chosen, Subject, methods};
 
 /// Scenes that together have all five types, offset and moving guides, ternary links and every sort of load.
 const SCENES: [&str; 7] =
@@ -34,10 +34,14 @@ fn states(linkage: &Linkage) -> Vec<State> {
 
 /// Names of the checks that fail; "no assembly" where a position can't be solved any more, which stops the program.
 pub(super) fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<AnalyzerPlugin>) -> Vec<&'static str> {
+    let all = Chosen::all(linkage.mechanism.input.positions);
+    let states = states(linkage);
     let subject = Subject {
         linkage,
         loads: Some(loads),
-        states: states(linkage).into_iter().enumerate().collect(),
+        positions: all.clone(),
+        states: all,
+        state: &|index| Some(states[index]),
         methods,
     };
     let ControlFlow::Continue(all) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));

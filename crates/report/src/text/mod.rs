@@ -72,7 +72,7 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> Result
 }
 
 /// The checks, one line each: name, largest residual, where, limit, ok or FAILED, or that nothing could be checked;
-/// below, the positions that were not checked, and why.
+/// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
 pub fn checks(checks: &[Check], ascii: bool) -> String {
     let row = |check: &Check| {
         vec![
@@ -85,8 +85,34 @@ pub fn checks(checks: &[Check], ascii: bool) -> String {
         ]
     };
     let rows: Vec<_> = checks.iter().map(row).collect();
-    let lines = not_judged(checks).iter().map(|line| wrapped(line, 2, ascii)).collect::<String>();
+    let sentences = sampled(checks).into_iter().chain(not_judged(checks));
+    let lines = sentences.map(|line| wrapped(&line, 2, ascii)).collect::<String>();
     columns(&["check", "residual", "position", "place", "limit", "result"], &rows, ascii) + &lines
+}
+
+/// Of how many positions a sample was checked: one sentence for the checks that have it in common.
+fn sampled(checks: &[Check]) -> Vec<String> {
+    let mut kinds: Vec<([usize; 2], Vec<&str>)> = Vec::new();
+    for check in checks {
+        let Some(sample) = check.sample else { continue };
+        match kinds.iter_mut().find(|kind| kind.0 == sample) {
+            Some((_, names)) => names.push(check.name),
+            None => kinds.push((sample, vec![check.name])),
+        }
+    }
+    let sentence = |([checked, of], names): ([usize; 2], Vec<&str>)| {
+        format!("checked in {checked} of {}: {}", thousands(of), names.join(", "))
+    };
+    kinds.into_iter().map(sentence).collect()
+}
+
+/// A number with a comma after every third digit: 1,000,000.
+fn thousands(number: usize) -> String {
+    let digits = number.to_string();
+    let from_the_end = digits.chars().rev().enumerate();
+    let grouped =
+        from_the_end.flat_map(|(i, digit)| (i > 0 && i % 3 == 0).then_some(',').into_iter().chain([digit]));
+    grouped.collect::<String>().chars().rev().collect()
 }
 
 fn verdict(check: &Check) -> &'static str {

@@ -49,6 +49,7 @@ fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> assur_a
         at: Some(3),
         place: "link rod".to_owned(),
         reason: "",
+        sample: None,
         left_out,
         why_left_out: if left_out > 0 { "too close" } else { "" },
         judged,
@@ -73,4 +74,18 @@ fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
         ["not judged in 2 positions: PF1, PF2: too close", "not judged in 1 position: J: too close"]
     );
     assert_eq!(rows.map(|row| row.failed()), [false, false, false, true]);
+}
+
+#[test]
+fn a_sample_of_the_positions_is_named() {
+    let sampled = |name, sample| assur_analysis::results::Check { sample, ..check(name, 0, true, true) };
+    let rows = [
+        sampled("closure", Some([360, 1_000_000])),
+        sampled("PF1", Some([360, 1_000_000])),
+        sampled("loads", Some([360, 1200])),
+        sampled("energy", None),
+    ];
+    let text = super::checks(&rows, false);
+    let below: Vec<_> = text.lines().skip(6).collect();
+    assert_eq!(below, ["checked in 360 of 1,000,000: closure, PF1", "checked in 360 of 1,200: loads"]);
 }

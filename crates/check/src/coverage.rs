@@ -1,0 +1,73 @@
+//! Which of many positions, or of many states of a motion, are checked.
+
+/// Greatest number of members of a sample: a degree of a turn each.
+pub const SAMPLE: usize = 360;
+
+/// How many of the positions, and of the states of a motion, are checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Coverage {
+    /// All, if they are at most [`SAMPLE`]; otherwise so many of them, spread evenly, with the notable ones among them.
+    #[default]
+    Sample,
+    /// All, however many.
+    All,
+    /// None; no check is made.
+    None,
+}
+
+/// Numbers chosen out of `0..of`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chosen {
+    /// In increasing order; `None`: all of them.
+    members: Option<Vec<usize>>,
+    of: usize,
+}
+
+impl Coverage {
+    /// Chooses out of the numbers below `of`. `notable` gives those that a sample contains in any case; it is called
+    /// only for a sample.
+    pub fn choose(self, of: usize, notable: impl FnOnce() -> Vec<usize>) -> Chosen {
+        let members = match self {
+            Self::Sample if of > SAMPLE => Some(sample(of, &notable())),
+            Self::Sample | Self::All => None,
+            Self::None => Some(Vec::new()),
+        };
+        Chosen { members, of }
+    }
+}
+
+/// `SAMPLE` numbers below `of` at equal distances, of which each notable number replaces the nearest one.
+fn sample(of: usize, notable: &[usize]) -> Vec<usize> {
+    let mut members: Vec<usize> = (0..SAMPLE).map(|i| i * of / SAMPLE).collect();
+    for &wanted in notable.iter().filter(|wanted| **wanted < of) {
+        let others = (0..SAMPLE).filter(|&i| members[i] == wanted || !notable.contains(&members[i]));
+        if let Some(nearest) = others.min_by_key(|&i| members[i].abs_diff(wanted)) {
+            members[nearest] = wanted;
+        }
+    }
+    members.sort_unstable();
+    members
+}
+
+impl Chosen {
+    /// All numbers below `of`.
+    pub fn all(of: usize) -> Self {
+        Self { members: None, of }
+    }
+
+    /// The chosen numbers in increasing order.
+    pub fn iter(&self) -> impl Iterator<Item = usize> {
+        let rest = if self.members.is_some() { 0 } else { self.of };
+        self.members.iter().flatten().copied().chain(0..rest)
+    }
+
+    /// How many are chosen.
+    pub fn count(&self) -> usize {
+        self.members.as_ref().map_or(self.of, Vec::len)
+    }
+
+    /// How many are chosen and out of how many, unless all are.
+    pub fn share(&self) -> Option<[usize; 2]> {
+        self.members.as_ref().map(|members| [members.len(), self.of])
+    }
+}
