@@ -16,6 +16,10 @@ const GRID: usize = 720;
 /// extreme is then the square of that.
 const SECTIONS: usize = 40;
 
+/// Distance from a coordinate without a position at which there may be one, as part of the cycle: the error of an extreme
+/// there is its square.
+const BESIDE: f64 = 1e-9;
+
 /// Tolerance of an argument, relative to itself, to the period, or to 1 rad, m or s: rounding of coordinates and of the
 /// extremes. It is wider than the rounding that the compiled loads allow, so a place on a jump there is on a jump here.
 const ROUNDING: f64 = 1e-11;
@@ -102,7 +106,10 @@ fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Opt
     let mut position = linkage.position();
     let (s, c) = axis.sin_cos();
     let mut along = |q: f64| {
-        linkage.solve(q, Order::Place, &mut position).ok()?;
+        // Guides may be parallel, and another link at infinity, in one place of the cycle.
+        let beside = q + BESIDE * (to - from);
+        let mut solve = |q| linkage.solve(q, Order::Place, &mut position);
+        solve(q).or_else(|_| solve(beside)).ok()?;
         let [x, y] = linkage.place_motion(place, &position).pf0;
         Some(c * x + s * y)
     };

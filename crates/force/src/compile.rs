@@ -183,7 +183,7 @@ impl Compiler<'_> {
         match outcome {
             Ok(stroke) => Ok(Law::Stroke(Box::new(stroke))),
             Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
-            Err(NoStroke::Infinite(travel)) => Err(LoadError::InfiniteStroke { name, travel }),
+            Err(NoStroke::Infinite(coordinate)) => Err(LoadError::InfiniteStroke { name, coordinate }),
             Err(NoStroke::NoPosition(coordinate, reason)) => {
                 Err(LoadError::NoPosition { name, coordinate, reason })
             }

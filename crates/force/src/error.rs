@@ -32,13 +32,13 @@ pub enum LoadError {
     },
     /// The point of the load runs through infinity, as behind guides that turn parallel.
     #[error(
-        "load `{name}` follows a stroke, but its point runs {travel:.3e} m along the axis: links run through infinity; calculate a range without that, or turn the axis"
+        "load `{name}` follows a stroke, but near coordinate {coordinate:.9} its point is at infinity, since guides turn parallel there; calculate a range without that, or turn the axis"
     )]
     InfiniteStroke {
         /// The load.
         name: String,
-        /// Distance of the extremes that were found, m.
-        travel: f64,
+        /// Where the point is at infinity, rad or m.
+        coordinate: f64,
     },
     /// The stroke can't be found because the mechanism can't take a position of the cycle.
     #[error(

@@ -3,7 +3,7 @@
 
 use assur_group::Body;
 use assur_mechanism::Table;
-use assur_number::search::try_newton_root;
+use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::Breaks;
 
@@ -44,15 +44,18 @@ pub(crate) struct Segment {
     pub(crate) segment: usize,
 }
 
-/// A displacement beyond this many sizes of the mechanism means that the point runs through infinity.
-const GREATEST_TRAVEL: f64 = 1e9;
+/// A point that is this many sizes of the mechanism away runs through infinity.
+const GREATEST_DISTANCE: f64 = 1e9;
+
+/// A displacement below this, as part of the size of the mechanism, is rounding.
+const STANDING: f64 = 1e-12;
 
 /// Why a point has no stroke.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoStroke {
     /// Its displacement is too small: this distance along the axis, m.
     Stands(f64),
-    /// It runs through infinity: a displacement of this many meters was found.
+    /// It runs through infinity near this coordinate.
     Infinite(f64),
     /// There is no position at this coordinate.
     NoPosition(f64, String),
@@ -85,6 +88,8 @@ struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
     at: [f64; 2],
     axis: [f64; 2],
+    /// Size of the mechanism, m.
+    scale: f64,
 }
 
 impl Along<'_, '_> {
@@ -108,10 +113,25 @@ impl Along<'_, '_> {
                 found.push(low);
             } else if before[2] * after[2] < 0.0 && before[1] * before[2] < 0.0 {
                 found.extend(self.close_pair(low, high, before[1])?);
+            } else if self.runs_back(before, after) {
+                return Err(NoStroke::Infinite(self.pole(low, high, before)));
             }
             before = after;
         }
         Ok(found)
+    }
+
+    /// Whether a point that moves in one direction at both ends of a cell is displaced in the other: it left through infinity,
+    /// and came back from the other side.
+    fn runs_back(&self, before: [f64; 3], after: [f64; 3]) -> bool {
+        let displacement = after[0] - before[0];
+        displacement * before[1] < 0.0 && displacement.abs() > STANDING * self.scale
+    }
+
+    /// Where the point is at infinity in a cell in which it [runs back](Self::runs_back).
+    fn pole(&mut self, low: f64, high: f64, start: [f64; 3]) -> f64 {
+        let on_this_side = |q| self.place(q).is_ok_and(|s| (s[0] - start[0]) * start[1] >= 0.0);
+        bisect(low, high, 0.0, on_this_side)[1]
     }
 
     /// The one reversal between two coordinates.
@@ -144,20 +164,20 @@ impl Stroke {
         scale: f64,
     ) -> Result<Self, NoStroke> {
         let axis = [angle.cos(), angle.sin()];
-        let mut along = Along { body, at, axis };
+        let mut along = Along { body, at, axis, scale };
         let reversals = along.reversals(span)?;
         let end = span.from + span.length;
-        let mut extremes = vec![along.place(span.from)?[0], along.place(end)?[0]];
-        for &q in &reversals {
-            extremes.push(along.place(q)?[0]);
+        let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
+        for q in reversals.iter().copied().chain([span.from, end]) {
+            let place = along.place(q)?[0];
+            if !(place.abs() <= GREATEST_DISTANCE * scale) {
+                return Err(NoStroke::Infinite(q));
+            }
+            (least, greatest) = (least.min(place), greatest.max(place));
         }
-        let least = extremes.iter().copied().fold(f64::INFINITY, f64::min);
-        let travel = extremes.iter().copied().fold(f64::NEG_INFINITY, f64::max) - least;
-        if travel <= 1e-12 * scale {
+        let travel = greatest - least;
+        if travel <= STANDING * scale {
             return Err(NoStroke::Stands(travel));
-        }
-        if travel.is_nan() || travel > GREATEST_TRAVEL * scale {
-            return Err(NoStroke::Infinite(travel));
         }
         let tables = tables.map(Clone::clone);
         let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use proptest::prelude::*;
 
 use super::{at, bodies, compiled, fixture, near};
-use crate::stroke::{Span, Stroke};
+use crate::stroke::{NoStroke, Span, Stroke};
 
 const R: f64 = 0.06;
 const L: f64 = 0.24;
@@ -140,4 +140,27 @@ fn two_reversals_close_together_are_found() {
     near(ends[1], c + d, 1.0);
     assert!(!stroke.piece(c + 2.0 * d, 1.0).0.back && !stroke.piece(c - 2.0 * d, 1.0).0.back);
     assert!(stroke.piece(c + 2.0 * d, -1.0).0.back);
+}
+
+#[test]
+fn a_point_that_runs_through_infinity_has_no_stroke() {
+    // x = 1/(c - q): on both sides of c the point moves in one direction; and x = 1/(q - c)²: it comes back from where it went.
+    let c = 0.3037;
+    let motions: [fn(f64) -> [f64; 3]; 2] = [
+        |u| [-1.0 / u, 1.0 / (u * u), -2.0 / (u * u * u)],
+        |u| [1.0 / (u * u), -2.0 / (u * u * u), 6.0 / (u * u * u * u)],
+    ];
+    let flat = assur_mechanism::Table::constant(1.0);
+    for motion in motions {
+        let mut body = |q: f64| {
+            let mut body = assur_group::Body::<f64>::ground();
+            [body.x, body.x1, body.x2] = motion(q - c);
+            Ok::<_, String>(body)
+        };
+        let span = Span { from: 0.0, length: 1.0, periodic: false };
+        match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0) {
+            Err(NoStroke::Infinite(q)) => near(q, c, 1.0),
+            other => panic!("{other:?}"),
+        }
+    }
 }
