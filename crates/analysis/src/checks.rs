@@ -72,13 +72,17 @@ impl Calculation {
                 continue;
             }
             let Some(Ok(balancing)) = reader.balancing(state) else { continue };
-            let found = loads.reduced(state, &reader.position.bodies);
-            let inertia = found.inertia * state.acceleration;
-            let centrifugal = 0.5 * found.inertia_derivative * state.speed * state.speed;
-            // Where all of these cancel (a steady turn without loads) their rounding is that of J w².
-            let steady = found.inertia * state.speed * state.speed / self.linkage.coordinate_unit();
-            let terms = [balancing, found.moment, inertia, centrifugal, steady].map(f64::abs);
-            largest = terms.into_iter().fold(largest, f64::max);
+            let bodies = &reader.position.bodies;
+            // The load is a sum of the virtual powers of all loads, which may cancel: at rest under dry friction, for example.
+            let mut terms = balancing.abs();
+            loads.by_cause(state, bodies, &mut |_, link, load| {
+                let body = &bodies[link];
+                terms += (load.fx * body.x1).abs() + (load.fy * body.y1).abs() + (load.m * body.w1).abs();
+            });
+            // In a steady turn without loads all of them vanish; the rounding is that of J w².
+            let inertia = loads.reduced(state, bodies).inertia;
+            let steady = inertia * state.speed * state.speed / self.linkage.coordinate_unit();
+            largest = largest.max(terms).max(steady);
             let miss = (balancing - given(state)).abs();
             compared = true;
             // A residual that is NaN must show, and a comparison with it would hide it.

@@ -26,8 +26,8 @@ impl Calculation {
         let steps = (trajectory.statistics.steps + 1) as f64;
         let (residual, limit) = balance.worst(2.0 * asked.tolerance * steps);
         let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
-                      energy; limit: twice the error of the quadrature (from half as many points) and the tolerance of every \
-                      step";
+                      energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
+                      from the change of the power), the rounding of the speed and the tolerance of every step";
         Some(Check::of("work and kinetic energy", residual, limit, "input link", reason))
     }
 
@@ -55,8 +55,44 @@ struct Balance {
     step: f64,
     kinetic: Vec<f64>,
     power: Vec<f64>,
-    /// Whether a piece of a law begins and ends between an instant and the next one, so that the quadrature misses it.
-    steps_over: Vec<bool>,
+    /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed.
+    rounding: Vec<f64>,
+    /// What lies between each instant and the next one.
+    between: Vec<Between>,
+}
+
+/// What the power does between two instants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Between {
+    /// It follows one formula, over less than its time constant.
+    Smooth,
+    /// One formula follows another.
+    Change,
+    /// It can't be known from the two instants: another formula begins and ends between them, or the motion goes through all
+    /// its speeds.
+    Unseen,
+}
+
+impl Between {
+    fn of(before: &Sample, after: &Sample, [piece, next]: [&Piece; 2], fastest: f64) -> Self {
+        let dimensions = [
+            (piece.coordinate, next.coordinate, before.coordinate, after.coordinate),
+            (piece.speed, next.speed, before.speed, after.speed),
+            (piece.time, next.time, before.time, after.time),
+        ];
+        // A piece reaches the state that follows it, or ends where the next one begins.
+        let leaves = |([low, high], _, _, to): &([f64; 2], _, _, f64)| *to < *low || *to > *high;
+        let adjoins = |([low, high], [from, until], start, end): &([f64; 2], [f64; 2], f64, f64)| {
+            let [bound, begin] = if end >= start { [high, from] } else { [low, until] };
+            (begin - bound).abs() <= ROUNDING * bound.abs().max(1.0)
+        };
+        let left = dimensions.iter().filter(|dimension| leaves(dimension));
+        let gain = before.acceleration.abs().max(after.acceleration.abs()) * (after.time - before.time);
+        if gain > fastest || left.clone().any(|dimension| !adjoins(dimension)) {
+            return Self::Unseen;
+        }
+        if left.count() > 0 { Self::Change } else { Self::Smooth }
+    }
 }
 
 impl Balance {
@@ -64,29 +100,32 @@ impl Balance {
         let samples = &trajectory.samples;
         let step =
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;
-        let mut found = Self { step, kinetic: Vec::new(), power: Vec::new(), steps_over: Vec::new() };
-        for (index, &Sample { time, coordinate, speed, acceleration }) in samples.iter().enumerate() {
+        let on_speed = motion.dependence().moment_on_speed;
+        let (mut kinetic, mut power, mut rounding) = (Vec::new(), Vec::new(), Vec::new());
+        let mut pieces = Vec::new();
+        for &Sample { time, coordinate, speed, acceleration } in samples {
             let state = State { time, coordinate, speed };
-            let piece = motion.enter(&state).unwrap_or(Piece::UNBOUNDED);
-            let next = samples.get(index + 1).map_or(coordinate, |next| next.coordinate);
-            let width = |[low, high]: [f64; 2]| high - low;
-            found
-                .steps_over
-                .push(width(piece.coordinate) < (next - coordinate).abs() || width(piece.time) < step);
+            pieces.push(motion.enter(&state).ok()?);
             if speed == 0.0 {
-                found.kinetic.push(0.0);
-                found.power.push(0.0);
+                kinetic.push(0.0);
+                power.push(0.0);
+                rounding.push(0.0);
                 continue;
             }
-            motion.enter(&state).ok()?;
             let reduced = motion.reduced(&state).ok()?;
-            found.kinetic.push(0.5 * reduced.inertia * speed * speed);
+            kinetic.push(0.5 * reduced.inertia * speed * speed);
             // At a speed that is held the moments have the value that holds it.
             let held = 0.5 * reduced.inertia_derivative * speed * speed;
             let moment = if acceleration == 0.0 { held } else { reduced.moment };
-            found.power.push(moment * speed);
+            power.push(moment * speed);
+            let beside = State { speed: speed * (1.0 + f64::EPSILON), ..state };
+            let change = if on_speed { motion.reduced(&beside).ok()?.moment - reduced.moment } else { 0.0 };
+            rounding.push((change * speed).abs());
         }
-        Some(found)
+        let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
+        let pairs = samples.windows(2).zip(pieces.windows(2));
+        let between = pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest)).collect();
+        Some(Self { step, kinetic, power, rounding, between })
     }
 
     /// The residual nearest to its limit, both as parts of the largest energy; `own`: error of the motion itself.
@@ -95,24 +134,38 @@ impl Balance {
         let scale = self.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let mut worst = (0.0, own + ROUNDING);
         for start in (0..self.power.len().saturating_sub(4)).step_by(4) {
-            let p = &self.power[start..=start + 4];
-            let fine = self.step / 3.0 * (p[0] + 4.0 * p[1] + 2.0 * p[2] + 4.0 * p[3] + p[4]);
-            let coarse = 2.0 * self.step / 3.0 * (p[0] + 4.0 * p[2] + p[4]);
+            let (fine, uncertain) = self.panel(start);
             work += fine;
             size += fine.abs();
-            error += (fine - coarse).abs();
-            if self.steps_over.iter().skip(start).take(4).any(|over| *over) {
-                // A piece that is shorter than a step can't be checked with these steps.
-                error += (self.kinetic[start + 4] - self.kinetic[start] - fine).abs();
-            }
+            error += uncertain;
             let total = scale.max(size);
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
-            let limit = 2.0 * error / total + own + ROUNDING;
+            let limit = error / total + own + ROUNDING;
             if residual / limit >= worst.0 / worst.1 {
                 worst = (residual, limit);
             }
         }
         worst
+    }
+
+    /// The work over four steps by Simpson's rule, and its greatest error.
+    fn panel(&self, start: usize) -> (f64, f64) {
+        let p = &self.power[start..=start + 4];
+        let fine = self.step / 3.0 * (p[0] + 4.0 * p[1] + 2.0 * p[2] + 4.0 * p[3] + p[4]);
+        let coarse = 2.0 * self.step / 3.0 * (p[0] + 4.0 * p[2] + p[4]);
+        let trapezoids = self.step * (0.5 * p[0] + p[1] + p[2] + p[3] + 0.5 * p[4]);
+        let between = &self.between[start..start + 4];
+        let mut error = 2.0 * (fine - coarse).abs();
+        let rounding = self.step * self.rounding[start..start + 4].iter().sum::<f64>();
+        if between.contains(&Between::Change) {
+            // The power lies between its two values in every step: so far a trapezoid may be off.
+            let variation: f64 = p.windows(2).map(|two| (two[1] - two[0]).abs()).sum();
+            error = error.max((fine - trapezoids).abs() + 0.5 * self.step * variation);
+        }
+        if between.contains(&Between::Unseen) {
+            error += (self.kinetic[start + 4] - self.kinetic[start] - fine).abs();
+        }
+        (fine, error + rounding)
     }
 }
 

@@ -74,7 +74,8 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
     }
 }
 
-/// Least and greatest value of a table within a tolerance of the argument: at a jump within it, both sides count.
+/// Least and greatest value of a table within a tolerance of the argument. Near a row, the formulas of both sides count,
+/// continued by the tolerance: at a jump both values, at a steep line what it gains over the rounding of the argument.
 fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
     let first = table.rows.first().map_or(0.0, |row| row[0]);
     let place = |x: f64| period.map_or(x, |period| first + (x - first).rem_euclid(period));
@@ -83,10 +84,17 @@ fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2
         period.map_or(distance, |period| distance.min((period - distance).abs()))
     };
     let beside = [x - tolerance, x, x + tolerance].map(|x| table.at(place(x)));
-    let rows = table.rows.iter().filter(|row| apart(row[0]) <= tolerance).map(|row| row[1]);
+    let near = table.rows.iter().enumerate().filter(|(_, row)| apart(row[0]) <= tolerance);
+    let at_rows = near.flat_map(|(index, [row, _])| {
+        // The argument is at most one tolerance from the row, and rounded by another.
+        let ends = [row - 2.0 * tolerance, row + 2.0 * tolerance];
+        [index, index + 1].into_iter().flat_map(move |segment| ends.map(|x| table.at_segment(segment, x)))
+    });
+    // Between the two rows of a jump there is no formula.
+    let at_rows = at_rows.filter(|value| value.is_finite());
     beside
         .into_iter()
-        .chain(rows)
+        .chain(at_rows)
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use assur_force::{Cause, Loads, State};
+use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Spring, Value};
 
@@ -145,19 +145,12 @@ impl<'a> Writer<'a> {
         let input = &self.mechanism.input;
         let body = &now.bodies[place.link];
         let arm = body.arm(place.at);
-        let sense = if now.state.speed == 0.0 { input.sign() } else { now.state.speed.signum() };
-        let [low, high] = sizes(
-            value,
-            &At {
-                state: now.state,
-                point: body.point(place.at),
-                pf1: body.first(arm),
-                extremes,
-                sense,
-                period: input.period(),
-                scale: self.scale,
-            },
-        );
+        let [one, other] = senses(now.state, input.sign()).map(|sense| {
+            let (point, pf1) = (body.point(place.at), body.first(arm));
+            let (period, scale) = (input.period(), self.scale);
+            sizes(value, &At { state: now.state, point, pf1, extremes, sense, period, scale })
+        });
+        let [low, high] = [one[0].min(other[0]), one[1].max(other[1])];
         // Not clamp(): it panics for NaN bounds, and here NaN must appear as a failed check.
         if given < low || !low.is_finite() {
             low
@@ -261,5 +254,16 @@ impl<'a> Writer<'a> {
             before = before.min((period - before).abs().max(1e-9));
         }
         if before.abs() <= 1e-9 || after.abs() <= 1e-9 { None } else { Some(before > 0.0 && after > 0.0) }
+    }
+}
+
+/// The directions of the motion of the input at a state, 1 or -1: a motion that is held has both; one that begins or ends
+/// at rest has that of its acceleration, or of the input if there is none.
+fn senses(state: &State, of_input: f64) -> [f64; 2] {
+    let ahead = if state.side == Side::Before { -state.acceleration } else { state.acceleration };
+    let mut directions = [state.speed, ahead].into_iter().filter(|direction| *direction != 0.0);
+    match (directions.next(), state.side) {
+        (None, Side::Held { .. }) => [1.0, -1.0],
+        (direction, _) => [direction.unwrap_or(of_input).signum(); 2],
     }
 }

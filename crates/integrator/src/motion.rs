@@ -77,8 +77,18 @@ impl State {
 
 impl std::fmt::Display for State {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "t = {:.9} s, q = {:.9}, w = {:.9}", self.time, self.coordinate, self.speed)
+        let shown = |value: f64| if value.is_finite() { format!("{value:.9}") } else { OUT_OF_RANGE.to_owned() };
+        let [time, coordinate, speed] = [self.time, self.coordinate, self.speed].map(shown);
+        write!(f, "t = {time} s, q = {coordinate}, w = {speed}")
     }
+}
+
+/// How a quantity is shown that has outgrown all numbers, or followed from one that has.
+const OUT_OF_RANGE: &str = "(out of range)";
+
+/// A quantity of an error in scientific notation.
+fn scientific(value: f64) -> String {
+    if value.is_finite() { format!("{value:e}") } else { OUT_OF_RANGE.to_owned() }
 }
 
 /// The coefficients of the equation at one state.
@@ -196,15 +206,17 @@ pub trait Motion {
 #[non_exhaustive]
 pub enum MotionError {
     /// The reduced inertia is zero or negative.
-    #[error("the reduced inertia is {inertia:e}: it must be positive (give some moving link a mass)")]
+    #[error("the reduced inertia is {}: it must be positive (give some moving link a mass)", scientific(*inertia))]
     Inertia {
         /// The reduced inertia, kg m².
         inertia: f64,
     },
     /// The acceleration is not a number.
     #[error(
-        "the acceleration is not finite, with the reduced inertia {inertia:e} and the reduced moment {moment:e}: where the links \
-         that move have no inertia, as at a dead center, give the input link some"
+        "the acceleration is not finite, with the reduced inertia {} and the reduced moment {}: where the links that move have \
+         no inertia, as at a dead center, give the input link some",
+        scientific(*inertia),
+        scientific(*moment)
     )]
     NotFinite {
         /// Reduced inertia, kg m² (kg).

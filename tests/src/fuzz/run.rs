@@ -67,8 +67,8 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
         Ok(mechanism) => mechanism,
         Err(errors) => {
             let message = errors.to_string();
-            // The fault shows the line of the scene, with whatever stands there.
-            clean("fault of the scene", &message.replace("nan", "").replace("inf", ""))?;
+            // A fault of a number says that `inf` is none.
+            clean("fault of the scene", &message, "inf")?;
             if !message.contains("scene.toml, line ") {
                 return Err(Finding::new("fault without a place", message));
             }
@@ -86,7 +86,7 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     let calculation = match Calculation::of(mechanism, &Options::default(), &mut watch) {
         Ok(calculation) => calculation,
         Err(error) => {
-            clean("error", &error.to_string())?;
+            clean("error", &error.to_string(), scene)?;
             return Ok(Outcome::Unsolved);
         }
     };
@@ -96,13 +96,13 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     let written = writer::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;
     let report = text::report(&analysis, &calculation.linkage.mechanism, true);
-    clean("report", &report.map_err(|why| Finding::new("not finite", why))?)?;
+    clean("report", &report.map_err(|why| Finding::new("not finite", why))?, scene)?;
     for file in csv::to_csv(&analysis, true).map_err(|why| Finding::new("CSV", why))? {
         unique_columns(&file.text)?;
     }
     let messages = analysis.failures.iter().map(|failure| &failure.message).chain(&analysis.no_motion);
     for message in messages {
-        clean("error", message)?;
+        clean("error", message, scene)?;
     }
     let failed = analysis.checks.iter().find(|check| check.failed());
     match failed {
@@ -119,10 +119,10 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     }
 }
 
-/// A text for a person has no number that is none, and no character that a terminal obeys.
-fn clean(what: &'static str, text: &str) -> Result<(), Finding> {
-    let words = || text.split(|c: char| !c.is_alphanumeric());
-    if words().any(|word| word == "NaN" || word == "inf") {
+/// A text for a person has no number that is none, unless the scene has that word, and no character that a terminal obeys.
+fn clean(what: &'static str, text: &str, scene: &str) -> Result<(), Finding> {
+    let has = |text: &str, word: &str| text.split(|c: char| !c.is_alphanumeric()).any(|other| other == word);
+    if ["NaN", "inf"].into_iter().any(|word| has(text, word) && !has(scene, word)) {
         return Err(Finding::new("NaN or inf in a text", format!("{what}: {text}")));
     }
     match text.chars().find(|c| c.is_control() && *c != '\n') {

@@ -1,11 +1,16 @@
 //! The balance of energy accepts a motion that keeps it, and no other.
 
-use super::{Balance, INTERVALS};
+use super::{Balance, Between, INTERVALS};
 
 /// T = sin² t, so that the power is sin 2t; from `jump` on another power acts, times `factor`.
 fn balance(jump: f64, factor: f64, wrong: f64) -> Balance {
     let step = 2.0 / INTERVALS as f64;
-    let mut found = Balance { step, kinetic: Vec::new(), power: Vec::new(), steps_over: Vec::new() };
+    let between = (0..INTERVALS).map(|i| {
+        let [before, after] = [i, i + 1].map(|i| i as f64 * step > jump);
+        if before == after { Between::Smooth } else { Between::Change }
+    });
+    let (kinetic, power, rounding) = (Vec::new(), Vec::new(), vec![0.0; INTERVALS + 1]);
+    let mut found = Balance { step, kinetic, power, rounding, between: between.collect() };
     for i in 0..=INTERVALS {
         let t = i as f64 * step;
         let after = if t > jump { factor } else { 0.0 };
@@ -43,13 +48,14 @@ fn a_motion_that_gains_energy_is_refused() {
 fn what_lies_between_two_points_proves_nothing() {
     // A moment that acts within the first step alone: the energy is there, the quadrature sees no power.
     let energy = |i: usize| if i == 0 { 0.0 } else { 1.0 };
-    let seen = |steps_over: bool| {
+    let seen = |between: Between| {
         let kinetic = (0..=8).map(energy).collect();
-        let found = Balance { step: 1.0, kinetic, power: vec![0.0; 9], steps_over: vec![steps_over; 9] };
+        let (power, rounding, between) = (vec![0.0; 9], vec![0.0; 9], vec![between; 8]);
+        let found = Balance { step: 1.0, kinetic, power, rounding, between };
         let (residual, limit) = found.worst(1e-9);
         let check = assur_check::Check::of("work", residual, limit, "", "");
         (check.judged, check.ok)
     };
-    assert_eq!(seen(true), (false, false));
-    assert_eq!(seen(false), (true, false));
+    assert_eq!(seen(Between::Unseen), (false, false));
+    assert_eq!(seen(Between::Smooth), (true, false));
 }
