@@ -120,7 +120,8 @@ fn every_kept_scene_has_its_right_answer() {
     let mut wrong = Vec::new();
     for (name, scene) in corpus().unwrap() {
         let answer = ANSWERS.iter().find(|(known, _)| *known == name);
-        let why = answer.map_or(Some("no right answer is known".to_owned()), |(_, answer)| fault(&scene, answer));
+        let why =
+            answer.map_or(Some("no right answer is known".to_owned()), |(_, answer)| fault(&scene, answer));
         wrong.extend(why.map(|why| format!("{name}: {why}")));
     }
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));

@@ -77,7 +77,8 @@ impl State {
 
 impl std::fmt::Display for State {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let shown = |value: f64| if value.is_finite() { format!("{value:.9}") } else { OUT_OF_RANGE.to_owned() };
+        let shown =
+            |value: f64| if value.is_finite() { format!("{value:.9}") } else { OUT_OF_RANGE.to_owned() };
         let [time, coordinate, speed] = [self.time, self.coordinate, self.speed].map(shown);
         write!(f, "t = {time} s, q = {coordinate}, w = {speed}")
     }
