@@ -48,6 +48,8 @@ pub(crate) enum Command {
     Stability(StabilityArgs),
     /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
     Geometry(super::geometry::GeometryArgs),
+    /// Shaking force and moment on the ground, harmonics, and the counterweights that make the force least
+    Shaking(super::shaking::ShakingArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point
     Sweep(super::sweep::SweepArgs),
     /// List every registered group, force analyzer, integrator and catalogue

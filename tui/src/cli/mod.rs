@@ -13,6 +13,7 @@ mod options;
 mod output;
 mod plans;
 mod scene;
+mod shaking;
 mod shell;
 mod stability;
 mod starter;
@@ -80,6 +81,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Chart(args)) => chart::run(&args, style),
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Geometry(args)) => geometry::run(&args, style),
+        Some(Command::Shaking(args)) => shaking::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),

@@ -2,6 +2,7 @@
 
 mod analysis;
 mod geometry;
+mod shaking;
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -13,6 +14,7 @@ use crate::to_ascii;
 
 pub use analysis::{CsvFile, FILES, to_csv};
 pub use geometry::geometry;
+pub use shaking::shaking;
 
 /// A table can't be written as CSV.
 #[derive(Debug, thiserror::Error)]

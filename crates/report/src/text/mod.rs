@@ -11,6 +11,7 @@ mod layout;
 mod measured;
 mod motion;
 mod number;
+mod shaking;
 mod structure;
 mod units;
 
@@ -23,6 +24,7 @@ use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;
 pub use measured::geometry;
+pub use shaking::shaking;
 use units::Units;
 
 /// The data of a report.

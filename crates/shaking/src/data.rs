@@ -1,0 +1,103 @@
+//! Shaking force and counterweights as data that serializes itself.
+
+use serde::Serialize;
+
+/// Shaking force and moment of a mechanism over its cycle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Shaking {
+    /// Version of the format.
+    pub format: u32,
+    /// Title of the scene.
+    pub title: String,
+    /// Whether coordinates are angles, rad; otherwise m.
+    pub angular: bool,
+    /// Sizes without counterweights.
+    pub before: Size,
+    /// Harmonics without counterweights, from order 0.
+    pub harmonics: Vec<Harmonic>,
+    /// Counterweights, by the links that carry them and by criterion; empty where no link turns about the ground.
+    pub balances: Vec<Balanced>,
+    /// The positions of the scene.
+    pub positions: Vec<AtPosition>,
+}
+
+/// How large shaking force and moment are over the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Size {
+    /// Greatest modulus of the force, N.
+    pub greatest_force: f64,
+    /// Root of the mean square of the force over the coordinate, N.
+    pub rms_force: f64,
+    /// Greatest moment about the origin by absolute value, N m.
+    pub greatest_moment: f64,
+    /// Root of the mean square of the moment over the coordinate, N m.
+    pub rms_moment: f64,
+}
+
+/// One harmonic: the factors of cos(k q) and sin(k q), where k q makes `order` whole turns in a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Harmonic {
+    /// Number of periods in a cycle; 0: the mean, without factor of the sine.
+    pub order: usize,
+    /// Of the force along x, N.
+    pub x: [f64; 2],
+    /// Of the force along y, N.
+    pub y: [f64; 2],
+    /// Of the moment about the origin, N m.
+    pub moment: [f64; 2],
+    /// Of the torque (sliding input: force) that the input needs for the motion under all loads, N m (N).
+    pub torque: [f64; 2],
+}
+
+/// What a counterweight is to make least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// The mean square of the shaking force.
+    LeastSquares,
+    /// The greatest modulus of the shaking force.
+    LeastMaximum,
+}
+
+/// The mechanism with counterweights on some links.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Balanced {
+    /// What is least.
+    pub criterion: Criterion,
+    /// The counterweights.
+    pub counterweights: Vec<Counterweight>,
+    /// Sizes with them.
+    pub after: Size,
+}
+
+/// A point mass fixed to a link that turns about the ground.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Counterweight {
+    /// The link.
+    pub link: String,
+    /// Mass times radius, kg m.
+    pub product: f64,
+    /// Its direction from the pin on the ground, in the frame of the link, rad.
+    pub angle: f64,
+    /// Radius at which it is put: the greatest distance of a point of the link from its pin, m.
+    pub radius: f64,
+    /// Mass at this radius, kg.
+    pub mass: f64,
+}
+
+/// One position of the scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AtPosition {
+    /// Number of the position.
+    pub index: usize,
+    /// Its coordinate, rad or m.
+    pub coordinate: f64,
+    /// Shaking force without counterweights, N.
+    pub force: [f64; 2],
+    /// Shaking moment about the origin without counterweights, N m.
+    pub moment: f64,
+    /// Torque (sliding input: force) that the input needs for the motion under all loads, N m (N).
+    pub torque: f64,
+    /// Shaking force with the counterweights of each of [`Shaking::balances`], N.
+    pub balanced: Vec<[f64; 2]>,
+}

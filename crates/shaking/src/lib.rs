@@ -1,0 +1,22 @@
+//! What a mechanism does to its foundation: shaking force and shaking moment over the cycle, their harmonics, and the
+//! counterweights that make the shaking force least; beside them the harmonics of the input torque.
+//!
+//! The shaking force is the sum of the inertia loads -m a of all moving links, the shaking moment the sum of their moments
+//! about the origin of the ground, with -I e of each link. They act on the ground in addition to the applied loads.
+//! A link that turns about a pin on the ground can carry a counterweight; the shaking force depends linearly on its mass
+//! times radius, so that the best one is found without iteration (least squares) or as a convex problem (least maximum).
+//!
+//! SI units, angles in rad.
+
+mod barrier;
+mod counterweight;
+mod data;
+mod error;
+mod harmonics;
+mod linear;
+mod samples;
+mod study;
+
+pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Shaking, Size};
+pub use error::ShakingError;
+pub use study::shaking;

@@ -1,0 +1,114 @@
+//! Shaking force and moment, and what a unit counterweight adds, at one coordinate.
+
+use assur_force::{Loads, State};
+use assur_group::plane::{minus, perp, plus, scaled};
+use assur_group::{Body, Order, Wrench};
+use assur_kinematics::{Linkage, Position, PositionError};
+use assur_mechanism::{GROUND, LinkId};
+
+/// A link that turns about a pin on the ground, and so may carry a counterweight.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Carrier {
+    pub(crate) link: LinkId,
+    /// The pin in the frame of the ground, m.
+    pub(crate) pin: [f64; 2],
+    /// Greatest distance of a point of the link from the pin, m.
+    pub(crate) radius: f64,
+}
+
+/// The links that turn about a pin on the ground, the input link first.
+pub(crate) fn carriers(linkage: &Linkage) -> Vec<Carrier> {
+    let mechanism = &linkage.mechanism;
+    let carrier = |link: LinkId| {
+        let pin = mechanism.points.iter().find_map(|point| {
+            let place =
+                |link: LinkId| point.places.iter().find(|place| place.link == link).map(|place| place.at);
+            Some((place(GROUND)?, place(link)?))
+        });
+        let (pin, own) = pin?;
+        let places = mechanism.points.iter().flat_map(|point| &point.places);
+        let arms = places.filter(|place| place.link == link).map(|place| minus(place.at, own));
+        let radius = arms.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        (radius > 0.0).then_some(Carrier { link, pin, radius })
+    };
+    let mut found: Vec<_> = (1..mechanism.links.len()).filter_map(carrier).collect();
+    found.sort_by_key(|carrier| carrier.link != mechanism.input.link);
+    found
+}
+
+/// Forces and moments on the ground at one coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sample {
+    pub(crate) coordinate: f64,
+    /// Shaking force, N.
+    pub(crate) force: [f64; 2],
+    /// Shaking moment about the origin, N m.
+    pub(crate) moment: f64,
+    /// Torque that the input needs, N m.
+    pub(crate) torque: f64,
+    /// For each carrier.
+    pub(crate) units: Vec<Unit>,
+}
+
+/// The shaking force of a counterweight of 1 kg m: along the x axis of the link, and along its y axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Unit {
+    pub(crate) forces: [[f64; 2]; 2],
+    /// The pin, m.
+    pin: [f64; 2],
+    /// Shaking moment of 1 kg m² about the pin, N m.
+    turning: f64,
+}
+
+impl Unit {
+    fn of(carrier: &Carrier, body: &Body<f64>, state: &State) -> Self {
+        let (w, e) =
+            (body.w1 * state.speed, body.w2 * state.speed * state.speed + body.w1 * state.acceleration);
+        // -m a of a point at the arm r from the pin: m (w² r - e x r).
+        let force = |axis: [f64; 2]| plus(scaled(w * w, axis), scaled(-e, perp(axis)));
+        let along = [body.c, body.s];
+        Self { forces: [force(along), force(perp(along))], pin: carrier.pin, turning: -e }
+    }
+
+    /// Force of a counterweight, given by its mass times radius in the frame of the link, kg m.
+    pub(crate) fn force(&self, product: [f64; 2]) -> [f64; 2] {
+        plus(scaled(product[0], self.forces[0]), scaled(product[1], self.forces[1]))
+    }
+
+    /// Its moment about the origin when it is put at a radius, N m.
+    pub(crate) fn moment(&self, product: [f64; 2], radius: f64) -> f64 {
+        let [fx, fy] = self.force(product);
+        self.pin[0] * fy - self.pin[1] * fx + self.turning * product[0].hypot(product[1]) * radius
+    }
+}
+
+/// Calculates samples.
+pub(crate) struct Sampler<'a> {
+    linkage: &'a Linkage,
+    loads: &'a Loads,
+    state: &'a dyn Fn(f64) -> State,
+    pub(crate) carriers: Vec<Carrier>,
+    position: Position,
+}
+
+impl<'a> Sampler<'a> {
+    pub(crate) fn new(linkage: &'a Linkage, loads: &'a Loads, state: &'a dyn Fn(f64) -> State) -> Self {
+        Self { linkage, loads, state, carriers: carriers(linkage), position: linkage.position() }
+    }
+
+    pub(crate) fn at(&mut self, coordinate: f64) -> Result<Sample, PositionError> {
+        self.linkage.solve(coordinate, Order::Second, &mut self.position)?;
+        let (bodies, state) = (&self.position.bodies, (self.state)(coordinate));
+        let mut wrenches = vec![Wrench::ZERO; bodies.len()];
+        self.loads.inertia(&state, bodies, &mut wrenches);
+        let mut total = Wrench::ZERO;
+        for (body, wrench) in bodies.iter().zip(&wrenches) {
+            total.add_at([body.x, body.y], wrench.force(), wrench.m);
+        }
+        let reduced = self.loads.reduced(&state, bodies);
+        let inertia = reduced.inertia * state.acceleration;
+        let torque = inertia + 0.5 * reduced.inertia_derivative * state.speed * state.speed - reduced.moment;
+        let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
+        Ok(Sample { coordinate, force: total.force(), moment: total.m, torque, units: units.collect() })
+    }
+}
