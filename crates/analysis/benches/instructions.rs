@@ -134,8 +134,7 @@ fn forces(runs: usize, all: bool) {
     for q in coordinates(runs) {
         let _ = linkage.solve(q, Order::Second, &mut position);
         let state = State::prescribed(&linkage.mechanism, q);
-        loads.apply(&state, &position.bodies, &mut wrenches);
-        loads.inertia(&state, &position.bodies, &mut wrenches);
+        loads.evaluate(&state, &position.bodies, &mut wrenches);
         let _ = black_box(analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out));
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use assur_force::{
-    AnalyzerPlugin, ForceError, JointReaction, Loads, Reactions, State, applicable, joint_reactions,
+    AnalyzerPlugin, ForceError, Joint, JointReaction, Loads, Reactions, State, applicable, joints,
 };
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
@@ -49,6 +49,7 @@ impl<'a> Reader<'a> {
             (Some(loads), Some(analyzer)) => Some(Forces {
                 loads,
                 analyzer,
+                joints: joints(linkage),
                 wrenches: vec![Wrench::ZERO; linkage.structure.links],
                 reactions: Reactions::new(linkage).without_idle(&plan.groups_carrying),
             }),
@@ -161,6 +162,7 @@ impl Transfers {
 struct Forces<'a> {
     loads: &'a Loads,
     analyzer: &'static AnalyzerPlugin,
+    joints: Vec<Joint>,
     wrenches: Vec<Wrench<f64>>,
     reactions: Reactions,
 }
@@ -168,8 +170,7 @@ struct Forces<'a> {
 impl Forces<'_> {
     /// The balancing load; the reactions are kept.
     fn solve(&mut self, linkage: &Linkage, state: &State, position: &Position) -> Result<f64, ForceError> {
-        self.loads.apply(state, &position.bodies, &mut self.wrenches);
-        self.loads.inertia(state, &position.bodies, &mut self.wrenches);
+        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         self.analyzer.instance.solve(linkage, position, &mut self.wrenches, &mut self.reactions)?;
         Ok(self.reactions.balancing)
     }
@@ -181,7 +182,8 @@ impl Forces<'_> {
         wanted: &Wanted,
         names: &Names,
     ) -> Named<PairReaction> {
-        let joints = joint_reactions(linkage, &self.reactions);
+        let found = self.joints.iter().map(|joint| joint.reaction(&self.reactions.pairs));
+        let joints: Vec<_> = found.collect();
         let each = joints.iter().flat_map(|joint| &joint.forces);
         let greatest = each.map(|(_, force)| force[0].hypot(force[1])).fold(0.0, f64::max);
         let reactions: HashSet<PairId> = wanted.reactions.iter().copied().collect();

@@ -98,9 +98,10 @@ impl Sums<'_> {
     fn add_balancing(&mut self, size: f64) {
         let (mechanism, bodies) = (&self.linkage.mechanism, &self.one.position.bodies);
         let origin = |link: LinkId| [bodies[link].x, bodies[link].y];
-        if let Some(unit) = UnitBalance::of(mechanism, bodies) {
-            let force = unit.wrench.force().map(|f| size * f);
-            self.add_at(unit.link, origin(unit.link), force, size * unit.wrench.m);
+        if let Some(unit) = UnitBalance::of(mechanism) {
+            let wrench = unit.wrench(bodies);
+            let force = wrench.force().map(|f| size * f);
+            self.add_at(unit.link, origin(unit.link), force, size * wrench.m);
             return;
         }
         let link = mechanism.input.link;

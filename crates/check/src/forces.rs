@@ -1,6 +1,6 @@
 //! The checks of forces: loads, reduced quantities, equilibrium, agreement of methods, power.
 
-use assur_force::{Loads, State, joint_reactions};
+use assur_force::{Joint, Loads, State, joints};
 use assur_group::Wrench;
 
 use crate::case::{Case, ROUNDINGS};
@@ -17,6 +17,7 @@ pub(crate) struct Forces<'a> {
     subject: &'a Subject<'a>,
     loads: &'a Loads,
     writer: Writer<'a>,
+    joints: Vec<Joint>,
     written: Collector,
     balance: [Collector; 3],
     agreement: Collector,
@@ -30,6 +31,7 @@ impl<'a> Forces<'a> {
             subject,
             loads,
             writer: Writer::new(subject),
+            joints: joints(subject.linkage),
             written: Collector::new("loads", reason),
             balance: equilibrium::collectors(),
             agreement: agreement::collector(),
@@ -57,7 +59,7 @@ impl<'a> Forces<'a> {
             all.for_each(|collector| collector.leave_out(index, NO_ANSWER));
             return;
         };
-        let joints = joint_reactions(subject.linkage, reactions);
+        let joints = self.joints.iter().map(|joint| joint.reaction(&reactions.pairs)).collect();
         let case = Case { subject, loads, one, state, items, answers: &answers, full, reactions, joints };
         agreement::compare(&case, &mut self.agreement);
         equilibrium::compare(&case, &mut self.balance);

@@ -32,7 +32,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;
     let scale = linkage.structure.scale;
-    let unit_power = UnitBalance::of(&linkage.mechanism, bodies).map_or(1.0, |unit| unit.power(bodies));
+    let unit_power = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
     let balancing = case.reactions.balancing * unit_power;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];

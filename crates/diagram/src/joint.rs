@@ -1,6 +1,6 @@
 //! Reactions of joints as plain data.
 
-use assur_force::{Reactions, joint_reactions};
+use assur_force::{Reactions, joints};
 use assur_kinematics::Linkage;
 use assur_structure::name_of;
 use serde::Serialize;
@@ -23,13 +23,13 @@ pub struct JointForce {
 pub fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<JointForce> {
     let mechanism = &linkage.mechanism;
     let mut list = Vec::new();
-    for joint in joint_reactions(linkage, reactions) {
-        for (nth, (link, force)) in joint.forces.iter().enumerate() {
+    for joint in joints(linkage) {
+        for (nth, link) in joint.links.iter().enumerate() {
             list.push(JointForce {
-                joint: name_of(mechanism, joint.joint).to_owned(),
+                joint: name_of(mechanism, joint.id).to_owned(),
                 on: mechanism.links[*link].name.clone(),
-                force: *force,
-                moment: joint.moment.filter(|_| nth == 0),
+                force: joint.force(nth, &reactions.pairs),
+                moment: joint.moment(&reactions.pairs).filter(|_| nth == 0),
             });
         }
     }

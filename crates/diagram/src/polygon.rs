@@ -60,8 +60,8 @@ fn balancing_force(
     reactions: &Reactions,
 ) -> Option<(LinkId, [f64; 2])> {
     let mechanism = &linkage.mechanism;
-    let (link, unit) = match UnitBalance::of(mechanism, &position.bodies) {
-        Some(unit) => (unit.link, unit.wrench.force()),
+    let (link, unit) = match UnitBalance::of(mechanism) {
+        Some(unit) => (unit.link, unit.wrench(&position.bodies).force()),
         None => match mechanism.input.pair {
             InputPair::Pin(_) => return None,
             InputPair::Slide(_) => {

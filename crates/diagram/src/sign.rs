@@ -240,8 +240,7 @@ impl<'a> Across<'a> {
         let Solver { linkage, loads, analyzer, order, .. } = self.solver;
         linkage.solve(coordinate, order, &mut self.position)?;
         let bodies = &self.position.bodies;
-        loads.apply(&state, bodies, &mut self.wrenches);
-        loads.inertia(&state, bodies, &mut self.wrenches);
+        loads.evaluate(&state, bodies, &mut self.wrenches);
         analyzer.solve(linkage, &self.position, &mut self.wrenches, &mut self.out)?;
         let force = |&(slide, pair): &(usize, usize)| {
             let slide = &linkage.mechanism.slides[slide];

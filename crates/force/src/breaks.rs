@@ -66,7 +66,10 @@ impl Breaks {
     #[inline]
     pub(crate) fn shift(&self, coordinate: f64) -> f64 {
         match (self.period, self.points.first()) {
-            (Some(period), Some(first)) => ((coordinate - first) / period).floor() * period,
+            // Most coordinates are in the first cycle; the rest pays for division and floor.
+            (Some(period), Some(first)) if !(*first..first + period).contains(&coordinate) => {
+                ((coordinate - first) / period).floor() * period
+            }
             _ => 0.0,
         }
     }

@@ -7,6 +7,7 @@ use assur_mechanism::{
 };
 
 use crate::breaks::Breaks;
+use crate::curve::Curve;
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
 use crate::reversal::rests;
@@ -152,15 +153,15 @@ impl Compiler<'_> {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
                 let period = if *repeat { self.mechanism.input.period() } else { None };
-                Ok(Law::over_coordinate(table.clone(), period))
+                Ok(Law::over_coordinate(Curve::of(table), period))
             }
             Value::Table { over: Over::Speed, table, .. } => {
                 needs_motion(self.mechanism, name, "a table over the speed")?;
-                Ok(Law::Speed(table.clone()))
+                Ok(Law::Speed(Curve::of(table)))
             }
             Value::Table { over: Over::Time, table, .. } => {
                 needs_motion(self.mechanism, name, "a table over time")?;
-                Ok(Law::Time(table.clone()))
+                Ok(Law::Time(Curve::of(table)))
             }
             Value::Stroke { axis, forward, back } => {
                 let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;

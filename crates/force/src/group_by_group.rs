@@ -1,35 +1,107 @@
-//! Kinetostatics group by group, for any scalar type: from the last group to the input link (S, stage 9).
+//! Kinetostatics group by group, for any number type: from the last group to the input link (S, stage 9).
 
-use assur_group::{AssurGroup, Body, Number, Pair, PairGeometry, Wrench, plane};
+use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane};
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
-/// Finds the reactions of all groups, from the last to the first, and then the equilibrium of the input link; returns
-/// the load of the drive at the input: a moment (N m), or a force along the guide (N).
+use crate::balance::IdleBalance;
+use crate::{ForceError, Reactions, UnitBalance};
+
+/// Why there are no reactions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unsolved {
+    /// A group can't be solved: its index and the reason.
+    Group(usize, GroupError),
+    /// The balancing load does no work.
+    Idle(IdleBalance),
+}
+
+impl Unsolved {
+    /// The error in words, for one position.
+    #[cold]
+    pub fn explain(&self, linkage: &Linkage, coordinate: f64) -> ForceError {
+        match self {
+            Self::Group(index, source) => {
+                let group = linkage.structure.group_name(&linkage.mechanism, *index);
+                ForceError::Group { group, coordinate, source: *source }
+            }
+            Self::Idle(idle) => idle.explain(linkage, coordinate),
+        }
+    }
+}
+
+/// The mechanism in one number type.
+struct Groups<'a, T, S> {
+    linkage: &'a Linkage,
+    groups: &'a [Box<dyn AssurGroup<T>>],
+    bodies: &'a [Body<T>],
+    solve: S,
+}
+
+/// Finds the reactions of all groups, from the last to the first, then those of the input link, and the balancing load.
 ///
 /// `loads`: one wrench for each body about the origin of its frame; each group adds its reactions on the bodies that
-/// carry it. `pairs`: the reaction on body `a` of each pair. `solve` finds the reactions of one group, given its
-/// number; it may skip a group, whose reactions then stay unchanged.
+/// carry it. `solve` finds the reactions of one group from its kernel, as [`AssurGroup::reactions`] does.
+///
+/// Where the balancing load acts elsewhere than on the input link, its size follows from linearity: the drive must be
+/// idle under all loads together, M(loads) + B M(unit load) = 0.
 ///
 /// # Errors
 ///
-/// Those of `solve`.
+/// [`Unsolved`] for a group without solution, or a balancing load without work; with lanes, in any lane.
 #[inline]
-pub fn group_by_group<T: Number, E>(
+pub fn group_by_group<T: Number>(
     linkage: &Linkage,
     groups: &[Box<dyn AssurGroup<T>>],
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
-    pairs: &mut [Wrench<T>],
-    mut solve: impl FnMut(usize, &dyn AssurGroup<T>, &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), E>,
-) -> Result<T, E> {
-    for (index, group) in groups.iter().enumerate().rev() {
-        solve(index, group.as_ref(), loads, pairs)?;
+    out: &mut Reactions<T>,
+    solve: impl Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
+) -> Result<(), Unsolved> {
+    let groups = Groups { linkage, groups, bodies, solve };
+    let drive = groups.pass(&out.solved, loads, &mut out.pairs)?;
+    match out.unit {
+        None => out.balancing = drive,
+        Some(unit) => groups.balance(&unit, drive, out)?,
     }
-    let input = linkage.mechanism.input.link;
-    let (reaction, drive) = input_link(&linkage.structure.pairs[0].pair, input, bodies, loads);
-    pairs[0] = reaction;
-    Ok(drive)
+    Ok(())
+}
+
+impl<T, S> Groups<'_, T, S>
+where
+    T: Number,
+    S: Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
+{
+    /// All reactions under these loads, and the load of the drive at the input: a moment (N m), or a force along the
+    /// guide (N).
+    #[inline]
+    fn pass(&self, solved: &[bool], loads: &mut [Wrench<T>], pairs: &mut [Wrench<T>]) -> Result<T, Unsolved> {
+        let each = self.groups.iter().zip(solved).enumerate().rev();
+        for (index, (group, _)) in each.filter(|(_, (_, solved))| **solved) {
+            let found = (self.solve)(group.as_ref(), self.bodies, loads, pairs);
+            found.map_err(|reason| Unsolved::Group(index, reason))?;
+        }
+        let input = self.linkage.mechanism.input.link;
+        let (reaction, drive) = input_link(&self.linkage.structure.pairs[0].pair, input, self.bodies, loads);
+        pairs[0] = reaction;
+        Ok(drive)
+    }
+
+    /// Adds the reactions of the balancing load that makes the drive idle.
+    #[cold]
+    fn balance(&self, unit: &UnitBalance, drive: T, out: &mut Reactions<T>) -> Result<(), Unsolved> {
+        out.scratch_bodies.fill(Wrench::ZERO);
+        out.scratch_bodies[unit.link] = unit.wrench(self.bodies);
+        let unit_drive = self.pass(&out.solved, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
+        let size = unit.size(drive, unit_drive, self.linkage).map_err(Unsolved::Idle)?;
+        for (sum, unit) in out.pairs.iter_mut().zip(&out.scratch_pairs) {
+            sum.fx += size * unit.fx;
+            sum.fy += size * unit.fy;
+            sum.m += size * unit.m;
+        }
+        out.balancing = size;
+        Ok(())
+    }
 }
 
 /// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.

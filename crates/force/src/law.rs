@@ -1,10 +1,10 @@
 //! How the size of a load follows from the state.
 
 use assur_integrator::Piece;
-use assur_mechanism::Table;
 
 use crate::State;
 use crate::breaks::Breaks;
+use crate::curve::Curve;
 use crate::selection::Selection;
 use crate::stroke::{Segment, Stroke};
 
@@ -14,11 +14,11 @@ pub(crate) enum Law {
     /// Constant.
     Constant(f64),
     /// A table over the coordinate.
-    Coordinate(Table, Breaks),
+    Coordinate(Curve, Breaks),
     /// A table over the speed.
-    Speed(Table),
+    Speed(Curve),
     /// A table over time.
-    Time(Table),
+    Time(Curve),
     /// Along the stroke of the load's point.
     Stroke(Box<Stroke>),
 }
@@ -43,18 +43,16 @@ impl Active {
 
 impl Law {
     /// A table over the coordinate; `period`: the table repeats with it, counted from its first row.
-    pub(crate) fn over_coordinate(table: Table, period: Option<f64>) -> Self {
-        let breaks = Breaks::new(table.rows.iter().map(|row| row[0]).collect(), period);
+    pub(crate) fn over_coordinate(table: Curve, period: Option<f64>) -> Self {
+        let breaks = Breaks::new(table.arguments().to_vec(), period);
         Self::Coordinate(table, breaks)
     }
 
     /// Whether all rows have one value, so that the law depends on nothing.
     pub(crate) fn is_constant(&self) -> bool {
-        let flat =
-            |table: &Table| table.rows.iter().all(|row| row[1].to_bits() == table.rows[0][1].to_bits());
         match self {
             Self::Constant(_) => true,
-            Self::Coordinate(table, _) | Self::Speed(table) | Self::Time(table) => flat(table),
+            Self::Coordinate(table, _) | Self::Speed(table) | Self::Time(table) => table.is_flat(),
             Self::Stroke(_) => false,
         }
     }
@@ -91,12 +89,12 @@ impl Law {
             }
             Self::Speed(table) => {
                 let segment = table.segment(side.speed(state));
-                cut(&mut bounds.speed, segment_ends(table, segment));
+                cut(&mut bounds.speed, table.ends(segment));
                 Active::segment(segment, 0.0)
             }
             Self::Time(table) => {
                 let segment = table.segment(side.time(state));
-                cut(&mut bounds.time, segment_ends(table, segment));
+                cut(&mut bounds.time, table.ends(segment));
                 Active::segment(segment, 0.0)
             }
             Self::Stroke(stroke) => {
@@ -112,27 +110,20 @@ impl Law {
     pub(crate) fn value(&self, active: Active, state: &State, point: [f64; 2]) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Coordinate(table, _) => {
-                table.at_segment(active.piece.segment, state.coordinate - active.shift)
-            }
-            Self::Speed(table) => table.at_segment(active.piece.segment, state.speed),
-            Self::Time(table) => table.at_segment(active.piece.segment, state.time),
+            Self::Coordinate(table, _) => table.value(active.piece.segment, state.coordinate - active.shift),
+            Self::Speed(table) => table.value(active.piece.segment, state.speed),
+            Self::Time(table) => table.value(active.piece.segment, state.time),
             Self::Stroke(stroke) => stroke.value(active.piece, point),
         }
     }
 }
 
 #[inline]
-fn on_coordinate(table: &Table, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2]) {
+fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2]) {
     let interval = breaks.interval(ahead);
     // Rounding of the shift must not put a repeated table before its first row.
     let argument = (ahead - interval.shift).max(interval.start);
     (Active::segment(table.segment(argument), interval.shift), interval.ends)
-}
-
-fn segment_ends(table: &Table, segment: usize) -> [f64; 2] {
-    let low = segment.checked_sub(1).map_or(f64::NEG_INFINITY, |before| table.rows[before][0]);
-    [low, table.rows.get(segment).map_or(f64::INFINITY, |row| row[0])]
 }
 
 /// Shrinks an interval to what it has in common with another.

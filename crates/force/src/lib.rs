@@ -4,21 +4,25 @@
 //!   (theory of the project, section 3), energies, smooth pieces for integration.
 //! * [`ForceAnalyzer`]: finds the reactions in all pairs and the balancing load; [`AnalyzerPlugin`] is its entry in the
 //!   registry.
-//! * [`joint_reactions`]: pair reactions summed to what each pin and slide of the scene exerts.
+//! * [`joints`]: what each pin and slide of the scene exerts, summed from the reactions in the pairs.
 //!
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
 
 mod analyzer;
+mod balance;
 mod breaks;
+mod choice;
 mod compile;
 mod construction;
+mod curve;
 mod dependence;
 mod error;
 mod group_by_group;
+mod joints;
 mod law;
 mod loads;
-mod named;
+mod number;
 mod phase;
 mod reactions;
 mod reduce;
@@ -33,14 +37,17 @@ mod wrenches;
 pub use analyzer::{ForceAnalyzer, ForceError};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
+pub use balance::{IdleBalance, UnitBalance};
 pub use breaks::tolerance;
 pub use construction::{Construction, Drawing, Step, StepKind};
 pub use error::LoadError;
-pub use group_by_group::group_by_group;
+pub use group_by_group::{Unsolved, group_by_group};
+pub use joints::{Joint, JointReaction, joints};
 pub use loads::{Cause, Loads};
-pub use named::{JointReaction, joint_reactions};
+pub use number::LoadNumber;
 pub use phase::Phase;
-pub use reactions::{Reactions, UnitBalance, power};
+pub use reactions::Reactions;
+pub use reduce::power;
 pub use registry::{AnalyzerPlugin, analyzers, applicable, choose, find};
 pub use state::{Side, State, beside};
 

@@ -3,9 +3,9 @@
 use assur_integrator::Piece;
 
 use crate::State;
+use crate::choice::Selections;
 use crate::law::{Active, cut};
 use crate::loads::{Along, Loads};
-use crate::visit::Selections;
 
 /// Which formula of each load is in use: segments of tables, strokes and their direction, contacts, sides of the rests
 /// of loads against the motion. Created by [`Loads::phase`], set by [`Loads::enter`].

@@ -1,24 +1,26 @@
 //! Reduction to the input link (theory of the project, section 3; S eqs. 1-3; E eqs. 4-6), and energies.
 
-use assur_group::Body;
+use assur_group::plane::{dot, vector};
+use assur_group::{Body, Wrench};
 use assur_integrator::Reduced;
+use assur_number::Real;
 
+use crate::choice::{Choice, Live};
 use crate::loads::Loads;
-use crate::visit::{Choice, Selections, Sink};
-use crate::{Phase, State};
+use crate::visit::{Sink, Visit};
+use crate::{LoadNumber, Phase, State};
 
 /// Adds up the virtual power of loads.
-struct Power(f64);
+struct Power<T>(T);
 
-impl Sink for Power {
+impl<T: LoadNumber> Sink<T> for Power<T> {
     #[inline]
-    fn force(&mut self, _link: usize, body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
-        let pf1 = body.first(arm);
-        self.0 += pf1[0] * force[0] + pf1[1] * force[1];
+    fn force(&mut self, _link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]) {
+        self.0 += dot(body.first(arm), force);
     }
 
     #[inline]
-    fn moment(&mut self, _link: usize, body: &Body<f64>, moment: f64) {
+    fn moment(&mut self, _link: usize, body: &Body<T>, moment: T) {
         self.0 += body.w1 * moment;
     }
 }
@@ -30,48 +32,59 @@ impl Loads {
     /// `bodies` need PF2 where J depends on the coordinate or a force is always against the motion, else PF1. Where J is constant
     /// by structure ([`Mechanism::has_constant_reduced_inertia`](assur_mechanism::Mechanism::has_constant_reduced_inertia)),
     /// its derivative is exactly zero and is not computed.
-    pub fn reduced(&self, state: &State, bodies: &[Body<f64>]) -> Reduced {
-        match self.selections(state) {
-            Selections::One(selection) => self.reduce(&selection, state, bodies),
-            Selections::Held([(below, lower), (above, upper)]) => {
-                let [low, high] = [lower, upper].map(|selection| self.reduce(&selection, state, bodies));
-                Reduced { moment: below * low.moment + above * high.moment, ..low }
-            }
-        }
+    #[inline]
+    pub fn reduced<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>]) -> Reduced<T> {
+        self.reduce(&Live, states, bodies)
     }
 
     /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond
     /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
+    #[inline]
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
         self.reduce(phase, state, bodies)
     }
 
     #[inline]
-    fn reduce<C: Choice>(&self, choice: &C, state: &State, bodies: &[Body<f64>]) -> Reduced {
-        let (mut inertia, mut half, mut power) = (0.0, 0.0, 0.0);
-        let [gx, gy] = self.gravity;
+    fn reduce<T: LoadNumber, C: Choice>(
+        &self,
+        choice: &C,
+        states: &T::States,
+        bodies: &[Body<T>],
+    ) -> Reduced<T> {
+        let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, T::ZERO);
+        let gravity = vector(self.gravity);
         for mass in &self.masses {
             let body = &bodies[mass.link];
-            let arm = body.arm(mass.center);
-            let [vx, vy] = body.first(arm);
-            inertia += mass.m * (vx * vx + vy * vy) + mass.inertia * (body.w1 * body.w1);
+            let arm = body.arm(vector(mass.center));
+            let velocity = body.first(arm);
+            let (m, own) = (T::from_f64(mass.m), T::from_f64(mass.inertia));
+            inertia += m * dot(velocity, velocity) + own * (body.w1 * body.w1);
             if !self.inertia_constant {
-                let [ax, ay] = body.second(arm);
-                half += mass.m * (vx * ax + vy * ay) + mass.inertia * (body.w1 * body.w2);
+                half += m * dot(velocity, body.second(arm)) + own * (body.w1 * body.w2);
             }
-            power += mass.m * (gx * vx + gy * vy);
+            power += m * dot(gravity, velocity);
         }
         let mut sum = Power(power);
-        self.visit(choice, state, bodies, &mut sum);
-        Reduced { inertia, inertia_derivative: 2.0 * half, moment: sum.0 }
+        Visit { loads: self, choice, states, bodies }.each(&mut sum);
+        Reduced { inertia, inertia_derivative: half.twice(), moment: sum.0 }
     }
 
     /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.
-    pub fn potential_energy(&self, bodies: &[Body<f64>]) -> f64 {
-        let weights = self.masses.iter().map(|mass| {
-            let [x, y] = bodies[mass.link].point(mass.center);
-            -mass.m * (self.gravity[0] * x + self.gravity[1] * y)
-        });
-        weights.sum::<f64>() + self.springs.iter().map(|spring| spring.energy(bodies)).sum::<f64>()
+    pub fn potential_energy<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
+        let mut energy = T::ZERO;
+        for mass in &self.masses {
+            let weight = mass.weight(self.gravity);
+            energy -= dot(weight, bodies[mass.link].point(vector(mass.center)));
+        }
+        for spring in &self.springs {
+            energy += spring.energy(bodies);
+        }
+        energy
     }
+}
+
+/// Virtual power of a wrench about the origin of a body for dq = 1.
+#[inline]
+pub fn power<T: Real>(wrench: &Wrench<T>, body: &Body<T>) -> T {
+    wrench.fx * body.x1 + wrench.fy * body.y1 + wrench.m * body.w1
 }

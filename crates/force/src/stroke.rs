@@ -6,6 +6,7 @@ use assur_mechanism::Table;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::Breaks;
+use crate::curve::Curve;
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
@@ -23,7 +24,7 @@ pub(crate) struct Stroke {
     /// 1/(greatest - least), 1/m.
     inverse_travel: f64,
     /// While the point moves along the axis, and against it.
-    tables: [Table; 2],
+    tables: [Curve; 2],
     /// For a growing and for a falling input coordinate.
     senses: [Pieces; 2],
 }
@@ -179,7 +180,7 @@ impl Stroke {
         if travel <= STANDING * scale {
             return Err(NoStroke::Stands(travel));
         }
-        let tables = tables.map(Clone::clone);
+        let tables = tables.map(Curve::of);
         let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };
         let mut stroke =
             Self { axis, least, inverse_travel: 1.0 / travel, tables, senses: [empty(), empty()] };
@@ -206,7 +207,7 @@ impl Stroke {
             let table = &self.tables[usize::from((last < first) != falling)];
             let (low, high) = (first.min(last), first.max(last));
             points.push(ends[0]);
-            for row in table.rows.iter().map(|row| row[0]).filter(|row| *row > low && *row < high) {
+            for row in table.arguments().iter().copied().filter(|row| *row > low && *row < high) {
                 let gap = |q: f64, along: &mut Along<'_, '_>| {
                     along.place(q).map(|s| (share(s[0]) - row, s[1] * self.inverse_travel))
                 };
@@ -243,7 +244,7 @@ impl Stroke {
     pub(crate) fn value(&self, piece: Segment, point: [f64; 2]) -> f64 {
         let along = self.axis[0] * point[0] + self.axis[1] * point[1];
         let share = ((along - self.least) * self.inverse_travel).clamp(0.0, 1.0);
-        self.tables[usize::from(piece.back)].at_segment(piece.segment, share)
+        self.tables[usize::from(piece.back)].value(piece.segment, share)
     }
 }
 

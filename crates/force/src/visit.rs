@@ -1,249 +1,158 @@
 //! One pass over the applied loads, with a collector: of wrenches, of power, by cause.
 
 use assur_group::Body;
+use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 
-use crate::law::Active;
+use crate::LoadNumber;
+use crate::choice::{Choice, Formulas};
+use crate::law::Law;
 use crate::loads::{Along, ArcContact, Cause, Loads, PointForce, SpringDamper};
-use crate::selection::Selection;
-use crate::state::Side;
-use crate::{Phase, State};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
-pub(crate) trait Sink {
+pub(crate) trait Sink<T> {
     /// The cause of the following calls.
     #[inline]
     fn cause(&mut self, _cause: Cause) {}
     /// A force, N.
-    fn force(&mut self, link: usize, body: &Body<f64>, arm: [f64; 2], force: [f64; 2]);
+    fn force(&mut self, link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]);
     /// A moment, N m.
-    fn moment(&mut self, link: usize, body: &Body<f64>, moment: f64);
+    fn moment(&mut self, link: usize, body: &Body<T>, moment: T);
 }
 
-/// Says which formula of each load is in use.
-pub(crate) trait Choice {
-    /// Of a law.
-    fn active(&self, loads: &Loads, law: usize, state: &State) -> Active;
-    /// Whether a contact touches.
-    fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool;
-    /// Factor of the unit vector of PF1 for a force against the motion; 0 where the point is at rest.
-    fn against(&self, loads: &Loads, force: usize, state: &State, pf: [[f64; 2]; 2]) -> f64;
+/// The states at which the loads are visited, and which formulas apply there.
+pub(crate) struct Visit<'a, T: LoadNumber, C> {
+    pub(crate) loads: &'a Loads,
+    pub(crate) choice: &'a C,
+    pub(crate) states: &'a T::States,
+    pub(crate) bodies: &'a [Body<T>],
 }
 
-/// The formulas in use at a state.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Selections {
-    /// Of one side.
-    One(Selection),
-    /// Of both sides, with their shares.
-    Held([(f64, Selection); 2]),
-}
-
-impl Selections {
-    /// Each with its share.
+impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
+    /// Passes on all applied loads except weights.
     #[inline]
-    pub(crate) fn shares(&self) -> impl Iterator<Item = (f64, Selection)> {
-        let (one, held) = match self {
-            Self::One(selection) => (Some((1.0, *selection)), None),
-            Self::Held(both) => (None, Some(*both)),
-        };
-        one.into_iter().chain(held.into_iter().flatten())
-    }
-}
-
-impl Choice for Selection {
-    #[inline]
-    fn active(&self, loads: &Loads, law: usize, state: &State) -> Active {
-        loads.laws[law].at(state, self, loads.period)
-    }
-
-    #[inline]
-    fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool {
-        let contact = &loads.contacts[contact];
-        let ahead = self.coordinate(state, loads.period);
-        let behind = 2.0 * state.coordinate - ahead;
-        contact.touches(ahead) || (self.closed && contact.touches(behind))
-    }
-
-    #[inline]
-    fn against(&self, loads: &Loads, _force: usize, _state: &State, [first, second]: [[f64; 2]; 2]) -> f64 {
-        /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
-        const AT_REST: f64 = 1e-12;
-        let (v, a) = (first[0].hypot(first[1]), second[0].hypot(second[1]));
-        if !self.moves || v <= loads.standing.max(AT_REST * a) { 0.0 } else { -self.sense }
-    }
-}
-
-impl Choice for Phase {
-    #[inline]
-    fn active(&self, _loads: &Loads, law: usize, _state: &State) -> Active {
-        self.actives[law]
-    }
-
-    #[inline]
-    fn touches(&self, _loads: &Loads, contact: usize, _state: &State) -> bool {
-        self.contacts[contact]
-    }
-
-    #[inline]
-    fn against(&self, _loads: &Loads, force: usize, state: &State, _pf: [[f64; 2]; 2]) -> f64 {
-        let [low, high] = self.sides[force];
-        // Beyond a rest PF1 has reversed; the formula of the piece has not.
-        let within = state.coordinate >= low && state.coordinate <= high;
-        if within { -self.sense } else { self.sense }
-    }
-}
-
-impl Loads {
-    /// The formulas in use at a state, with their shares: those of one side, or both where the motion is held.
-    #[inline]
-    pub(crate) fn selections(&self, state: &State) -> Selections {
-        let (speed, acceleration) = (state.speed, state.acceleration);
-        let sign = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };
-        let one = |ahead: f64| Selection {
-            sense: [speed, ahead * acceleration, self.sense]
-                .into_iter()
-                .map(sign)
-                .find(|s| *s != 0.0)
-                .unwrap_or(1.0),
-            ahead,
-            speed_side: ahead * sign(acceleration),
-            moves: speed != 0.0 || acceleration != 0.0,
-            closed: false,
-        };
-        let held = |side: f64| Selection {
-            sense: if speed == 0.0 { side } else { speed.signum() },
-            speed_side: side,
-            moves: true,
-            ..one(1.0)
-        };
-        match state.side {
-            Side::After => Selections::One(one(1.0)),
-            Side::Before => Selections::One(one(-1.0)),
-            Side::Held { upper } => Selections::Held([(1.0 - upper, held(-1.0)), (upper, held(1.0))]),
-            Side::Prescribed => {
-                Selections::One(Selection { speed_side: 0.0, moves: speed != 0.0, closed: true, ..one(1.0) })
-            }
+    pub(crate) fn each<S: Sink<T>>(&self, sink: &mut S) {
+        let loads = self.loads;
+        for (index, force) in loads.forces.iter().enumerate() {
+            self.force(index, force, sink);
         }
-    }
-
-    /// All applied loads except weights.
-    #[inline]
-    pub(crate) fn visit<C: Choice, S: Sink>(
-        &self,
-        choice: &C,
-        state: &State,
-        bodies: &[Body<f64>],
-        sink: &mut S,
-    ) {
-        for (index, force) in self.forces.iter().enumerate() {
-            self.visit_force(choice, index, force, state, &bodies[force.at.link], sink);
-        }
-        for (index, moment) in self.moments.iter().enumerate() {
-            let law = self.forces.len() + index;
-            let size = self.laws[law].value(choice.active(self, law, state), state, [0.0, 0.0]);
+        for (index, moment) in loads.moments.iter().enumerate() {
+            let size = self.size(loads.forces.len() + index, [T::ZERO; 2]);
             sink.cause(Cause::Moment(moment.id));
-            sink.moment(moment.link, &bodies[moment.link], size);
+            sink.moment(moment.link, &self.bodies[moment.link], size);
         }
-        for spring in &self.springs {
-            visit_spring(spring, state, bodies, sink);
+        for spring in &loads.springs {
+            self.spring(spring, sink);
         }
-        for (index, contact) in self.contacts.iter().enumerate() {
-            if choice.touches(self, index, state) {
-                self.visit_contact(choice, index, contact, state, &bodies[contact.center.link], sink);
-            }
+        for (index, contact) in loads.contacts.iter().enumerate() {
+            self.contact(index, contact, sink);
         }
     }
 
+    /// The size of a load by its law; `point`: its place, m.
     #[inline]
-    fn visit_force<C: Choice, S: Sink>(
-        &self,
-        choice: &C,
-        index: usize,
-        force: &PointForce,
-        state: &State,
-        body: &Body<f64>,
-        sink: &mut S,
-    ) {
-        let arm = body.arm(force.at.at);
-        let point = [body.x + arm[0], body.y + arm[1]];
-        let size = self.laws[index].value(choice.active(self, index, state), state, point);
+    fn size(&self, law: usize, point: [T; 2]) -> T {
+        match &self.loads.laws[law] {
+            Law::Constant(value) => T::from_f64(*value),
+            _ => self.by_lane(|formulas, lane| self.value(formulas, law, lane, point)),
+        }
+    }
+
+    /// A number that is found for each lane by the formulas that apply there.
+    #[inline]
+    fn by_lane(&self, number: impl Fn(&C::Formulas, usize) -> f64) -> T {
+        T::of_lanes(|lane| {
+            let state = T::state(self.states, lane);
+            self.choice.weigh(self.loads, state, |formulas| number(formulas, lane))
+        })
+    }
+
+    #[inline]
+    fn value(&self, formulas: &C::Formulas, law: usize, lane: usize, point: [T; 2]) -> f64 {
+        let state = T::state(self.states, lane);
+        let active = formulas.active(self.loads, law, state);
+        self.loads.laws[law].value(active, state, point.map(|number| number.lane(lane)))
+    }
+
+    #[inline]
+    fn force<S: Sink<T>>(&self, index: usize, force: &PointForce, sink: &mut S) {
+        let body = &self.bodies[force.at.link];
+        let arm = body.arm(vector(force.at.at));
+        let point = plus([body.x, body.y], arm);
         let along = match force.along {
-            Along::Ground(unit) => unit,
-            Along::Link(unit) => body.turned(unit),
+            Along::Ground(unit) => scaled(self.size(index, point), vector(unit)),
+            Along::Link(unit) => scaled(self.size(index, point), body.turned(vector(unit))),
             Along::AgainstMotion => {
-                let first = body.first(arm);
-                let length = first[0].hypot(first[1]);
-                let turn = choice.against(self, index, state, [first, body.second(arm)]);
-                if length == 0.0 { [0.0, 0.0] } else { [turn * first[0] / length, turn * first[1] / length] }
+                let (first, second) = (body.first(arm), body.second(arm));
+                let lengths = [first, second].map(|of| dot(of, of).sqrt());
+                let per_length = self.by_lane(|formulas, lane| {
+                    let lengths = lengths.map(|length| length.lane(lane));
+                    if lengths[0] == 0.0 {
+                        return 0.0;
+                    }
+                    let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
+                    turn * self.value(formulas, index, lane, point) / lengths[0]
+                });
+                scaled(per_length, first)
             }
         };
         sink.cause(Cause::Force(force.id));
-        sink.force(force.at.link, body, arm, [size * along[0], size * along[1]]);
+        sink.force(force.at.link, body, arm, along);
+    }
+
+    /// The two forces of a spring with a damper.
+    #[inline]
+    fn spring<S: Sink<T>>(&self, spring: &SpringDamper, sink: &mut S) {
+        let [one, two] = spring.ends.map(|end| &self.bodies[end.link]);
+        let arms = [one.arm(vector(spring.ends[0].at)), two.arm(vector(spring.ends[1].at))];
+        let between = minus(plus([two.x, two.y], arms[1]), plus([one.x, one.y], arms[0]));
+        let length = dot(between, between).sqrt();
+        let mut tension = T::from_f64(spring.stiffness) * (length - T::from_f64(spring.length));
+        if spring.damping != 0.0 {
+            let speed = T::of_lanes(|lane| T::state(self.states, lane).speed);
+            let apart = minus(two.first(arms[1]), one.first(arms[0]));
+            tension += T::from_f64(spring.damping) * (dot(between, apart) / length) * speed;
+        }
+        let per_length = tension / length;
+        // A spring without length has no direction: neither its free length nor its damper gives a force.
+        let per_length =
+            T::of_lanes(|lane| if length.lane(lane) == 0.0 { 0.0 } else { per_length.lane(lane) });
+        let pull = scaled(per_length, between);
+        sink.cause(Cause::Spring(spring.id));
+        sink.force(spring.ends[0].link, one, arms[0], pull);
+        sink.force(spring.ends[1].link, two, arms[1], opposite(pull));
     }
 
     #[inline]
-    fn visit_contact<C: Choice, S: Sink>(
-        &self,
-        choice: &C,
-        index: usize,
-        contact: &ArcContact,
-        state: &State,
-        body: &Body<f64>,
-        sink: &mut S,
-    ) {
-        let center = body.arm(contact.center.at);
-        let law = self.forces.len() + self.moments.len() + index;
-        let point = [body.x + center[0], body.y + center[1]];
-        let size = self.laws[law].value(choice.active(self, law, state), state, point);
-        let arm = [center[0] + contact.to_contact[0], center[1] + contact.to_contact[1]];
+    fn contact<S: Sink<T>>(&self, index: usize, contact: &ArcContact, sink: &mut S) {
+        let touches = |formulas: &C::Formulas, lane: usize| {
+            formulas.touches(self.loads, index, T::state(self.states, lane))
+        };
+        let share = self.by_lane(|formulas, lane| f64::from(u8::from(touches(formulas, lane))));
+        if share.greatest() == 0.0 {
+            return;
+        }
+        let body = &self.bodies[contact.center.link];
+        let center = body.arm(vector(contact.center.at));
+        let point = plus([body.x, body.y], center);
+        let law = self.loads.forces.len() + self.loads.moments.len() + index;
+        let size =
+            self.by_lane(
+                |formulas, lane| {
+                    if touches(formulas, lane) { self.value(formulas, law, lane, point) } else { 0.0 }
+                },
+            );
+        let arm = plus(center, vector(contact.to_contact));
         sink.cause(Cause::Contact(contact.id));
-        sink.force(contact.center.link, body, arm, [size * contact.force[0], size * contact.force[1]]);
+        sink.force(contact.center.link, body, arm, scaled(size, vector(contact.force)));
     }
-}
-
-/// The two forces of a spring with a damper.
-#[inline]
-fn visit_spring<S: Sink>(spring: &SpringDamper, state: &State, bodies: &[Body<f64>], sink: &mut S) {
-    let [one, two] = spring.ends.map(|end| &bodies[end.link]);
-    let arms = [one.arm(spring.ends[0].at), two.arm(spring.ends[1].at)];
-    let pull = spring.pull(one, two, arms, state.speed);
-    sink.cause(Cause::Spring(spring.id));
-    sink.force(spring.ends[0].link, one, arms[0], pull);
-    sink.force(spring.ends[1].link, two, arms[1], [-pull[0], -pull[1]]);
 }
 
 impl SpringDamper {
-    /// Force on the first end, N: towards the second where the spring is stretched or is being stretched.
-    #[inline]
-    fn pull(&self, one: &Body<f64>, two: &Body<f64>, arms: [[f64; 2]; 2], speed: f64) -> [f64; 2] {
-        let d = [two.x + arms[1][0] - one.x - arms[0][0], two.y + arms[1][1] - one.y - arms[0][1]];
-        let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
-        if length == 0.0 {
-            // A spring without length has no direction: neither its free length nor its damper gives a force.
-            return [0.0, 0.0];
-        }
-        let mut tension = self.stiffness * (length - self.length);
-        if self.damping != 0.0 {
-            let (v1, v2) = (one.first(arms[0]), two.first(arms[1]));
-            let rate = (d[0] * (v2[0] - v1[0]) + d[1] * (v2[1] - v1[1])) / length;
-            tension += self.damping * rate * speed;
-        }
-        let each = tension / length;
-        [each * d[0], each * d[1]]
-    }
-
     /// Energy stored in the spring, J.
-    pub(crate) fn energy(&self, bodies: &[Body<f64>]) -> f64 {
-        let [a, b] = self.ends.map(|end| bodies[end.link].point(end.at));
-        let stretch = (b[0] - a[0]).hypot(b[1] - a[1]) - self.length;
-        0.5 * self.stiffness * stretch * stretch
-    }
-}
-
-impl ArcContact {
-    /// Whether there is contact at a coordinate.
-    #[inline]
-    fn touches(&self, coordinate: f64) -> bool {
-        self.breaks.interval(coordinate).index == self.touching
+    pub(crate) fn energy<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
+        let [a, b] = self.ends.map(|end| bodies[end.link].point(vector(end.at)));
+        let between = minus(b, a);
+        let stretch = dot(between, between).sqrt() - T::from_f64(self.length);
+        (T::from_f64(self.stiffness) * stretch * stretch).half()
     }
 }

@@ -1,137 +1,171 @@
 //! Loads as wrenches on the links.
 
+use assur_group::plane::{minus, opposite, scaled, vector};
 use assur_group::{Body, Wrench};
 
-use crate::State;
-use crate::loads::{Cause, Loads};
-use crate::visit::Sink;
+use crate::LoadNumber;
+use crate::choice::Live;
+use crate::loads::{Cause, Loads, Mass};
+use crate::visit::{Sink, Visit};
 
 /// Adds up loads about the origins of the bodies.
-struct Sum<'a> {
-    wrenches: &'a mut [Wrench<f64>],
-    /// The factor of each load.
-    share: f64,
-}
+struct Sum<'a, T>(&'a mut [Wrench<T>]);
 
-impl Sink for Sum<'_> {
+impl<T: LoadNumber> Sink<T> for Sum<'_, T> {
     #[inline]
-    fn force(&mut self, link: usize, _body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
-        self.wrenches[link].add_at(arm, force.map(|f| self.share * f), 0.0);
+    fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
+        self.0[link].add_at(arm, force, T::ZERO);
     }
 
     #[inline]
-    fn moment(&mut self, link: usize, _body: &Body<f64>, moment: f64) {
-        self.wrenches[link].m += self.share * moment;
+    fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
+        self.0[link].m += moment;
     }
 }
 
 /// Passes on each load with its cause.
-struct Each<'a> {
+struct Each<'a, T> {
     cause: Option<Cause>,
-    /// The factor of each load.
-    share: f64,
-    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<f64>),
+    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>),
 }
 
-impl Each<'_> {
-    fn give(&mut self, link: usize, wrench: Wrench<f64>) {
+impl<T: LoadNumber> Each<'_, T> {
+    fn give(&mut self, link: usize, wrench: Wrench<T>) {
         if let Some(cause) = self.cause {
-            let Wrench { fx, fy, m } = wrench;
-            let share = self.share;
-            (self.hand_on)(cause, link, Wrench { fx: share * fx, fy: share * fy, m: share * m });
+            (self.hand_on)(cause, link, wrench);
         }
     }
 }
 
-impl Sink for Each<'_> {
+impl<T: LoadNumber> Sink<T> for Each<'_, T> {
     fn cause(&mut self, cause: Cause) {
         self.cause = Some(cause);
     }
 
-    fn force(&mut self, link: usize, _body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
+    fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         let mut wrench = Wrench::ZERO;
-        wrench.add_at(arm, force, 0.0);
+        wrench.add_at(arm, force, T::ZERO);
         self.give(link, wrench);
     }
 
-    fn moment(&mut self, link: usize, _body: &Body<f64>, moment: f64) {
-        self.give(link, Wrench { fx: 0.0, fy: 0.0, m: moment });
+    fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
+        self.give(link, Wrench { m: moment, ..Wrench::ZERO });
+    }
+}
+
+/// Speed and acceleration of the input.
+#[derive(Clone, Copy)]
+struct Rates<T> {
+    speed: T,
+    /// Speed squared.
+    square: T,
+    acceleration: T,
+}
+
+impl<T: LoadNumber> Rates<T> {
+    #[inline]
+    fn of(states: &T::States) -> Self {
+        let speed = T::of_lanes(|lane| T::state(states, lane).speed);
+        let acceleration = T::of_lanes(|lane| T::state(states, lane).acceleration);
+        Self { speed, square: speed * speed, acceleration }
+    }
+
+    /// Whether the input is at rest, in all lanes, and stays there.
+    #[inline]
+    fn rests(&self) -> bool {
+        self.square.greatest() == 0.0 && self.acceleration.abs().greatest() == 0.0
+    }
+
+    /// Acceleration of a link: of the point at this arm from its origin, m/s², and of its angle, rad/s².
+    #[inline]
+    fn accelerations(&self, body: &Body<T>, arm: [T; 2]) -> ([T; 2], T) {
+        let turn = body.w1 * self.speed;
+        let centripetal = turn * turn;
+        let angular = body.w2 * self.square + body.w1 * self.acceleration;
+        let x = body.x2 * self.square + body.x1 * self.acceleration;
+        let y = body.y2 * self.square + body.y1 * self.acceleration;
+        let of_point =
+            [x - angular * arm[1] - centripetal * arm[0], y + angular * arm[0] - centripetal * arm[1]];
+        (of_point, angular)
     }
 }
 
 impl Loads {
-    /// Writes the applied loads and weights: one wrench for each link, about the origin of its frame.
+    /// Writes all loads of a state, weights and inertia loads among them: one wrench for each link, about the origin of
+    /// its frame.
     ///
     /// Of loads on the ground, only those of springs fixed to it are included.
-    pub fn apply(&self, state: &State, bodies: &[Body<f64>], wrenches: &mut [Wrench<f64>]) {
+    #[inline]
+    pub fn evaluate<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        bodies: &[Body<T>],
+        wrenches: &mut [Wrench<T>],
+    ) {
         wrenches.fill(Wrench::ZERO);
-        let mut sum = Sum { wrenches, share: 1.0 };
-        self.weights(bodies, &mut sum);
-        for (share, selection) in self.selections(state).shares() {
-            sum.share = share;
-            self.visit(&selection, state, bodies, &mut sum);
+        let rates = Rates::of(states);
+        let rests = rates.rests();
+        if !rests || self.has_weights() {
+            let gravity = vector(self.gravity);
+            for mass in &self.masses {
+                let body = &bodies[mass.link];
+                let arm = body.arm(vector(mass.center));
+                let (linear, angular) =
+                    if rests { ([T::ZERO; 2], T::ZERO) } else { rates.accelerations(body, arm) };
+                let force = scaled(T::from_f64(mass.m), minus(gravity, linear));
+                wrenches[mass.link].add_at(arm, force, -(T::from_f64(mass.inertia) * angular));
+            }
         }
+        Visit { loads: self, choice: &Live, states, bodies }.each(&mut Sum(wrenches));
     }
 
-    /// Adds the inertia loads -m a, -I e of the links to wrenches about the origins of their frames.
-    pub fn inertia(&self, state: &State, bodies: &[Body<f64>], wrenches: &mut [Wrench<f64>]) {
-        self.inertia_to(state, bodies, &mut Sum { wrenches, share: 1.0 });
-    }
-
-    /// All loads, weights and inertia loads of a state: one wrench for each link, about the origin of its frame.
-    pub fn total(&self, state: &State, bodies: &[Body<f64>]) -> Vec<Wrench<f64>> {
+    /// All loads of a state as [`evaluate`](Self::evaluate) writes them.
+    pub fn total<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>]) -> Vec<Wrench<T>> {
         let mut wrenches = vec![Wrench::ZERO; bodies.len()];
-        self.apply(state, bodies, &mut wrenches);
-        self.inertia(state, bodies, &mut wrenches);
+        self.evaluate(states, bodies, &mut wrenches);
         wrenches
     }
 
     /// Each load by itself: its cause, its link, and its wrench about the origin of the link's frame. A cause occurs
-    /// once for every link that it loads (a spring twice), or as two shares where the motion is held; inertia loads are
+    /// once for every link that it loads (a spring twice, the inertia of a link as force and moment); inertia loads are
     /// last.
-    pub fn by_cause(
+    pub fn by_cause<T: LoadNumber>(
         &self,
-        state: &State,
-        bodies: &[Body<f64>],
-        hand_on: &mut dyn FnMut(Cause, usize, Wrench<f64>),
+        states: &T::States,
+        bodies: &[Body<T>],
+        hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>),
     ) {
-        let mut each = Each { cause: None, share: 1.0, hand_on };
-        self.weights(bodies, &mut each);
-        for (share, selection) in self.selections(state).shares() {
-            each.share = share;
-            self.visit(&selection, state, bodies, &mut each);
+        let mut each = Each { cause: None, hand_on };
+        if self.has_weights() {
+            for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
+                let body = &bodies[mass.link];
+                each.cause(Cause::Weight(mass.link));
+                each.force(mass.link, body, body.arm(vector(mass.center)), mass.weight(self.gravity));
+            }
         }
-        each.share = 1.0;
-        self.inertia_to(state, bodies, &mut each);
-    }
-
-    #[inline]
-    fn weights<S: Sink>(&self, bodies: &[Body<f64>], sink: &mut S) {
-        if self.gravity == [0.0, 0.0] {
-            return;
-        }
-        for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
-            let body = &bodies[mass.link];
-            sink.cause(Cause::Weight(mass.link));
-            let weight = [mass.m * self.gravity[0], mass.m * self.gravity[1]];
-            sink.force(mass.link, body, body.arm(mass.center), weight);
-        }
-    }
-
-    #[inline]
-    fn inertia_to<S: Sink>(&self, state: &State, bodies: &[Body<f64>], sink: &mut S) {
-        let (square, e) = (state.speed * state.speed, state.acceleration);
-        if square == 0.0 && e == 0.0 {
+        Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
+        let rates = Rates::of(states);
+        if rates.rests() {
             return;
         }
         for mass in &self.masses {
             let body = &bodies[mass.link];
-            let arm = body.arm(mass.center);
-            let (first, second) = (body.first(arm), body.second(arm));
-            let force = |i: usize| -mass.m * (second[i] * square + first[i] * e);
-            sink.cause(Cause::Inertia(mass.link));
-            sink.force(mass.link, body, arm, [force(0), force(1)]);
-            sink.moment(mass.link, body, -mass.inertia * (body.w2 * square + body.w1 * e));
+            let arm = body.arm(vector(mass.center));
+            let (linear, angular) = rates.accelerations(body, arm);
+            each.cause(Cause::Inertia(mass.link));
+            each.force(mass.link, body, arm, opposite(scaled(T::from_f64(mass.m), linear)));
+            each.moment(mass.link, body, -(T::from_f64(mass.inertia) * angular));
         }
+    }
+
+    fn has_weights(&self) -> bool {
+        self.gravity != [0.0, 0.0]
+    }
+}
+
+impl Mass {
+    /// The weight of the link, N.
+    pub(crate) fn weight<T: LoadNumber>(&self, gravity: [f64; 2]) -> [T; 2] {
+        scaled(T::from_f64(self.m), vector(gravity))
     }
 }

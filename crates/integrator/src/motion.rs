@@ -94,13 +94,13 @@ fn scientific(value: f64) -> String {
 
 /// The coefficients of the equation at one state.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
-pub struct Reduced {
+pub struct Reduced<T = f64> {
     /// J, kg m² (kg). Positive.
-    pub inertia: f64,
+    pub inertia: T,
     /// dJ/dq, kg m²/rad (kg/m).
-    pub inertia_derivative: f64,
+    pub inertia_derivative: T,
     /// Q, N m (N), positive along the coordinate.
-    pub moment: f64,
+    pub moment: T,
 }
 
 impl Reduced {

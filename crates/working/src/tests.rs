@@ -31,8 +31,7 @@ pub(crate) fn forces_agree(name: &str, linkage: &Linkage, loads: &Loads, index: 
     linkage.solve_index(index, assur_group::Order::Second, &mut position).unwrap();
     let state = State::prescribed(&linkage.mechanism, position.coordinate);
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut wrenches);
-    loads.inertia(&state, &position.bodies, &mut wrenches);
+    loads.evaluate(&state, &position.bodies, &mut wrenches);
     let mut out = Reactions::new(linkage);
     let all = analyzers().unwrap();
     let method: &dyn ForceAnalyzer = all.iter().find(|p| p.name == "newton-euler").unwrap().instance;

@@ -9,7 +9,7 @@
 //! Where the balancing load acts elsewhere, its size follows from linearity: the drive must be idle under all loads
 //! together, M(loads) + B M(unit load) = 0.
 
-use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, UnitBalance, group_by_group};
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by_group};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
 
@@ -43,56 +43,12 @@ impl ForceAnalyzer for Groups {
         loads: &mut [Wrench<f64>],
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
-        let drive = pass(linkage, position, &out.solved, loads, &mut out.pairs)?;
-        match UnitBalance::of(&linkage.mechanism, &position.bodies) {
-            None => out.balancing = drive,
-            Some(unit) => balance(linkage, position, &unit, drive, out)?,
-        }
-        Ok(())
+        let (groups, bodies) = (linkage.groups(), &position.bodies);
+        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
+            group.reactions(bodies, loads, pairs)
+        });
+        found.map_err(|reason| reason.explain(linkage, position.coordinate))
     }
-}
-
-/// All reactions under these loads, and the moment or force of the drive. A group without load passes none on.
-#[inline]
-fn pass(
-    linkage: &Linkage,
-    position: &Position,
-    solved: &[bool],
-    loads: &mut [Wrench<f64>],
-    pairs: &mut [Wrench<f64>],
-) -> Result<f64, ForceError> {
-    let bodies = &position.bodies;
-    group_by_group(linkage, linkage.groups(), bodies, loads, pairs, |index, group, loads, pairs| {
-        if !solved[index] {
-            return Ok(());
-        }
-        group.reactions(bodies, loads, pairs).map_err(|source| {
-            let group = linkage.structure.group_name(&linkage.mechanism, index);
-            ForceError::Group { group, coordinate: position.coordinate, source }
-        })
-    })
-}
-
-/// Adds the reactions of the balancing load that makes the drive idle.
-#[cold]
-fn balance(
-    linkage: &Linkage,
-    position: &Position,
-    unit: &UnitBalance,
-    drive: f64,
-    out: &mut Reactions,
-) -> Result<(), ForceError> {
-    out.scratch_bodies.fill(Wrench::ZERO);
-    out.scratch_bodies[unit.link] = unit.wrench;
-    let unit_drive = pass(linkage, position, &out.solved, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
-    let size = unit.size(drive, unit_drive, linkage, position)?;
-    for (sum, unit) in out.pairs.iter_mut().zip(&out.scratch_pairs) {
-        sum.fx += size * unit.fx;
-        sum.fy += size * unit.fy;
-        sum.m += size * unit.m;
-    }
-    out.balancing = size;
-    Ok(())
 }
 
 #[cfg(test)]

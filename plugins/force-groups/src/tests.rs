@@ -1,5 +1,5 @@
 use assur_all as _;
-use assur_force::{ForceAnalyzer, ForceError, Loads, Reactions, State, joint_reactions, power};
+use assur_force::{ForceAnalyzer, ForceError, Loads, Reactions, State, joints, power};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_structure::name_of;
@@ -26,8 +26,7 @@ fn solve(
     linkage.solve(q, Order::Second, &mut position).unwrap();
     let state = State::prescribed(&linkage.mechanism, q);
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut wrenches);
-    loads.inertia(&state, &position.bodies, &mut wrenches);
+    loads.evaluate(&state, &position.bodies, &mut wrenches);
     let all = wrenches.clone();
     let mut out = Reactions::new(linkage);
     Groups.solve(linkage, &position, &mut wrenches, &mut out)?;
@@ -62,7 +61,7 @@ fn reactions_agree_with_the_independent_results() {
         for (i, wanted) in wanted["positions"].as_array().unwrap().iter().enumerate() {
             let (out, ..) = solve(&linkage, linkage.mechanism.input.coordinate(i)).unwrap();
             deviation.add("balancing", &[out.balancing], &wanted["balancing"]);
-            let joints = joint_reactions(&linkage, &out);
+            let joints = joints(&linkage).iter().map(|joint| joint.reaction(&out.pairs)).collect::<Vec<_>>();
             assert_eq!(joints.len(), wanted["reactions"].as_object().unwrap().len());
             for joint in joints {
                 let name = name_of(&linkage.mechanism, joint.joint);
@@ -127,7 +126,7 @@ fn slider_crank_by_hand() {
     let (out, ..) = solve(&linkage, std::f64::consts::FRAC_PI_2).unwrap();
     let tan = 1.0 / 8.0_f64.sqrt();
     assert!((out.balancing + 50.0).abs() < 1e-11, "{}", out.balancing);
-    let joints = joint_reactions(&linkage, &out);
+    let joints = joints(&linkage).iter().map(|joint| joint.reaction(&out.pairs)).collect::<Vec<_>>();
     let on = |joint: usize, link: &str| {
         let link = linkage.mechanism.link(link).unwrap();
         joints[joint].forces.iter().find(|(of, _)| *of == link).unwrap().1

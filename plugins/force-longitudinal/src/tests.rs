@@ -30,8 +30,7 @@ pub(super) fn loaded(linkage: &Linkage, coordinate: f64) -> (Position, Vec<assur
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
     let state = State::prescribed(&linkage.mechanism, coordinate);
     let mut wrenches = vec![assur_group::Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut wrenches);
-    loads.inertia(&state, &position.bodies, &mut wrenches);
+    loads.evaluate(&state, &position.bodies, &mut wrenches);
     (position, wrenches)
 }
 

@@ -2,7 +2,7 @@
 //! the masses and the loads.
 
 use assur_all as _;
-use assur_force::{ForceAnalyzer, Loads, Reactions, State, joint_reactions, power};
+use assur_force::{ForceAnalyzer, Loads, Reactions, State, joints, power};
 use assur_force_groups::Groups;
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -69,8 +69,7 @@ fn both(linkage: &Linkage, q: f64) -> Option<([Reactions; 2], Vec<Wrench<f64>>, 
     }
     let state = State { coordinate: q, speed: 6.0, acceleration: -9.0, ..State::default() };
     let mut all = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut all);
-    loads.inertia(&state, &position.bodies, &mut all);
+    loads.evaluate(&state, &position.bodies, &mut all);
     let methods: [&dyn ForceAnalyzer; 2] = [&Groups, &NewtonEuler];
     let answers = methods.map(|method| {
         method.supports(linkage).unwrap();
@@ -127,7 +126,7 @@ proptest! {
 fn forces_of_a_joint_add_up_to_nothing() {
     let linkage = Linkage::compile(mechanism("andrews")).unwrap();
     let (answers, ..) = both(&linkage, 0.3).unwrap();
-    for joint in joint_reactions(&linkage, &answers[1]) {
+    for joint in joints(&linkage).iter().map(|joint| joint.reaction(&answers[1].pairs)) {
         let sum = joint.forces.iter().fold([0.0, 0.0], |s, (_, f)| [s[0] + f[0], s[1] + f[1]]);
         assert!(sum[0].abs() + sum[1].abs() < 1e-12, "{joint:?}");
     }

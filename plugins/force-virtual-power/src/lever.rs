@@ -95,7 +95,7 @@ fn on_lever(
 fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
     let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
     let kind = StepKind::Balancing;
-    let Some(unit) = UnitBalance::of(mechanism, bodies) else {
+    let Some(unit) = UnitBalance::of(mechanism) else {
         let body = &bodies[mechanism.input.link];
         let load = match mechanism.input.pair {
             InputPair::Pin(_) => Wrench { fx: 0.0, fy: 0.0, m: size },
@@ -104,7 +104,7 @@ fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
         };
         return on_lever(linkage, body, &load, kind, "balance", "the balancing load on the input link");
     };
-    let Wrench { fx, fy, m } = unit.wrench;
+    let Wrench { fx, fy, m } = unit.wrench(bodies);
     let load = Wrench { fx: size * fx, fy: size * fy, m: size * m };
     let what = match mechanism.balance {
         Some(Balance::Force { .. }) => "the balancing force",

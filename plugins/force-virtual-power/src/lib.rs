@@ -35,10 +35,9 @@ pub struct VirtualPower;
 fn balancing(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> Result<f64, ForceError> {
     let bodies = &position.bodies;
     let drive = -bodies.iter().zip(loads).skip(1).map(|(body, load)| power(load, body)).sum::<f64>();
-    match UnitBalance::of(&linkage.mechanism, bodies) {
-        None => Ok(drive),
-        Some(unit) => unit.size(drive, -unit.power(bodies), linkage, position),
-    }
+    let Some(unit) = UnitBalance::of(&linkage.mechanism) else { return Ok(drive) };
+    let size = unit.size(drive, -unit.power(bodies), linkage);
+    size.map_err(|idle| idle.explain(linkage, position.coordinate))
 }
 
 impl ForceAnalyzer for VirtualPower {

@@ -25,8 +25,7 @@ fn loaded(linkage: &Linkage, coordinate: f64) -> (Position, Vec<Wrench<f64>>) {
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
     let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut wrenches);
-    loads.inertia(&state, &position.bodies, &mut wrenches);
+    loads.evaluate(&state, &position.bodies, &mut wrenches);
     (position, wrenches)
 }
 

@@ -68,8 +68,7 @@ pub(super) fn everything(linkage: &Linkage, loads: &Loads) -> Vec<f64> {
         }
         let mut wrenches = vec![Wrench::ZERO; position.bodies.len()];
         let mut reactions = Reactions::new(linkage);
-        loads.apply(state, &position.bodies, &mut wrenches);
-        loads.inertia(state, &position.bodies, &mut wrenches);
+        loads.evaluate(state, &position.bodies, &mut wrenches);
         if groups.solve(linkage, &position, &mut wrenches, &mut reactions).is_ok() {
             numbers.extend(reactions.pairs.iter().flat_map(|r| [r.fx, r.fy, r.m]));
         }

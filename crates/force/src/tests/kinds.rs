@@ -44,7 +44,7 @@ fn inertia_loads_are_against_the_acceleration() {
     let (linkage, loads) = compiled(&arm(""));
     let mut wrenches = vec![Wrench::ZERO; 2];
     let state = State { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0, ..State::default() };
-    loads.inertia(&state, &bodies(&linkage, FRAC_PI_2), &mut wrenches);
+    loads.evaluate(&state, &bodies(&linkage, FRAC_PI_2), &mut wrenches);
     // Upright: a = (-0.25 * 4, -0.25 * 9); about O: -J e.
     near(wrenches[1].fx, 2.0, 1.0);
     near(wrenches[1].fy, 4.5, 1.0);
@@ -76,7 +76,7 @@ fn a_point_that_stands_has_no_motion_to_be_against() {
     let (linkage, loads) = compiled(&arm(text));
     for q in [0.1, 1.0, 2.5] {
         let mut wrenches = vec![Wrench::ZERO; 2];
-        loads.apply(&at(q, 3.0), &bodies(&linkage, q), &mut wrenches);
+        loads.evaluate(&at(q, 3.0), &bodies(&linkage, q), &mut wrenches);
         assert_eq!(wrenches[1], Wrench::ZERO);
     }
 }
@@ -103,7 +103,7 @@ fn spring_and_damper() {
 fn a_spring_pulls_both_ends() {
     let (linkage, loads) = compiled(&arm("[[spring]]\nbetween = [\"A\", \"G\"]\nstiffness = 100\n"));
     let mut wrenches = vec![Wrench::ZERO; 2];
-    loads.apply(&at(FRAC_PI_2, 3.0), &bodies(&linkage, FRAC_PI_2), &mut wrenches);
+    loads.evaluate(&at(FRAC_PI_2, 3.0), &bodies(&linkage, FRAC_PI_2), &mut wrenches);
     // k d with a free length of 0; about the origins of arm and ground.
     for (found, wanted) in wrenches.iter().zip([[-100.0, 50.0, 50.0], [100.0, -50.0, -50.0]]) {
         near(found.fx, wanted[0], 100.0);
@@ -163,8 +163,7 @@ fn causes_add_up_to_all_loads() {
     let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0, ..State::default() };
     let bodies = bodies(&linkage, 1.0);
     let mut all = vec![Wrench::ZERO; bodies.len()];
-    loads.apply(&state, &bodies, &mut all);
-    loads.inertia(&state, &bodies, &mut all);
+    loads.evaluate(&state, &bodies, &mut all);
     let mut names = Vec::new();
     loads.by_cause(&state, &bodies, &mut |cause, link, wrench| {
         all[link].add_at([0.0; 2], [-wrench.fx, -wrench.fy], -wrench.m);

@@ -67,8 +67,7 @@ fn power_of_all_loads_is_the_equation_of_motion() {
             let state = State { coordinate: q, speed: 7.0, acceleration: -11.0, ..State::default() };
             let bodies = bodies(&linkage, q);
             let mut all = vec![Wrench::ZERO; bodies.len()];
-            loads.apply(&state, &bodies, &mut all);
-            loads.inertia(&state, &bodies, &mut all);
+            loads.evaluate(&state, &bodies, &mut all);
             let each: Vec<f64> = all.iter().zip(&bodies).map(|(w, body)| power(w, body)).collect();
             let r = loads.reduced(&state, &bodies);
             let wanted = r.moment + 11.0 * r.inertia - 24.5 * r.inertia_derivative;
@@ -87,8 +86,7 @@ fn nothing_is_allocated() {
         let mut all = vec![Wrench::ZERO; bodies.len()];
         let mut phase = loads.phase();
         let counted = allocation_counter::measure(|| {
-            loads.apply(&state, &bodies, &mut all);
-            loads.inertia(&state, &bodies, &mut all);
+            loads.evaluate(&state, &bodies, &mut all);
             loads.enter(&state, &mut phase);
             std::hint::black_box(loads.reduced(&state, &bodies));
             std::hint::black_box(loads.reduced_in_phase(&phase, &state, &bodies));

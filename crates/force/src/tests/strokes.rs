@@ -80,7 +80,7 @@ fn an_extreme_belongs_to_the_stroke_that_begins() {
     let (linkage, loads) = compiled(&text);
     let force = |q: f64, speed: f64| {
         let mut wrenches = vec![assur_group::Wrench::ZERO; 4];
-        loads.apply(&at(q, speed), &bodies(&linkage, q), &mut wrenches);
+        loads.evaluate(&at(q, speed), &bodies(&linkage, q), &mut wrenches);
         wrenches[3].fy
     };
     for speed in [90.0, -90.0] {

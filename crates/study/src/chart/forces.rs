@@ -1,6 +1,6 @@
 //! Forces: every registered analyzer, and the groups in other forms and numbers.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State, UnitBalance, analyzers};
+use assur_force::{AnalyzerPlugin, Loads, Reactions, State, analyzers};
 use assur_group::{Body, Number, Order, Wrench};
 use assur_kinematics::{Chain, Position};
 use assur_mechanism::{Mechanism, Motion};
@@ -8,7 +8,7 @@ use assur_number::{Dd, Real};
 
 use super::data::GIVES;
 use super::entry::{Entry, Field};
-use super::reaction::{Answer, Forms};
+use super::reaction::{Forms, solve};
 use super::ruler::{difference, greater};
 use super::work::Work;
 use super::{ChartError, Reference, Row, Setting, Stage, Value};
@@ -19,18 +19,10 @@ pub(crate) struct Loaded<'a> {
     positions: Vec<Position>,
     /// By position: all loads about the origins of the links.
     loads: Vec<Vec<Wrench<f64>>>,
-    /// By position: the balancing load of size 1, if it is not the drive's.
-    units: Vec<Option<UnitBalance>>,
-    truth: Vec<Truth>,
+    truth: Vec<Reactions<Dd>>,
     /// Greatest force, moment and balancing load over the work.
     sizes: [f64; 3],
     reference: Reference,
-}
-
-/// Reactions in extended precision.
-struct Truth {
-    pairs: Vec<Wrench<Dd>>,
-    balancing: Dd,
 }
 
 /// The state in which forces are compared: the prescribed motion, or the initial or mean speed without acceleration.
@@ -54,12 +46,10 @@ impl<'a> Loaded<'a> {
             let state = state(mechanism, position.coordinate);
             wrenches.push(loads.total(&state, &position.bodies));
         }
-        let units = positions.iter().map(|position| UnitBalance::of(mechanism, &position.bodies)).collect();
         let mut loaded = Self {
             work,
             positions,
             loads: wrenches,
-            units,
             truth: Vec::new(),
             sizes: [0.0; 3],
             reference: Reference { how: String::new(), error: 0.0 },
@@ -79,12 +69,11 @@ impl<'a> Loaded<'a> {
         for (index, bodies) in self.work.truth.iter().enumerate() {
             let coordinate = self.work.coordinates[index];
             let solve = |forms| {
-                let mut answer = Answer::<Dd>::new(linkage);
-                let (loads, unit) = (&self.loads[index], self.units[index]);
-                answer
-                    .solve(linkage, groups, bodies, loads, unit, forms)
+                let mut own = vec![Wrench::ZERO; bodies.len()];
+                let mut out = Reactions::new(linkage);
+                solve(linkage, groups, bodies, &self.loads[index], forms, &mut own, &mut out)
                     .map_err(|_| ChartError::NoReference { coordinate })?;
-                Ok::<_, ChartError>(Truth { pairs: answer.pairs, balancing: answer.balancing })
+                Ok::<_, ChartError>(out)
             };
             self.truth.push(solve(Forms::General)?);
             other.push(solve(Forms::Closed)?);
@@ -114,7 +103,7 @@ impl<'a> Loaded<'a> {
 }
 
 /// Greatest force, moment (at least a force on a typical arm) and balancing load.
-fn sizes(truth: &[Truth], scale: f64) -> [f64; 3] {
+fn sizes(truth: &[Reactions<Dd>], scale: f64) -> [f64; 3] {
     let most =
         |of: &dyn Fn(&Wrench<Dd>) -> f64| truth.iter().flat_map(|t| &t.pairs).map(of).fold(0.0, f64::max);
     let positive = |size: f64, instead: f64| if size > 0.0 { size } else { instead };
@@ -185,11 +174,11 @@ fn by_groups<'a, T: Number>(
     let groups = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?.groups;
     let of = |position: &Position| position.bodies.iter().map(|body| body.map(T::from_f64)).collect();
     let bodies: Vec<Vec<Body<T>>> = loaded.positions.iter().map(of).collect();
-    let mut answer = Answer::new(linkage);
+    let mut own = vec![Wrench::ZERO; linkage.structure.links];
+    let mut out = Reactions::new(linkage);
     Ok(move |index: usize, judged| {
-        let (loads, unit) = (&loaded.loads[index], loaded.units[index]);
-        let solved = answer.solve(linkage, &groups, &bodies[index], loads, unit, forms);
-        solved.map_err(|error| error.to_string())?;
-        Ok(if judged { loaded.deviation(index, &answer.pairs, answer.balancing) } else { 0.0 })
+        let solved = solve(linkage, &groups, &bodies[index], &loaded.loads[index], forms, &mut own, &mut out);
+        solved.map_err(|reason| reason.explain(linkage, loaded.work.coordinates[index]).to_string())?;
+        Ok(if judged { loaded.deviation(index, &out.pairs, out.balancing) } else { 0.0 })
     })
 }

@@ -61,10 +61,8 @@ pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Row> {
 /// Weights of all links.
 fn weights(linkage: &Linkage, position: &Position) -> Result<Vec<Wrench<f64>>, String> {
     let loads = Loads::compile(linkage).map_err(|error| error.to_string())?;
-    let state = State::prescribed(&linkage.mechanism, position.coordinate);
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    loads.apply(&state, &position.bodies, &mut wrenches);
-    Ok(wrenches)
+    let state = State { coordinate: position.coordinate, ..State::default() };
+    Ok(loads.total(&state, &position.bodies))
 }
 
 /// A mechanism before and after, and where its rows go.

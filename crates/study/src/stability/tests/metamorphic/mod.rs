@@ -37,7 +37,7 @@ fn solve(mechanism: &Mechanism) -> Found {
         linkage.solve_index(index, Order::Second, &mut position).unwrap();
         let state = State::prescribed(&linkage.mechanism, position.coordinate);
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        loads.apply(&state, &position.bodies, &mut wrenches);
+        loads.evaluate(&state, &position.bodies, &mut wrenches);
         choose(None).unwrap().instance.solve(&linkage, &position, &mut wrenches, &mut out).unwrap();
         found.turns.extend(position.bodies.iter().skip(1).map(|body| [body.w1, body.w2]));
         found.forces.extend(out.pairs.iter().map(Wrench::force));

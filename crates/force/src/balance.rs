@@ -1,0 +1,102 @@
+//! The place where the balancing load acts.
+
+use assur_group::plane::vector;
+use assur_group::{Body, Wrench};
+use assur_kinematics::Linkage;
+use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
+
+use assur_number::Real;
+
+use crate::{ForceError, power};
+
+/// A balancing load of size 1 on a link that is not the drive's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnitBalance {
+    /// The loaded link.
+    pub link: LinkId,
+    load: UnitLoad,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum UnitLoad {
+    /// 1 N m, counter-clockwise.
+    Moment,
+    /// 1 N at a point of the link, along a unit vector of the ground.
+    Force { at: [f64; 2], along: [f64; 2] },
+}
+
+/// The balancing load does no work at a position (in a lane), so that it can't balance anything there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IdleBalance {
+    unit: UnitBalance,
+    /// Its transfer function, as part of a typical displacement.
+    share: f64,
+}
+
+impl UnitBalance {
+    /// The load of `[balance]`; `None` where the balancing load acts on the input link with its coordinate.
+    pub fn of(mechanism: &Mechanism) -> Option<Self> {
+        match mechanism.balance? {
+            Balance::Moment(link) => {
+                let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));
+                let drives = pinned && link == mechanism.input.link;
+                (!drives).then_some(Self { link, load: UnitLoad::Moment })
+            }
+            Balance::Force { at, angle } => {
+                let along = [angle.cos(), angle.sin()];
+                Some(Self { link: at.link, load: UnitLoad::Force { at: at.at, along } })
+            }
+        }
+    }
+
+    /// The load about the origin of the link's frame.
+    #[inline]
+    pub fn wrench<T: Real>(&self, bodies: &[Body<T>]) -> Wrench<T> {
+        let mut wrench = Wrench::ZERO;
+        match self.load {
+            UnitLoad::Moment => wrench.m = T::ONE,
+            UnitLoad::Force { at, along } => {
+                wrench.add_at(bodies[self.link].arm(vector(at)), vector(along), T::ZERO);
+            }
+        }
+        wrench
+    }
+
+    /// Virtual power of the load for dq = 1.
+    #[inline]
+    pub fn power<T: Real>(&self, bodies: &[Body<T>]) -> T {
+        power(&self.wrench(bodies), &bodies[self.link])
+    }
+
+    /// The size of the balancing load at which the drive is idle: `others` is the drive's load under all other loads,
+    /// `unit` that under a balancing load of size 1.
+    ///
+    /// # Errors
+    ///
+    /// [`IdleBalance`] where the load does no work in a lane.
+    pub fn size<T: Real>(&self, others: T, unit: T, linkage: &Linkage) -> Result<T, IdleBalance> {
+        /// Below this part of a typical displacement a transfer function is rounding.
+        const LEAST_SHARE: f64 = 1e-12;
+        let scale = linkage.structure.scale;
+        let typical = match (self.load, linkage.mechanism.input.pair) {
+            (UnitLoad::Force { .. }, InputPair::Pin(_)) => scale,
+            (UnitLoad::Force { .. }, InputPair::Slide(_)) | (UnitLoad::Moment, InputPair::Pin(_)) => 1.0,
+            (UnitLoad::Moment, InputPair::Slide(_)) => 1.0 / scale,
+        };
+        let share = unit.abs().least() / typical;
+        if share > LEAST_SHARE { Ok(-others / unit) } else { Err(IdleBalance { unit: *self, share }) }
+    }
+}
+
+impl IdleBalance {
+    /// The error in words, for one position.
+    #[cold]
+    pub fn explain(&self, linkage: &Linkage, coordinate: f64) -> ForceError {
+        let kind = match self.unit.load {
+            UnitLoad::Force { .. } => "force",
+            UnitLoad::Moment => "moment",
+        };
+        let load = format!("the balancing {kind} on `{}`", linkage.mechanism.links[self.unit.link].name);
+        ForceError::IdleBalance { load, coordinate, share: self.share }
+    }
+}

@@ -1,0 +1,94 @@
+//! Pair reactions summed to the reactions of each pin and slide of the scene.
+
+use assur_group::{Pair, Wrench};
+use assur_kinematics::Linkage;
+use assur_mechanism::{LinkId, PairId};
+use assur_number::Real;
+
+/// A pin or slide, and the pairs of the structure of which it consists.
+///
+/// A multiple joint is several pairs; the force of the pin on a link is the sum over the pairs of that link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// The pin or slide.
+    pub id: PairId,
+    /// The links that it joins, in the order of the scene; of a slide, the sliding link first.
+    pub links: Vec<LinkId>,
+    /// For each of the links, its pairs: index, and 1 where the link is body `a` of the pair, else -1.
+    pairs: Vec<Vec<(usize, f64)>>,
+}
+
+/// The reactions of one pin or slide.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointReaction {
+    /// The pin or slide.
+    pub joint: PairId,
+    /// Force on each link that it joins, N, in the order of the scene; of a slide, the sliding link first. They sum to zero.
+    pub forces: Vec<(LinkId, [f64; 2])>,
+    /// Of a slide: moment on the sliding link about its point, N m; the force acts at that point.
+    pub moment: Option<f64>,
+}
+
+/// All pins in the order of the points, then all slides.
+pub fn joints(linkage: &Linkage) -> Vec<Joint> {
+    let mechanism = &linkage.mechanism;
+    let mut of_point = vec![usize::MAX; mechanism.points.len()];
+    let mut joints = Vec::with_capacity(mechanism.points.len() + mechanism.slides.len());
+    for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
+        of_point[id] = joints.len();
+        joints.push(Joint::new(PairId::Pin(id), point.places.iter().map(|place| place.link).collect()));
+    }
+    let pins = joints.len();
+    let slides = mechanism.slides.iter().enumerate();
+    joints.extend(slides.map(|(id, slide)| Joint::new(PairId::Slide(id), vec![slide.link, slide.on])));
+    for (index, named) in linkage.structure.pairs.iter().enumerate() {
+        let joint = match named.source {
+            PairId::Pin(point) => of_point[point],
+            PairId::Slide(slide) => pins + slide,
+        };
+        if let Some(joint) = joints.get_mut(joint) {
+            joint.add(index, &named.pair);
+        }
+    }
+    joints
+}
+
+impl Joint {
+    fn new(id: PairId, links: Vec<LinkId>) -> Self {
+        let pairs = vec![Vec::new(); links.len()];
+        Self { id, links, pairs }
+    }
+
+    fn add(&mut self, index: usize, pair: &Pair) {
+        for (link, pairs) in self.links.iter().zip(&mut self.pairs) {
+            if pair.joins(*link) {
+                pairs.push((index, if pair.a == *link { 1.0 } else { -1.0 }));
+            }
+        }
+    }
+
+    /// Force on the link of this number among [`links`](Self::links), N, from the reactions in all pairs.
+    #[inline]
+    pub fn force<T: Real>(&self, nth: usize, reactions: &[Wrench<T>]) -> [T; 2] {
+        let mut sum = [T::ZERO; 2];
+        for &(pair, sign) in &self.pairs[nth] {
+            let sign = T::from_f64(sign);
+            sum[0] += sign * reactions[pair].fx;
+            sum[1] += sign * reactions[pair].fy;
+        }
+        sum
+    }
+
+    /// Of a slide: moment on the sliding link about its point, N m, where the force acts; `None` for a pin.
+    #[inline]
+    pub fn moment<T: Real>(&self, reactions: &[Wrench<T>]) -> Option<T> {
+        let slides = matches!(self.id, PairId::Slide(_));
+        slides.then(|| self.pairs[0].iter().fold(T::ZERO, |sum, (pair, _)| sum + reactions[*pair].m))
+    }
+
+    /// The reactions of the joint from those in all pairs.
+    pub fn reaction(&self, reactions: &[Wrench<f64>]) -> JointReaction {
+        let forces = self.links.iter().enumerate().map(|(nth, link)| (*link, self.force(nth, reactions)));
+        JointReaction { joint: self.id, forces: forces.collect(), moment: self.moment(reactions) }
+    }
+}

@@ -1,0 +1,42 @@
+//! The numbers in which loads and reactions are evaluated: one state, or several side by side.
+
+use assur_group::Number;
+
+use crate::State;
+
+/// A number in which loads are evaluated: `f64` for one state, lanes for several states side by side.
+///
+/// The formulas run over all lanes at once. Which formula of a table, stroke or contact applies, and the number that it
+/// gives, is found lane by lane in `f64`, so that a lane gets the bits that its state gets alone.
+pub trait LoadNumber: Number {
+    /// The states, one for each lane.
+    type States;
+
+    /// The state of a lane.
+    fn state(states: &Self::States, lane: usize) -> &State;
+
+    /// The number in a lane.
+    fn lane(self, lane: usize) -> f64;
+
+    /// A number from its lanes.
+    fn of_lanes(number: impl FnMut(usize) -> f64) -> Self;
+}
+
+impl LoadNumber for f64 {
+    type States = State;
+
+    #[inline]
+    fn state(states: &State, _: usize) -> &State {
+        states
+    }
+
+    #[inline]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn of_lanes(mut number: impl FnMut(usize) -> f64) -> f64 {
+        number(0)
+    }
+}
