@@ -1,7 +1,8 @@
 //! The contract of a force analyzer.
 
 use assur_group::{GroupError, Wrench};
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_number::Lanes;
 
 use crate::{Construction, Reactions};
 
@@ -30,6 +31,20 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         out: &mut Reactions,
     ) -> Result<(), ForceError>;
 
+    /// Solves eight positions at once, if the method can: whether it has. Where it has not (also where one of the lanes
+    /// has no solution), the positions are solved one at a time.
+    ///
+    /// Arguments as for [`solve`](Self::solve), of which every lane must get the bits.
+    fn solve_lanes(
+        &self,
+        _linkage: &Linkage,
+        _position: &LanePosition,
+        _loads: &mut [Wrench<Lanes>],
+        _out: &mut Reactions<Lanes>,
+    ) -> bool {
+        false
+    }
+
     /// The construction on paper that corresponds to the method, at one position; `None` for a method without one.
     ///
     /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame.
@@ -57,6 +72,12 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ForceError {
+    /// Two ways of a group meet there.
+    #[error("coordinate {coordinate:.9}: a change point; the reactions have the form 0/0 there")]
+    ChangePoint {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+    },
     /// A group can't be solved.
     #[error("{group}, coordinate {coordinate:.9}: {source}; the reactions are not determined there")]
     Group {

@@ -4,6 +4,7 @@
 //!   (theory of the project, section 3), energies, smooth pieces for integration.
 //! * [`ForceAnalyzer`]: finds the reactions in all pairs and the balancing load; [`AnalyzerPlugin`] is its entry in the
 //!   registry.
+//! * [`Kinetostatics`], [`LaneKinetostatics`]: loads and reactions of one position after the other, or of eight at once.
 //! * [`joints`]: what each pin and slide of the scene exerts, summed from the reactions in the pairs.
 //!
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
@@ -20,6 +21,7 @@ mod dependence;
 mod error;
 mod group_by_group;
 mod joints;
+mod kinetostatics;
 mod law;
 mod loads;
 mod number;
@@ -43,6 +45,7 @@ pub use construction::{Construction, Drawing, Step, StepKind};
 pub use error::LoadError;
 pub use group_by_group::{Unsolved, group_by_group};
 pub use joints::{Joint, JointReaction, joints};
+pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};
 pub use number::LoadNumber;
 pub use phase::Phase;

@@ -1,6 +1,7 @@
 //! The numbers in which loads and reactions are evaluated: one state, or several side by side.
 
 use assur_group::Number;
+use assur_number::Lanes;
 
 use crate::State;
 
@@ -38,5 +39,24 @@ impl LoadNumber for f64 {
     #[inline]
     fn of_lanes(mut number: impl FnMut(usize) -> f64) -> f64 {
         number(0)
+    }
+}
+
+impl LoadNumber for Lanes {
+    type States = [State; Self::WIDTH];
+
+    #[inline]
+    fn state(states: &[State; Self::WIDTH], lane: usize) -> &State {
+        &states[lane]
+    }
+
+    #[inline]
+    fn lane(self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    #[inline]
+    fn of_lanes(number: impl FnMut(usize) -> f64) -> Self {
+        Self::of(number)
     }
 }

@@ -6,10 +6,10 @@ mod reduction;
 mod strokes;
 
 use assur_all as _;
-use assur_group::{Body, Order};
+use assur_group::{Body, Order, Wrench};
 use assur_kinematics::Linkage;
 
-use crate::{Loads, State};
+use crate::{Cause, Loads, State};
 
 fn fixture(name: &str) -> String {
     let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -34,6 +34,17 @@ fn bodies(linkage: &Linkage, q: f64) -> Vec<Body<f64>> {
 
 fn at(coordinate: f64, speed: f64) -> State {
     State { coordinate, speed, ..State::default() }
+}
+
+/// All loads without the inertia loads.
+fn applied(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<Wrench<f64>> {
+    let mut sums = vec![Wrench::ZERO; bodies.len()];
+    loads.by_cause(state, bodies, &mut |cause, link, Wrench { fx, fy, m }| {
+        if !matches!(cause, Cause::Inertia(_)) {
+            sums[link].add_at([0.0, 0.0], [fx, fy], m);
+        }
+    });
+    sums
 }
 
 fn near(found: f64, wanted: f64, size: f64) {

@@ -113,6 +113,12 @@ impl Linkage {
         &self.chain.groups
     }
 
+    /// The kernels of the groups for eight positions at once, in solving order; `None` where a group iterates, which is
+    /// done for one position at a time.
+    pub fn lane_groups(&self) -> Option<&[Box<dyn AssurGroup<Lanes>>]> {
+        (!self.iterates).then_some(&self.lane_chain.groups)
+    }
+
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
     pub fn angular(&self) -> bool {
         self.mechanism.input.is_angle()

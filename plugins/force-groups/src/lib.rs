@@ -11,7 +11,8 @@
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by_group};
 use assur_group::Wrench;
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_number::Lanes;
 
 assur_force::inventory::submit! {
     AnalyzerPlugin {
@@ -48,6 +49,22 @@ impl ForceAnalyzer for Groups {
             group.reactions(bodies, loads, pairs)
         });
         found.map_err(|reason| reason.explain(linkage, position.coordinate))
+    }
+
+    #[inline]
+    fn solve_lanes(
+        &self,
+        linkage: &Linkage,
+        position: &LanePosition,
+        loads: &mut [Wrench<Lanes>],
+        out: &mut Reactions<Lanes>,
+    ) -> bool {
+        let Some(groups) = linkage.lane_groups() else { return false };
+        let bodies = &position.bodies;
+        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
+            group.reactions(bodies, loads, pairs)
+        });
+        found.is_ok()
     }
 }
 

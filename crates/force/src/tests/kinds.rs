@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
 use assur_group::Wrench;
 
-use super::{at, bodies, compiled, near};
+use super::{applied, at, bodies, compiled, near};
 use crate::{Cause, State};
 
 fn arm(load: &str) -> String {
@@ -75,8 +75,7 @@ fn a_point_that_stands_has_no_motion_to_be_against() {
     let text = "[[force]]\nlink = \"arm\"\nat = \"O\"\nvalue = 8\nagainst_motion = true\n";
     let (linkage, loads) = compiled(&arm(text));
     for q in [0.1, 1.0, 2.5] {
-        let mut wrenches = vec![Wrench::ZERO; 2];
-        loads.evaluate(&at(q, 3.0), &bodies(&linkage, q), &mut wrenches);
+        let wrenches = applied(&loads, &at(q, 3.0), &bodies(&linkage, q));
         assert_eq!(wrenches[1], Wrench::ZERO);
     }
 }
@@ -102,8 +101,7 @@ fn spring_and_damper() {
 #[test]
 fn a_spring_pulls_both_ends() {
     let (linkage, loads) = compiled(&arm("[[spring]]\nbetween = [\"A\", \"G\"]\nstiffness = 100\n"));
-    let mut wrenches = vec![Wrench::ZERO; 2];
-    loads.evaluate(&at(FRAC_PI_2, 3.0), &bodies(&linkage, FRAC_PI_2), &mut wrenches);
+    let wrenches = applied(&loads, &at(FRAC_PI_2, 3.0), &bodies(&linkage, FRAC_PI_2));
     // k d with a free length of 0; about the origins of arm and ground.
     for (found, wanted) in wrenches.iter().zip([[-100.0, 50.0, 50.0], [100.0, -50.0, -50.0]]) {
         near(found.fx, wanted[0], 100.0);

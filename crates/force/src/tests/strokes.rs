@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 
-use super::{at, bodies, compiled, fixture, near};
+use super::{applied, at, bodies, compiled, fixture, near};
 use crate::stroke::{NoStroke, Span, Stroke};
 
 const R: f64 = 0.06;
@@ -78,11 +78,7 @@ fn pieces_end_at_the_rows_of_the_stroke() {
 fn an_extreme_belongs_to_the_stroke_that_begins() {
     let text = compressor().replace("back = [[0, 0], [0.8, 0], [1, 3000]]", "back = 5");
     let (linkage, loads) = compiled(&text);
-    let force = |q: f64, speed: f64| {
-        let mut wrenches = vec![assur_group::Wrench::ZERO; 4];
-        loads.evaluate(&at(q, speed), &bodies(&linkage, q), &mut wrenches);
-        wrenches[3].fy
-    };
+    let force = |q: f64, speed: f64| applied(&loads, &at(q, speed), &bodies(&linkage, q))[3].fy;
     for speed in [90.0, -90.0] {
         near(force(FRAC_PI_2, speed), -5.0, 5.0);
         near(force(-FRAC_PI_2, speed), 0.0, 1e-6);

@@ -1,0 +1,122 @@
+//! Loads and reactions of solved positions, one at a time or eight at once.
+
+use assur_group::Wrench;
+use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_number::Lanes;
+
+use crate::{ForceAnalyzer, ForceError, Loads, Reactions, State};
+
+/// The force analysis of a mechanism by one method, with its memory: one position after the other.
+#[derive(Debug, Clone)]
+pub struct Kinetostatics<'a> {
+    linkage: &'a Linkage,
+    loads: &'a Loads,
+    analyzer: &'a dyn ForceAnalyzer,
+    wrenches: Vec<Wrench<f64>>,
+    /// The result of the position solved last.
+    pub reactions: Reactions,
+}
+
+impl<'a> Kinetostatics<'a> {
+    /// Memory for the reactions in all pairs whose groups are placed and carry a load; `carrying`: whether a group does.
+    pub fn new(
+        linkage: &'a Linkage,
+        loads: &'a Loads,
+        analyzer: &'a dyn ForceAnalyzer,
+        carrying: &[bool],
+    ) -> Self {
+        let wrenches = vec![Wrench::ZERO; linkage.structure.links];
+        let reactions = Reactions::new(linkage).without_idle(carrying);
+        Self { linkage, loads, analyzer, wrenches, reactions }
+    }
+
+    /// Finds the reactions and the balancing load of a state; the position is solved up to PF2.
+    ///
+    /// # Errors
+    ///
+    /// [`ForceError`] where they are not determined, [`ForceError::ChangePoint`] among them.
+    #[inline]
+    pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
+        if self.linkage.is_at_change_point(position) {
+            return Err(ForceError::ChangePoint { coordinate: position.coordinate });
+        }
+        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
+        self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions)
+    }
+}
+
+/// The force analysis of a mechanism by one method, with its memory: eight positions at once.
+#[derive(Debug, Clone)]
+pub struct LaneKinetostatics<'a> {
+    wrenches: Vec<Wrench<Lanes>>,
+    /// The result of the eight positions solved last; a lane without solution holds any numbers.
+    pub reactions: Reactions<Lanes>,
+    /// For the lanes that are solved one at a time.
+    single: Kinetostatics<'a>,
+    position: Position,
+}
+
+impl<'a> LaneKinetostatics<'a> {
+    /// Memory as for one position at a time.
+    pub fn new(single: Kinetostatics<'a>) -> Self {
+        let linkage = single.linkage;
+        Self {
+            wrenches: vec![Wrench::ZERO; linkage.structure.links],
+            reactions: Reactions::new(linkage).without_idle(&single.reactions.solved),
+            position: linkage.position(),
+            single,
+        }
+    }
+
+    /// Finds the reactions and the balancing loads of eight states; the positions are solved up to PF2. Every lane gets
+    /// the bits that [`Kinetostatics::solve`] gives.
+    ///
+    /// # Errors
+    ///
+    /// The lanes whose reactions are not determined, each with the reason; the others are solved.
+    #[inline]
+    pub fn solve(
+        &mut self,
+        states: &[State; Lanes::WIDTH],
+        position: &LanePosition,
+    ) -> Result<(), Vec<(usize, ForceError)>> {
+        let Kinetostatics { linkage, loads, analyzer, .. } = self.single;
+        loads.evaluate(states, &position.bodies, &mut self.wrenches);
+        let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
+        let near = position.coordinates.0.map(|coordinate| linkage.is_interpolated(coordinate));
+        if together && near == [false; Lanes::WIDTH] {
+            return Ok(());
+        }
+        let alone = near.map(|near| near || !together);
+        self.solve_alone(&alone, states, position)
+    }
+
+    /// Solves some of the lanes one at a time.
+    #[cold]
+    fn solve_alone(
+        &mut self,
+        alone: &[bool; Lanes::WIDTH],
+        states: &[State; Lanes::WIDTH],
+        position: &LanePosition,
+    ) -> Result<(), Vec<(usize, ForceError)>> {
+        let mut failures = Vec::new();
+        for lane in (0..Lanes::WIDTH).filter(|&lane| alone[lane]) {
+            position.copy_lane(lane, &mut self.position);
+            match self.single.solve(&states[lane], &self.position) {
+                Ok(()) => self.reactions.put(lane, &self.single.reactions),
+                Err(error) => failures.push((lane, error)),
+            }
+        }
+        if failures.is_empty() { Ok(()) } else { Err(failures) }
+    }
+}
+
+impl Reactions<Lanes> {
+    /// Puts the reactions of one position into a lane.
+    fn put(&mut self, lane: usize, one: &Reactions) {
+        self.balancing.0[lane] = one.balancing;
+        for (all, one) in self.pairs.iter_mut().zip(&one.pairs) {
+            (all.fx.0[lane], all.fy.0[lane], all.m.0[lane]) = (one.fx, one.fy, one.m);
+        }
+    }
+}
