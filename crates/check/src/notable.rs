@@ -34,8 +34,7 @@ pub fn notable(
             found[2] = found[2].max(body.x2.hypot(body.y2) / scale + turn);
         }
         if let Some((loads, method)) = forces {
-            loads.apply(&state, &position.bodies, &mut wrenches);
-            loads.inertia(&state, &position.bodies, &mut wrenches);
+            loads.evaluate(&state, &position.bodies, &mut wrenches);
             if method.instance.solve(linkage, &position, &mut wrenches, &mut reactions).is_ok() {
                 found[3] = reactions.balancing.abs();
                 found[4] = largest(&reactions.pairs, scale);
