@@ -127,8 +127,7 @@ impl Loads {
     }
 
     /// Each load by itself: its cause, its link, and its wrench about the origin of the link's frame. A cause occurs
-    /// once for every link that it loads (a spring twice, the inertia of a link as force and moment); inertia loads are
-    /// last.
+    /// once for every link that it loads (a spring twice); inertia loads are last.
     pub fn by_cause<T: LoadNumber>(
         &self,
         states: &T::States,
@@ -149,12 +148,20 @@ impl Loads {
             return;
         }
         for mass in &self.masses {
-            let body = &bodies[mass.link];
-            let arm = body.arm(vector(mass.center));
-            let (linear, angular) = rates.accelerations(body, arm);
-            each.cause(Cause::Inertia(mass.link));
-            each.force(mass.link, body, arm, opposite(scaled(T::from_f64(mass.m), linear)));
-            each.moment(mass.link, body, -(T::from_f64(mass.inertia) * angular));
+            (each.hand_on)(
+                Cause::Inertia(mass.link),
+                mass.link,
+                mass.inertia_load(&rates, &bodies[mass.link]),
+            );
+        }
+    }
+
+    /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames.
+    pub fn inertia<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>], wrenches: &mut [Wrench<T>]) {
+        let rates = Rates::of(states);
+        for mass in &self.masses {
+            let Wrench { fx, fy, m } = mass.inertia_load(&rates, &bodies[mass.link]);
+            wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
         }
     }
 
@@ -164,6 +171,16 @@ impl Loads {
 }
 
 impl Mass {
+    /// The inertia load about the origin of the link's frame.
+    fn inertia_load<T: LoadNumber>(&self, rates: &Rates<T>, body: &Body<T>) -> Wrench<T> {
+        let arm = body.arm(vector(self.center));
+        let (linear, angular) = rates.accelerations(body, arm);
+        let mut wrench = Wrench::ZERO;
+        let force = opposite(scaled(T::from_f64(self.m), linear));
+        wrench.add_at(arm, force, -(T::from_f64(self.inertia) * angular));
+        wrench
+    }
+
     /// The weight of the link, N.
     pub(crate) fn weight<T: LoadNumber>(&self, gravity: [f64; 2]) -> [T; 2] {
         scaled(T::from_f64(self.m), vector(gravity))

@@ -63,9 +63,13 @@ impl Table {
         Self { rows: vec![[0.0, value]], shape: Shape::Linear }
     }
 
-    /// Value at `x`: beyond the table that of the nearest end, at a jump the value after it.
-    pub fn at(&self, x: f64) -> f64 {
-        let segment = self.rows.partition_point(|row| row[0] <= x);
+    /// Index of the segment that contains `x`: the number of rows at or before it. At a jump, the segment after it.
+    pub fn segment(&self, x: f64) -> usize {
+        self.rows.partition_point(|row| row[0] <= x)
+    }
+
+    /// Value at `x` by the formula of `segment`, which may be extrapolated.
+    pub fn at_segment(&self, segment: usize, x: f64) -> f64 {
         if segment == 0 {
             return self.rows[0][1];
         }
@@ -74,6 +78,11 @@ impl Table {
             Some(&[x1, y1]) if self.shape == Shape::Linear => y0 + (y1 - y0) * ((x - x0) / (x1 - x0)),
             _ => y0,
         }
+    }
+
+    /// Value at `x`: beyond the table that of the nearest end, at a jump the value after it.
+    pub fn at(&self, x: f64) -> f64 {
+        self.at_segment(self.segment(x), x)
     }
 }
 
