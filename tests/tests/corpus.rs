@@ -17,6 +17,7 @@ use Answer::{Message, Numbers};
 
 const ANSWERS: &[(&str, Answer)] = &[
     ("b-turned", Numbers(any)),
+    ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
     ("check-stroke-transient", Numbers(any)),
     ("check_c7", Message(&["too large"])),
@@ -74,6 +75,19 @@ const ANSWERS: &[(&str, Answer)] = &[
 /// The checks say all.
 fn any(_: &Value) -> bool {
     true
+}
+
+/// Crank and rod of the length 1 on a slider in line with the crank's pin: x = 2 cos q, and its derivatives.
+fn central_slider(found: &Value) -> bool {
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    positions.len() == 9
+        && positions.iter().all(|position| {
+            let (sin, cos) = position["coordinate"].as_f64().unwrap_or(f64::NAN).sin_cos();
+            let point = &position["points"]["F"];
+            [("pf0", 2.0 * cos), ("pf1", -2.0 * sin), ("pf2", -2.0 * cos)]
+                .iter()
+                .all(|(key, value)| is(&point[key][0], *value, 1e-9))
+        })
 }
 
 fn is(found: &Value, wanted: f64, tolerance: f64) -> bool {

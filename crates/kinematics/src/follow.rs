@@ -102,7 +102,7 @@ impl Path<'_> {
             let mut branch = self.branch(length, samples);
             if !branch.is_complete() {
                 let back = self.branch(-length, samples);
-                return self.joined(&branch, &back);
+                return self.joined(&branch, &back, Some(TAU));
             }
             self.follower.close(&mut branch);
             // After an odd number of meetings in one turn the mechanism is in the other assembly, so its true cycle
@@ -131,7 +131,7 @@ impl Path<'_> {
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - self.from).abs());
         let (forth, back) = (self.branch(length, 4 * SAMPLES), self.branch(-length, 4 * SAMPLES));
-        self.joined(&forth, &back)
+        self.joined(&forth, &back, None)
     }
 
     fn branch(&mut self, length: f64, steps: usize) -> Branch {
@@ -140,8 +140,8 @@ impl Path<'_> {
         self.follower.follow(branch, length < 0.0)
     }
 
-    /// Joins two branches from one start into one interval.
-    fn joined(&self, forth: &Branch, back: &Branch) -> Found {
+    /// Joins two branches from one start into one interval, which repeats after `period` if it is shorter.
+    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> Found {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
         let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
@@ -156,7 +156,8 @@ impl Path<'_> {
             periodic: false,
             poses: poses.filter(|(_, poses)| !poses.is_empty()).collect(),
         };
-        let ways = Ways::new(range.low, None, back.last(), all);
+        let period = period.filter(|period| range.high - range.low < *period);
+        let ways = Ways::new(range.low, period, back.last(), all);
         (ways, range, [back.failure, forth.failure], (!guesses.poses.is_empty()).then_some(guesses))
     }
 }

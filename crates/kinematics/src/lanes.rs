@@ -87,7 +87,7 @@ impl Linkage {
         if let Some(first) = alone.iter().position(|alone| !alone) {
             // A lane that is solved alone must not keep the others from being solved together.
             let together = Lanes::of(|lane| coordinates.0[if alone[lane] { first } else { lane }]);
-            let ways = self.ways.at(self.followed(coordinates.0[first]));
+            let ways = self.ways.at(coordinates.0[first]);
             let (bodies, health) = (&mut position.bodies, &mut position.health);
             if self.lane_chain.solve(together, ways, order, bodies, health).is_err() {
                 alone = [true; Lanes::WIDTH];
@@ -107,7 +107,7 @@ impl Linkage {
             if !coordinate.is_finite() || self.interpolants.cover(coordinate) {
                 return true;
             }
-            let ways = self.ways.at(self.followed(coordinate));
+            let ways = self.ways.at(coordinate);
             *common.get_or_insert(ways) != ways
         })
     }

@@ -137,11 +137,10 @@ impl Linkage {
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
-        let followed = self.followed(coordinate);
         if let Some(guesses) = &self.guesses {
-            guesses.put(followed, &mut position.bodies);
+            guesses.put(self.followed(coordinate), &mut position.bodies);
         }
-        let ways = self.ways.at(followed);
+        let ways = self.ways.at(coordinate);
         let (bodies, health) = (&mut position.bodies, &mut position.health);
         let solved = if self.interpolants.cover(coordinate) {
             let apply =
@@ -156,7 +155,7 @@ impl Linkage {
     /// The coordinate shifted into the interval in which the assembly was followed: if the mechanism does not turn
     /// fully, an angle is taken in the turn that begins at the lower end.
     #[inline]
-    pub(crate) fn followed(&self, coordinate: f64) -> f64 {
+    fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
             Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
             _ => coordinate,

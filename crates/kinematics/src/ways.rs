@@ -23,9 +23,15 @@ impl Range {
         if self.high - self.low >= TAU {
             return angle;
         }
-        let found = self.low + (angle - self.low).rem_euclid(TAU);
-        if found > self.low + TAU - END_ROUNDING { found - TAU } else { found }
+        shifted(angle, self.low, TAU)
     }
+}
+
+/// A coordinate shifted by whole periods into the one that begins at `low`; one that equals `low` except for rounding stays
+/// there.
+fn shifted(coordinate: f64, low: f64, period: f64) -> f64 {
+    let passed = (coordinate - low).rem_euclid(period);
+    low + if passed > period - END_ROUNDING { passed - period } else { passed }
 }
 
 /// A coordinate at which a group passes from one of its ways to another.
@@ -46,7 +52,8 @@ pub struct Transition {
 pub struct Ways {
     /// Start of the interval that was followed.
     low: f64,
-    /// Length of the interval if the motion is periodic: the ways repeat with it.
+    /// The length after which the ways repeat: that of the interval if the motion is periodic, a turn if it is an angle
+    /// and less than a turn.
     period: Option<f64>,
     /// In increasing order from `low`.
     transitions: Vec<Transition>,
@@ -74,7 +81,7 @@ impl Ways {
             return &self.rows[0];
         }
         let found = match self.period {
-            Some(period) => self.low + (coordinate - self.low).rem_euclid(period),
+            Some(period) => shifted(coordinate, self.low, period),
             None => coordinate,
         };
         &self.rows[self.transitions.partition_point(|transition| transition.coordinate <= found)]
