@@ -166,7 +166,7 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);
     let (source, ratio) = match (&drive.torque, motor) {
         (Torque::Balance, _) => return Err(steady_only("`torque = \"balance\"`")),
-        (Torque::Constant(moment), _) => (Source::Constant(sense * moment), 1.0),
+        (Torque::Constant(moment), _) => (Source::Constant(*moment), 1.0),
         (Torque::Motor { .. }, Some(DriveMotor { characteristic, .. })) => {
             let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
             (Source::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)

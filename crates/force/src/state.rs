@@ -1,6 +1,6 @@
 //! The state of motion at which loads are evaluated.
 
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{Mechanism, Motion, passage};
 
 /// Where the mechanism is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -46,12 +46,14 @@ pub fn beside(speed: f64, side: f64) -> f64 {
 impl State {
     /// The state of a prescribed motion; for any other motion, or none, the state of rest at time 0.
     ///
-    /// The time is counted from the first position, at the constant prescribed speed.
+    /// The time is that of the [`passage`] from the first position. A coordinate that is never passed has the time of the
+    /// turning point before it (0 without any motion).
     pub fn prescribed(mechanism: &Mechanism, coordinate: f64) -> Self {
         match mechanism.motion {
             Some(Motion::Prescribed { speed, acceleration }) => {
-                let moved = coordinate - mechanism.input.from;
-                let time = if speed == 0.0 { 0.0 } else { moved / speed };
+                let turn = || if acceleration == 0.0 { 0.0 } else { -speed / acceleration };
+                let way = coordinate - mechanism.input.from;
+                let time = passage(way, speed, acceleration).unwrap_or_else(turn);
                 Self { coordinate, speed, acceleration, time, side: Side::Prescribed }
             }
             _ => Self { coordinate, ..Self::default() },

@@ -31,7 +31,7 @@ pub enum Torque {
     None,
     /// The constant moment on the input link that makes the work of a cycle zero.
     Balance,
-    /// A constant moment on the input link, N m.
+    /// A constant moment on the input link, N m, positive along the direction of the input.
     Constant(f64),
     /// An asynchronous motor.
     Motor {

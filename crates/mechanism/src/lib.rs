@@ -9,7 +9,7 @@ mod motion;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
 pub use load::{Balance, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
-pub use motion::{Motion, Until};
+pub use motion::{Motion, Until, passage};
 
 /// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.
 pub type LinkId = usize;
@@ -286,3 +286,6 @@ impl Mechanism {
             || !self.contacts.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -63,6 +63,21 @@ impl Table {
         Self { rows: vec![[0.0, value]], shape: Shape::Linear }
     }
 
+    /// The same function of the opposite argument: `mirrored().at(-x)` is `at(x)`, except on a jump, where it is the value
+    /// before it.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mut rows: Vec<[f64; 2]> = Vec::with_capacity(2 * self.rows.len());
+        for (i, [x, y]) in self.rows.iter().enumerate().rev() {
+            rows.push([-x, *y]);
+            // A step of the mirrored table would hold the value of the wrong row.
+            if let (Shape::Step, Some(before)) = (self.shape, i.checked_sub(1)) {
+                rows.push([-x, self.rows[before][1]]);
+            }
+        }
+        Self { rows, shape: Shape::Linear }
+    }
+
     /// Index of the segment that contains `x`: the number of rows at or before it. At a jump, the segment after it.
     pub fn segment(&self, x: f64) -> usize {
         self.rows.partition_point(|row| row[0] <= x)

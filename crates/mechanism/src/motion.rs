@@ -5,9 +5,9 @@
 pub enum Motion {
     /// Speed and acceleration of the coordinate that are the same in every position.
     Prescribed {
-        /// Signed speed (the input's direction is applied), rad/s or m/s.
+        /// Speed of the coordinate with its sign (the input's direction is applied), rad/s or m/s.
         speed: f64,
-        /// Signed acceleration of the coordinate, rad/s² or m/s².
+        /// Acceleration of the coordinate with its sign (the input's direction is applied), rad/s² or m/s².
         acceleration: f64,
     },
     /// The motion follows from the equation of motion and an initial state.
@@ -30,6 +30,21 @@ pub enum Motion {
         /// delta = (max - min) / mean; `None` where the flywheel is given.
         unevenness: Option<f64>,
     },
+}
+
+/// Time (s, from the first position) at which a motion with this speed in the first position and this constant
+/// acceleration passes a coordinate in the direction of its speed; `way`: its displacement from the first position.
+///
+/// It is negative for a coordinate that was passed before, and `None` for one that is never passed.
+pub fn passage(way: f64, speed: f64, acceleration: f64) -> Option<f64> {
+    if way == 0.0 {
+        return Some(0.0);
+    }
+    let square = speed * speed + 2.0 * acceleration * way;
+    // Of the two roots of way = speed t + acceleration t²/2, the one with the speed of this sign.
+    let leads = if speed == 0.0 { acceleration } else { speed };
+    let sum = speed + square.sqrt().copysign(leads);
+    (square >= 0.0 && sum != 0.0).then(|| 2.0 * way / sum)
 }
 
 /// End of a transient motion.

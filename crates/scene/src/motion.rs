@@ -78,8 +78,8 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
     let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
     let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
-    // In the scene format the direction applies to the speed; the acceleration is that of the coordinate.
-    Some(Motion::Prescribed { speed: context.sign() * speed, acceleration })
+    let [speed, acceleration] = [speed, acceleration].map(|along| context.sign() * along);
+    Some(Motion::Prescribed { speed, acceleration })
 }
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {

@@ -95,7 +95,11 @@ fn plain(
     }
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
-    let table = Table { rows: rows(&entry, argument, dimension)?, shape };
+    let mut table = Table { rows: rows(&entry, argument, dimension)?, shape };
+    // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
+    if over == Over::Speed && context.sign() < 0.0 {
+        table = table.mirrored();
+    }
     if repeat {
         check_span(&entry, &table, context);
     }

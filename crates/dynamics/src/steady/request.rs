@@ -35,7 +35,7 @@ pub enum TorqueRequest {
     None,
     /// The constant moment that makes the work of a cycle zero.
     Balance,
-    /// A constant moment along the coordinate, N m.
+    /// A constant moment, N m, positive along the motion.
     Constant(f64),
     /// An asynchronous motor.
     Motor {

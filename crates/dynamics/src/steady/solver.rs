@@ -224,7 +224,7 @@ impl<'a> RegimeSolver<'a> {
         /// Rounding of the quadrature.
         const ZERO: f64 = 1e-9;
         let moment = if let TorqueRequest::Constant(moment) = torque { moment } else { 0.0 };
-        let own = self.shooting.path.cycle.sense * moment * self.request.length;
+        let own = moment * self.request.length;
         let work = own - self.diagram.resistance;
         let range = self.diagram.excess_work();
         let energy = 0.5 * self.diagram.mean_inertia * self.request.mean_speed.powi(2);
@@ -240,7 +240,7 @@ impl<'a> RegimeSolver<'a> {
         let source = match drive.torque {
             TorqueRequest::None => Source::None,
             TorqueRequest::Balance => Source::Constant(needed),
-            TorqueRequest::Constant(moment) => Source::Constant(self.shooting.path.cycle.sense * moment),
+            TorqueRequest::Constant(moment) => Source::Constant(moment),
             TorqueRequest::Motor { characteristic, ratio: Some(ratio), efficiency, .. } => {
                 let torque =
                     if needed > 0.0 { needed / (ratio * efficiency) } else { needed * efficiency / ratio };

@@ -125,3 +125,19 @@ fn forty_parallelograms() {
     assert_relative_eq!(found.trajectory.end.time, 20.0, max_relative = 1e-12);
     assert!(found.energy.change < 1e-7, "{}", found.energy.change);
 }
+
+/// A mechanism that moves clockwise: the torque of the drive and tables over the speed are counted along the motion.
+#[test]
+fn direction_cw_turns_torque_and_speed() {
+    let ends = |load: &str| {
+        let scene = format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.disc]\npoints = {{ O = 0 }}\nmass = 2\ninertia = 0.5\n{load}\n\
+             [input]\nlink = 'disc'\ndirection = 'cw'\n[motion]\nkind = 'transient'\nspeed = 0\nuntil = '3 s'\n"
+        );
+        let (linkage, loads) = compiled(&scene);
+        transient(&linkage, &loads, &Method::default(), None).unwrap().trajectory.end.speed
+    };
+    assert_relative_eq!(ends("[drive]\ntorque = 6"), -36.0, max_relative = 1e-12);
+    let table = "[[moment]]\nlink = 'disc'\nvalue = { over = 'speed', table = [[0, -6], [12, 0], [20, 4]] }";
+    assert_relative_eq!(ends(table), 12.0 * (-3.0_f64).exp_m1(), max_relative = 1e-9);
+}

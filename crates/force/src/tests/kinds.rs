@@ -156,6 +156,17 @@ fn tables_over_speed_and_time() {
 }
 
 #[test]
+fn time_follows_from_speed_and_acceleration() {
+    let (linkage, _) = compiled(&arm("").replace("speed = 3", "speed = 3\nacceleration = -0.5"));
+    let time = |q: f64| State::prescribed(&linkage.mechanism, q).time;
+    // 3 t - t²/4 = 5 at t = 2; the motion turns back at 9 rad after 6 s.
+    near(time(5.0), 2.0, 1.0);
+    near(time(9.0), 6.0, 1.0);
+    near(time(11.0), 6.0, 1.0);
+    near(time(-3.25), -1.0, 1.0);
+}
+
+#[test]
 fn causes_add_up_to_all_loads() {
     let (linkage, loads) = compiled(&super::fixture("stephenson3"));
     let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0, ..State::default() };

@@ -79,9 +79,11 @@ fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         None => return,
         Some(Motion::Prescribed { .. }) => {
             if heavy(mechanism).is_empty() {
-                "speed and acceleration of the input are prescribed, the same in every position"
+                "speed and acceleration of the input are prescribed, the same in every position; time counts from the first \
+                 position and follows from both"
             } else {
-                "speed and acceleration of the input are prescribed, the same in every position; inertia loads follow from them"
+                "speed and acceleration of the input are prescribed, the same in every position; time counts from the first \
+                 position and follows from both; inertia loads follow from them"
             }
         }
         Some(Motion::Transient { .. }) => "found from the initial state: masses and loads against each other",

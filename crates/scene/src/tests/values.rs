@@ -122,7 +122,7 @@ fn a_range_against_the_clock_keeps_the_direction_of_the_scene() {
 }
 
 #[test]
-fn direction_cw_turns_the_speed() {
+fn direction_cw_turns_speed_and_acceleration() {
     let scene = fixture("conveyor.toml");
     let Some(Motion::Prescribed { speed, acceleration }) = scene.motion else { panic!() };
     close!(speed, -2.5 * PI, max_relative = 1e-15);
@@ -132,7 +132,23 @@ fn direction_cw_turns_the_speed() {
     assert_eq!(scene.links[3].center, [0.17, 0.01]);
     let text = BASE.replace("speed = \"900 rpm\"", "speed = 3\nacceleration = 2");
     let scene = good(&text.replace("positions = 24", "direction = \"cw\""));
-    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -3.0, acceleration: 2.0 }));
+    assert_eq!(scene.motion, Some(Motion::Prescribed { speed: -3.0, acceleration: -2.0 }));
+}
+
+#[test]
+fn a_table_over_the_speed_counts_it_along_the_direction() {
+    let value = |table: &str| {
+        let text = BASE.replace("value = 700", &format!("value = {{ over = \"speed\", {table} }}"));
+        match good(&text.replace("positions = 24", "direction = \"cw\"")).forces.remove(0).value {
+            Value::Table { over: Over::Speed, table, .. } => table,
+            other => panic!("{other:?}"),
+        }
+    };
+    let lines = value("table = [[0, 60], [5, 40], [5, 20], [8, 0]]");
+    let steps = value("table = [[0, 60], [5, 40], [8, 0]], shape = \"step\"");
+    for (along, line, step) in [(-1.0, 60.0, 60.0), (2.5, 50.0, 60.0), (6.5, 10.0, 40.0), (9.0, 0.0, 0.0)] {
+        assert_eq!((lines.at(-along), steps.at(-along)), (line, step), "{along}");
+    }
 }
 
 #[test]

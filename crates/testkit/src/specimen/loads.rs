@@ -113,7 +113,12 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
             let repeat = period.is_some();
             Value::Table { over: Over::Coordinate, table: table(input.from - 0.317_1 * step, step), repeat }
         }
-        (1, Some(_), _) => Value::Table { over: Over::Speed, table: table(-13.71, 9.37), repeat: false },
+        (1, Some(_), _) => {
+            let table = table(-13.71, 9.37);
+            // A step over the speed is read as a line with jumps where the input moves against its coordinate.
+            let table = if input.sign() < 0.0 { table.mirrored() } else { table };
+            Value::Table { over: Over::Speed, table, repeat: false }
+        }
         (2, Some(_), _) => Value::Table { over: Over::Time, table: table(-0.011_3, 0.031_7), repeat: false },
         (3, ..) if point && matches!(input.range, Range::Cycle(_)) => {
             let rows = vec![[0.05, 0.0], [0.05, sizes[0]], [0.95, sizes[1]], [0.95, 0.0]];

@@ -85,7 +85,7 @@ fn shape(shape: Shape) -> &'static str {
     if shape == Shape::Step { "step" } else { "linear" }
 }
 
-fn value(value: &Value) -> String {
+fn value(m: &Mechanism, value: &Value) -> String {
     match value {
         Value::Constant(size) => format!("{size:?}"),
         Value::Table { over, table, repeat } => {
@@ -95,6 +95,10 @@ fn value(value: &Value) -> String {
                 Over::Time => ("time", String::new()),
                 Over::Speed => ("speed", String::new()),
             };
+            // In the scene the speed is counted in the direction of the input.
+            let turned =
+                matches!(value, Value::Table { over: Over::Speed, .. }) && m.input.direction == Sense::Cw;
+            let table = if turned { &table.mirrored() } else { table };
             format!("{{ over = {over:?}, table = {}, shape = {shape:?}{repeat} }}", rows(table))
         }
         Value::Stroke { axis, forward, back } => {
@@ -124,11 +128,11 @@ fn write_loads(text: &mut String, m: &Mechanism) -> Out {
             Direction::Link(angle) => writeln!(text, "angle = {angle:?}\nframe = \"link\"")?,
             Direction::AgainstMotion => writeln!(text, "against_motion = true")?,
         }
-        writeln!(text, "value = {}", value(&force.value))?;
+        writeln!(text, "value = {}", value(m, &force.value))?;
     }
     for moment in &m.moments {
         writeln!(text, "\n[[moment]]\nname = {:?}\nlink = {:?}", moment.name, m.links[moment.link].name)?;
-        writeln!(text, "value = {}", value(&moment.value))?;
+        writeln!(text, "value = {}", value(m, &moment.value))?;
     }
     Ok(())
 }
@@ -151,7 +155,7 @@ fn write_joints(text: &mut String, m: &Mechanism) -> Out {
         let center = &contact.center;
         writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
         writeln!(text, "radius = {:?}\nangle = {:?}", contact.radius, contact.angle)?;
-        writeln!(text, "force = {}\nfriction = {:?}", value(&contact.force), contact.friction)?;
+        writeln!(text, "force = {}\nfriction = {:?}", value(m, &contact.force), contact.friction)?;
         if let Some(during) = contact.during {
             writeln!(text, "during = {}", pair(during))?;
         }
@@ -168,9 +172,9 @@ fn write_motion(text: &mut String, m: &Mechanism) -> Out {
         None => {}
     }
     if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
-        // In the scene the speed is counted in the direction of the input.
-        let along = m.input.sign() * speed;
-        writeln!(text, "\n[motion]\nspeed = {along:?}\nacceleration = {acceleration:?}")?;
+        // In the scene speed and acceleration are counted in the direction of the input.
+        let [speed, acceleration] = [speed, acceleration].map(|value| m.input.sign() * value);
+        writeln!(text, "\n[motion]\nspeed = {speed:?}\nacceleration = {acceleration:?}")?;
     }
     Ok(())
 }
