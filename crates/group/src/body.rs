@@ -1,6 +1,6 @@
 //! Pose of a link and its derivatives.
 
-use assur_number::Real;
+use assur_number::{Lanes, Real};
 
 /// Pose of a link (PF0) and its first and second derivatives with respect to the input coordinate (PF1, PF2).
 ///
@@ -32,21 +32,37 @@ pub struct Body<T> {
 
 impl<T: Copy> Body<T> {
     /// All numbers of the body, in the order of its fields.
-    #[inline]
+    #[inline(always)]
     pub fn numbers(&self) -> [T; 10] {
         [self.x, self.y, self.c, self.s, self.x1, self.y1, self.w1, self.x2, self.y2, self.w2]
     }
 
     /// A body from all its numbers, in the order of its fields.
-    #[inline]
+    #[inline(always)]
     pub fn of_numbers([x, y, c, s, x1, y1, w1, x2, y2, w2]: [T; 10]) -> Self {
         Self { x, y, c, s, x1, y1, w1, x2, y2, w2 }
     }
 
     /// Pose and derivatives in another number type.
-    #[inline]
+    #[inline(always)]
     pub fn map<U: Copy>(&self, number: impl FnMut(T) -> U) -> Body<U> {
         Body::of_numbers(self.numbers().map(number))
+    }
+}
+
+impl Body<Lanes> {
+    /// The body of one lane.
+    pub fn lane(&self, lane: usize) -> Body<f64> {
+        self.map(|number| number.0[lane])
+    }
+
+    /// Sets the body of one lane.
+    pub fn set_lane(&mut self, lane: usize, body: &Body<f64>) {
+        let mut numbers = self.numbers();
+        for (all, one) in numbers.iter_mut().zip(body.numbers()) {
+            all.0[lane] = one;
+        }
+        *self = Self::of_numbers(numbers);
     }
 }
 
@@ -58,40 +74,40 @@ impl<T: Real> Body<T> {
 
     /// Arm from the origin of the link to a point of it, m: the point's vector in the link's frame, rotated into the
     /// ground's frame.
-    #[inline]
+    #[inline(always)]
     pub fn arm(&self, at: [T; 2]) -> [T; 2] {
         [self.c * at[0] - self.s * at[1], self.s * at[0] + self.c * at[1]]
     }
 
     /// Position of a point of the link, m (PF0).
-    #[inline]
+    #[inline(always)]
     pub fn point(&self, at: [T; 2]) -> [T; 2] {
         let [x, y] = self.arm(at);
         [self.x + x, self.y + y]
     }
 
     /// First derivative of a point whose arm is given (PF1).
-    #[inline]
+    #[inline(always)]
     pub fn first(&self, arm: [T; 2]) -> [T; 2] {
         [self.x1 - self.w1 * arm[1], self.y1 + self.w1 * arm[0]]
     }
 
     /// Second derivative of a point whose arm is given (PF2).
-    #[inline]
+    #[inline(always)]
     pub fn second(&self, arm: [T; 2]) -> [T; 2] {
         let square = self.w1 * self.w1;
         [self.x2 - self.w2 * arm[1] - square * arm[0], self.y2 + self.w2 * arm[0] - square * arm[1]]
     }
 
     /// Direction of the link's x axis turned by a fixed unit vector (cos, sin).
-    #[inline]
+    #[inline(always)]
     pub fn turned(&self, by: [T; 2]) -> [T; 2] {
         self.arm(by)
     }
 
     /// Sets origin and derivatives such that the point with this arm has the given PF0, PF1, PF2. The direction and
     /// the angle's derivatives must be set before.
-    #[inline]
+    #[inline(always)]
     pub fn hang(&mut self, arm: [T; 2], pf: [[T; 2]; 3]) {
         self.hang_place(arm, pf[0]);
         self.hang_first(arm, pf[1]);
@@ -100,7 +116,7 @@ impl<T: Real> Body<T> {
 
     /// Sets the direction of the link, and its origin such that the point `at` of the link is at `place`; returns the
     /// arm of that point.
-    #[inline]
+    #[inline(always)]
     pub fn put(&mut self, direction: [T; 2], at: [T; 2], place: [T; 2]) -> [T; 2] {
         [self.c, self.s] = direction;
         let arm = self.arm(at);
@@ -110,7 +126,7 @@ impl<T: Real> Body<T> {
 
     /// Sets the first derivative of the link's angle, and that of its origin such that the point with this arm has
     /// this PF1.
-    #[inline]
+    #[inline(always)]
     pub fn put_first(&mut self, w1: T, arm: [T; 2], pf1: [T; 2]) {
         self.w1 = w1;
         self.hang_first(arm, pf1);
@@ -118,28 +134,28 @@ impl<T: Real> Body<T> {
 
     /// Sets the second derivative of the link's angle, and that of its origin such that the point with this arm has
     /// this PF2.
-    #[inline]
+    #[inline(always)]
     pub fn put_second(&mut self, w2: T, arm: [T; 2], pf2: [T; 2]) {
         self.w2 = w2;
         self.hang_second(arm, pf2);
     }
 
     /// Sets the origin such that the point with this arm is at this place.
-    #[inline]
+    #[inline(always)]
     pub fn hang_place(&mut self, arm: [T; 2], pf0: [T; 2]) {
         self.x = pf0[0] - arm[0];
         self.y = pf0[1] - arm[1];
     }
 
     /// Sets the first derivative of the origin such that the point with this arm has this PF1.
-    #[inline]
+    #[inline(always)]
     pub fn hang_first(&mut self, arm: [T; 2], pf1: [T; 2]) {
         self.x1 = pf1[0] + self.w1 * arm[1];
         self.y1 = pf1[1] - self.w1 * arm[0];
     }
 
     /// Sets the second derivative of the origin such that the point with this arm has this PF2.
-    #[inline]
+    #[inline(always)]
     pub fn hang_second(&mut self, arm: [T; 2], pf2: [T; 2]) {
         let square = self.w1 * self.w1;
         self.x2 = pf2[0] + self.w2 * arm[1] + square * arm[0];

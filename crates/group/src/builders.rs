@@ -2,11 +2,12 @@
 
 use assur_number::{Dd, Lanes, Real};
 
+use crate::one_by_one::OneByOne;
 use crate::{AssurGroup, BuildError, GroupFrame};
 
 type Build<T> = fn(&GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError>;
 
-/// One builder for each number type, made by [`Builders::of`].
+/// One builder for each number type, made by [`Builders::of`] or [`Builders::in_lanes`].
 #[derive(Debug, Clone, Copy)]
 pub struct Builders {
     pub(crate) double: Build<f64>,
@@ -32,15 +33,26 @@ fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGro
     Ok(Box::new(K::build::<T>(frame)?))
 }
 
+fn one_by_one<K: GroupKind>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Lanes>>, BuildError> {
+    Ok(Box::new(OneByOne(boxed::<K, f64>(frame)?)))
+}
+
 impl Builders {
-    /// The builders of a kind.
+    /// The builders of any kind: several positions are solved one by one.
     pub const fn of<K: GroupKind>() -> Self {
         Self {
             double: boxed::<K, f64>,
             single: boxed::<K, f32>,
             extended: boxed::<K, Dd>,
-            lanes: boxed::<K, Lanes>,
+            lanes: one_by_one::<K>,
         }
+    }
+
+    /// The builders of a kind whose formulas give each lane the bits that `f64` gets alone, as closed forms do: several
+    /// positions are solved at once. A kernel that decides by its numbers what it calculates, such as an iteration, or the
+    /// general solution by its choice of pivots, does not.
+    pub const fn in_lanes<K: GroupKind>() -> Self {
+        Self { lanes: boxed::<K, Lanes>, ..Self::of::<K>() }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Kernels with closed forms. Quantities that several formulas need in one position are computed once.
 
-use assur_number::Real;
+use assur_number::{Formula, Real};
 
 use crate::{AssurGroup, Body, GroupError, GroupFrame, Order, Wrench};
 
@@ -70,6 +70,58 @@ pub struct Closed<K>(
     pub K,
 );
 
+/// Places and, by the order, derivatives of a group.
+struct Solve<'a, T, K> {
+    form: &'a K,
+    bodies: &'a mut [Body<T>],
+    way: usize,
+    order: Order,
+}
+
+impl<T: Real, K: ClosedForm<T>> Formula for Solve<'_, T, K> {
+    type Value = Result<T, GroupError>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Result<T, GroupError> {
+        let (position, health) = self.form.close(self.bodies, self.way)?;
+        if self.order > Order::Place {
+            self.form.differentiate(self.bodies, &position, self.order)?;
+        }
+        Ok(health)
+    }
+}
+
+/// Derivatives of a placed group.
+struct Derive<'a, T, K>(&'a K, &'a mut [Body<T>], Order);
+
+impl<T: Real, K: ClosedForm<T>> Formula for Derive<'_, T, K> {
+    type Value = Result<(), GroupError>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Result<(), GroupError> {
+        let position = self.0.read(self.1);
+        self.0.differentiate(self.1, &position, self.2)
+    }
+}
+
+/// Reactions of a placed group.
+struct Balance<'a, T, K> {
+    form: &'a K,
+    bodies: &'a [Body<T>],
+    loads: &'a mut [Wrench<T>],
+    reactions: &'a mut [Wrench<T>],
+}
+
+impl<T: Real, K: ClosedForm<T>> Formula for Balance<'_, T, K> {
+    type Value = Result<(), GroupError>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Result<(), GroupError> {
+        let position = self.form.read(self.bodies);
+        self.form.balance(self.bodies, &position, self.loads, self.reactions)
+    }
+}
+
 impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     fn frame(&self) -> &GroupFrame {
         self.0.frame()
@@ -80,24 +132,15 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     }
 
     fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
-        self.0.close(bodies, way).map(|(_, health)| health)
+        self.solve(bodies, way, Order::Place)
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        self.0.differentiate(bodies, &self.0.read(bodies), order)
+        if order == Order::Place { Ok(()) } else { T::evaluate(Derive(&self.0, bodies, order)) }
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        // The position stays where it was written: a copy would wait for the writes to finish.
-        let closed = self.0.close(bodies, way);
-        let (position, health) = closed.as_ref().map_err(|failure| *failure)?;
-        if order > Order::Place {
-            self.0.differentiate(bodies, position, order)?;
-        }
-        Ok(*health)
+        T::evaluate(Solve { form: &self.0, bodies, way, order })
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
@@ -114,6 +157,6 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        self.0.balance(bodies, &self.0.read(bodies), loads, reactions)
+        T::evaluate(Balance { form: &self.0, bodies, loads, reactions })
     }
 }

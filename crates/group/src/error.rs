@@ -71,14 +71,10 @@ impl GroupError {
     /// # Errors
     ///
     /// [`GroupError::Singular`] for a determinant that is zero or NaN.
-    #[inline]
+    #[inline(always)]
     pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
-        let least = health.least();
-        if least >= LEAST_HEALTH.max(4.0 * T::EPSILON) {
-            Ok(())
-        } else {
-            Err(Self::Singular { health: least })
-        }
+        let is_regular = health.at_least(LEAST_HEALTH.max(4.0 * T::EPSILON));
+        if is_regular { Ok(()) } else { Err(Self::Singular { health: health.least() }) }
     }
 
     /// Returns an error for a determinant of which rounding leaves fewer than about two correct digits, in any lane.
@@ -90,14 +86,14 @@ impl GroupError {
     /// # Errors
     ///
     /// [`GroupError::Singular`] if fewer digits are left.
-    #[inline]
+    #[inline(always)]
     pub fn if_lost<T: Real>(health: T, square: T) -> Result<(), Self> {
         /// The squared determinant must exceed this number of rounding errors.
         const ROUNDINGS: f64 = 200.0;
         let h2 = health * health;
         let limit = T::from_f64(ROUNDINGS * T::EPSILON);
         let margin = h2 * h2 - limit * limit * square;
-        if margin.least() >= 0.0 { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
+        if margin.at_least(0.0) { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
     }
 
     /// Returns an error for a result that is NaN in any lane.
@@ -105,9 +101,9 @@ impl GroupError {
     /// # Errors
     ///
     /// [`GroupError::Singular`] with the health NaN.
-    #[inline]
+    #[inline(always)]
     pub fn if_nan<T: Real>(result: T) -> Result<(), Self> {
-        let least = result.least();
-        if least.is_nan() { Err(Self::Singular { health: least }) } else { Ok(()) }
+        let is_number = result.at_least(f64::NEG_INFINITY);
+        if is_number { Ok(()) } else { Err(Self::Singular { health: f64::NAN }) }
     }
 }

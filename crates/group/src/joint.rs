@@ -40,13 +40,13 @@ impl<T: Real> PinJoint<T> {
     }
 
     /// Position of the pin as a point of the other body, m.
-    #[inline]
+    #[inline(always)]
     pub fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
         bodies[self.body].point(self.at)
     }
 
     /// PF1 and PF2 of the pin at this position, as a point of the other body.
-    #[inline]
+    #[inline(always)]
     pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
         let body = &bodies[self.body];
         let arm = minus(place, [body.x, body.y]);
@@ -54,7 +54,7 @@ impl<T: Real> PinJoint<T> {
     }
 
     /// Stores the force (N) that acts on the link of the group.
-    #[inline]
+    #[inline(always)]
     pub fn store(&self, force: [T; 2], reactions: &mut [Wrench<T>]) {
         let [fx, fy] = if self.turned { opposite(force) } else { force };
         reactions[self.id] = Wrench { fx, fy, m: T::ZERO };
@@ -62,7 +62,7 @@ impl<T: Real> PinJoint<T> {
 
     /// Stores the force (N) that acts on the link of the group, and adds the opposite force to the load of the other
     /// body.
-    #[inline]
+    #[inline(always)]
     pub fn hand_on(
         &self,
         bodies: &[Body<T>],
@@ -150,7 +150,7 @@ impl<T: Real> SlideJoint<T> {
     }
 
     /// Stores the force (N) and the moment (N m, about `own`) that act on the link of the group.
-    #[inline]
+    #[inline(always)]
     pub fn store(&self, bodies: &[Body<T>], force: [T; 2], moment: T, reactions: &mut [Wrench<T>]) {
         let mut on_a = Wrench { fx: force[0], fy: force[1], m: moment };
         if self.turned {
@@ -164,7 +164,7 @@ impl<T: Real> SlideJoint<T> {
     }
 
     /// Stores force and moment on the link of the group, and adds the opposite to the load of the other body.
-    #[inline]
+    #[inline(always)]
     pub fn hand_on(
         &self,
         bodies: &[Body<T>],

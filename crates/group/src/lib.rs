@@ -19,6 +19,7 @@ mod joint;
 mod kernel;
 mod linear;
 mod newton;
+mod one_by_one;
 mod pair;
 mod pattern;
 pub mod plane;

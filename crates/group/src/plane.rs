@@ -3,7 +3,7 @@
 use assur_number::Real;
 
 /// A vector of constants in another number type.
-#[inline]
+#[inline(always)]
 pub fn vector<T: Real>(of: [f64; 2]) -> [T; 2] {
     [T::from_f64(of[0]), T::from_f64(of[1])]
 }
@@ -15,56 +15,56 @@ pub fn direction<T: Real>(angle: f64) -> [T; 2] {
 }
 
 /// a + b.
-#[inline]
+#[inline(always)]
 pub fn plus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
 
 /// a - b.
-#[inline]
+#[inline(always)]
 pub fn minus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
 /// -a.
-#[inline]
+#[inline(always)]
 pub fn opposite<T: Real>(a: [T; 2]) -> [T; 2] {
     [-a[0], -a[1]]
 }
 
 /// k a.
-#[inline]
+#[inline(always)]
 pub fn scaled<T: Real>(k: T, a: [T; 2]) -> [T; 2] {
     [k * a[0], k * a[1]]
 }
 
 /// Scalar product.
-#[inline]
+#[inline(always)]
 pub fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// Vector product of two plane vectors (its component normal to the plane); positive where `b` is counter-clockwise
 /// from `a`.
-#[inline]
+#[inline(always)]
 pub fn cross<T: Real>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
 
 /// a turned by +90 degrees.
-#[inline]
+#[inline(always)]
 pub fn perp<T: Real>(a: [T; 2]) -> [T; 2] {
     [-a[1], a[0]]
 }
 
 /// Complex product: `a` rotated by the angle of `b` and scaled by its length.
-#[inline]
+#[inline(always)]
 pub fn times<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
 /// Complex conjugate: the opposite rotation.
-#[inline]
+#[inline(always)]
 pub fn mirrored<T: Real>(a: [T; 2]) -> [T; 2] {
     [a[0], -a[1]]
 }

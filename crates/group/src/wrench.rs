@@ -1,6 +1,6 @@
 //! Force and moment on a link.
 
-use assur_number::Real;
+use assur_number::{Lanes, Real};
 
 /// A force (in the ground's frame) and a moment about a stated point, acting on a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,12 +21,24 @@ impl<T: Copy> Wrench<T> {
     }
 }
 
+impl Wrench<Lanes> {
+    /// The wrench of one lane.
+    pub fn lane(&self, lane: usize) -> Wrench<f64> {
+        self.map(|number| number.0[lane])
+    }
+
+    /// Sets the wrench of one lane.
+    pub fn set_lane(&mut self, lane: usize, wrench: &Wrench<f64>) {
+        (self.fx.0[lane], self.fy.0[lane], self.m.0[lane]) = (wrench.fx, wrench.fy, wrench.m);
+    }
+}
+
 impl<T: Real> Wrench<T> {
     /// No force and no moment.
     pub const ZERO: Self = Self { fx: T::ZERO, fy: T::ZERO, m: T::ZERO };
 
     /// Adds a moment, and a force that acts at `arm` (m, from the point of reference).
-    #[inline]
+    #[inline(always)]
     pub fn add_at(&mut self, arm: [T; 2], force: [T; 2], moment: T) {
         self.fx += force[0];
         self.fy += force[1];
@@ -34,13 +46,13 @@ impl<T: Real> Wrench<T> {
     }
 
     /// Moment about the point at `arm` from the point of reference.
-    #[inline]
+    #[inline(always)]
     pub fn about(&self, arm: [T; 2]) -> T {
         self.m - arm[0] * self.fy + arm[1] * self.fx
     }
 
     /// The force as a vector.
-    #[inline]
+    #[inline(always)]
     pub fn force(&self) -> [T; 2] {
         [self.fx, self.fy]
     }

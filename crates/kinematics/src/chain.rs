@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Number, Order, kernel_of};
 use assur_mechanism::{InputPair, Mechanism};
-use assur_number::Real;
+use assur_number::{Formula, Real};
 use assur_structure::Structure;
 
 use crate::CompileError;
@@ -104,21 +104,7 @@ impl<T: Number> Chain<T> {
     /// Places the input link; its derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
-        match self.input {
-            Input::Crank { link, ground, own } => {
-                let (s, c) = coordinate.sin_cos();
-                let body = &mut bodies[link];
-                (body.c, body.s, body.w1, body.w2) = (c, s, T::ONE, T::ZERO);
-                let arm = body.arm(own);
-                body.hang(arm, [ground, [T::ZERO; 2], [T::ZERO; 2]]);
-            }
-            Input::Slider { link, axis, along, origin } => {
-                let body = &mut bodies[link];
-                (body.c, body.s) = (axis[0], axis[1]);
-                (body.x, body.y) = (origin[0] + along[0] * coordinate, origin[1] + along[1] * coordinate);
-                (body.x1, body.y1) = (along[0], along[1]);
-            }
-        }
+        T::evaluate(SetInput { input: &self.input, coordinate, bodies });
     }
 
     /// Solves all needed groups of the chain at one coordinate, each group in the way given.
@@ -165,6 +151,37 @@ impl<T: Number> Chain<T> {
             }
         }
         Ok(())
+    }
+}
+
+/// The input link at a coordinate.
+struct SetInput<'a, T> {
+    input: &'a Input<T>,
+    coordinate: T,
+    bodies: &'a mut [Body<T>],
+}
+
+impl<T: Real> Formula for SetInput<'_, T> {
+    type Value = ();
+
+    #[inline(always)]
+    fn evaluate(self) {
+        let Self { input, coordinate, bodies } = self;
+        match *input {
+            Input::Crank { link, ground, own } => {
+                let (s, c) = coordinate.sin_cos();
+                let body = &mut bodies[link];
+                (body.c, body.s, body.w1, body.w2) = (c, s, T::ONE, T::ZERO);
+                let arm = body.arm(own);
+                body.hang(arm, [ground, [T::ZERO; 2], [T::ZERO; 2]]);
+            }
+            Input::Slider { link, axis, along, origin } => {
+                let body = &mut bodies[link];
+                (body.c, body.s) = (axis[0], axis[1]);
+                (body.x, body.y) = (origin[0] + along[0] * coordinate, origin[1] + along[1] * coordinate);
+                (body.x1, body.y1) = (along[0], along[1]);
+            }
+        }
     }
 }
 

@@ -23,9 +23,9 @@ pub fn iterated(structure: &Structure) -> Vec<usize> {
 }
 
 impl Guesses {
-    /// Sets the links to their poses at the sample closest to a coordinate.
-    pub(crate) fn put(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
-        for (link, poses) in &self.poses {
+    /// The links with their poses at the sample closest to a coordinate.
+    pub(crate) fn at(&self, coordinate: f64) -> impl Iterator<Item = (usize, &Body<f64>)> {
+        self.poses.iter().map(move |(link, poses)| {
             let last = (poses.len() - 1) as f64;
             let mut place = (coordinate - self.low) / self.step;
             if self.periodic {
@@ -37,7 +37,12 @@ impl Guesses {
                 reason = "clamped to the samples"
             )]
             let nearest = place.round().clamp(0.0, last) as usize;
-            bodies[*link] = poses[nearest];
-        }
+            (*link, &poses[nearest])
+        })
+    }
+
+    /// Sets the links to their poses at the sample closest to a coordinate.
+    pub(crate) fn put(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
+        self.at(coordinate).for_each(|(link, pose)| bodies[link] = *pose);
     }
 }

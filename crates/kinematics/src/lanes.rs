@@ -26,7 +26,7 @@ impl LanePosition {
     pub fn copy_lane(&self, lane: usize, position: &mut Position) {
         position.coordinate = self.coordinates.0[lane];
         for (one, all) in position.bodies.iter_mut().zip(&self.bodies) {
-            *one = all.map(|number| number.0[lane]);
+            *one = all.lane(lane);
         }
         for (one, all) in position.health.iter_mut().zip(&self.health) {
             *one = all.0[lane];
@@ -36,8 +36,7 @@ impl LanePosition {
     /// Puts the single position into a lane.
     fn put_single(&mut self, lane: usize) {
         for (all, one) in self.bodies.iter_mut().zip(&self.single.bodies) {
-            let mut numbers = one.numbers().into_iter();
-            *all = all.map(|all| with_lane(all, lane, numbers.next().unwrap_or(f64::NAN)));
+            all.set_lane(lane, one);
         }
         for (all, one) in self.health.iter_mut().zip(&self.single.health) {
             all.0[lane] = *one;
@@ -46,14 +45,9 @@ impl LanePosition {
 
     /// Copies the numbers of one lane to another.
     fn repeat(&mut self, from: usize, to: usize) {
-        self.bodies.iter_mut().for_each(|body| *body = body.map(|all| with_lane(all, to, all.0[from])));
-        self.health.iter_mut().for_each(|all| *all = with_lane(*all, to, all.0[from]));
+        self.bodies.iter_mut().for_each(|body| body.set_lane(to, &body.lane(from)));
+        self.health.iter_mut().for_each(|all| all.0[to] = all.0[from]);
     }
-}
-
-fn with_lane(mut all: Lanes, lane: usize, number: f64) -> Lanes {
-    all.0[lane] = number;
-    all
 }
 
 impl Linkage {
@@ -87,6 +81,12 @@ impl Linkage {
         if let Some(first) = alone.iter().position(|alone| !alone) {
             // A lane that is solved alone must not keep the others from being solved together.
             let together = Lanes::of(|lane| coordinates.0[if alone[lane] { first } else { lane }]);
+            if let Some(guesses) = &self.guesses {
+                for (lane, coordinate) in together.0.into_iter().enumerate() {
+                    let poses = guesses.at(self.followed(coordinate));
+                    poses.for_each(|(link, pose)| position.bodies[link].set_lane(lane, pose));
+                }
+            }
             let ways = self.ways.at(coordinates.0[first]);
             let (bodies, health) = (&mut position.bodies, &mut position.health);
             if self.lane_chain.solve(together, ways, order, bodies, health).is_err() {
@@ -96,12 +96,9 @@ impl Linkage {
         if alone.contains(&true) { self.solve_alone(&alone, order, position) } else { Ok(()) }
     }
 
-    /// The lanes that must be solved one at a time: those whose motion is interpolated or whose groups are in other ways
-    /// than in the first lane, and all of a mechanism with groups that iterate.
+    /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other ways
+    /// than in the first lane.
     fn alone(&self, coordinates: Lanes) -> [bool; Lanes::WIDTH] {
-        if self.iterates {
-            return [true; Lanes::WIDTH];
-        }
         let mut common = None;
         coordinates.0.map(|coordinate| {
             if !coordinate.is_finite() || self.interpolants.cover(coordinate) {

@@ -24,8 +24,6 @@ pub struct Linkage {
     pub chain: Chain<f64>,
     /// The compiled chain for eight positions at once.
     pub(crate) lane_chain: Chain<Lanes>,
-    /// Whether a group that is needed iterates from a starting pose.
-    pub(crate) iterates: bool,
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
@@ -36,7 +34,7 @@ pub struct Linkage {
     ends: [Option<ChainError>; 2],
     pub(crate) interpolants: Interpolants,
     /// Starting poses for the groups that iterate.
-    guesses: Option<Guesses>,
+    pub(crate) guesses: Option<Guesses>,
 }
 
 /// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
@@ -81,15 +79,12 @@ impl Linkage {
         chain.limit_to(needed);
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
-        let iterates =
-            structure.groups.iter().zip(needed).any(|(group, needed)| *needed && group.plugin.iterates);
         let followed = follow(&mechanism, &structure, &chain);
         Ok(Self {
             mechanism,
             structure,
             chain,
             lane_chain,
-            iterates,
             ways: followed.ways,
             range: followed.range,
             first_failure: followed.first_failure,
@@ -113,10 +108,9 @@ impl Linkage {
         &self.chain.groups
     }
 
-    /// The kernels of the groups for eight positions at once, in solving order; `None` where a group iterates, which is
-    /// done for one position at a time.
-    pub fn lane_groups(&self) -> Option<&[Box<dyn AssurGroup<Lanes>>]> {
-        (!self.iterates).then_some(&self.lane_chain.groups)
+    /// The kernels of the groups for eight positions at once, in solving order.
+    pub fn lane_groups(&self) -> &[Box<dyn AssurGroup<Lanes>>] {
+        &self.lane_chain.groups
     }
 
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
@@ -155,7 +149,7 @@ impl Linkage {
     /// The coordinate shifted into the interval in which the assembly was followed: if the mechanism does not turn
     /// fully, an angle is taken in the turn that begins at the lower end.
     #[inline]
-    fn followed(&self, coordinate: f64) -> f64 {
+    pub(crate) fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
             Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
             _ => coordinate,

@@ -2,7 +2,9 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::Real;
+use pulp::Arch;
+
+use crate::{Formula, Real, sine};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -22,6 +24,13 @@ impl Lanes {
         Self(std::array::from_fn(lane))
     }
 
+    #[cold]
+    #[inline(never)]
+    fn sin_cos_one_by_one(self) -> (Self, Self) {
+        let both = self.0.map(Real::sin_cos);
+        (Self(both.map(|(sine, _)| sine)), Self(both.map(|(_, cosine)| cosine)))
+    }
+
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::of(|lane| f(self.0[lane]))
@@ -29,14 +38,21 @@ impl Lanes {
 
     #[inline(always)]
     fn fold(self, better: impl Fn(f64, f64) -> bool) -> f64 {
-        // The result must be NaN if a lane is NaN, which a comparison would hide. Without branches, because this is
-        // in the inner loop.
-        let mut hidden = false;
-        for a in self.0 {
-            hidden |= a.is_nan();
-        }
-        let best = self.0.into_iter().reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0);
-        if hidden { f64::NAN } else { best }
+        // A NaN is better than any number: it must not be hidden.
+        let choose = |a: f64, b: f64| if a.is_nan() || better(a, b) { a } else { b };
+        self.0.into_iter().fold(self.0[0], choose)
+    }
+}
+
+/// A formula that is compiled for several sets of instructions.
+struct Widest<F>(F);
+
+impl<F: Formula> pulp::WithSimd for Widest<F> {
+    type Output = F::Value;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> F::Value {
+        self.0.evaluate()
     }
 }
 
@@ -108,11 +124,29 @@ impl Real for Lanes {
         self.fold(|a, b| a > b)
     }
     #[inline(always)]
+    fn at_least(self, limit: f64) -> bool {
+        self.0.iter().fold(true, |all, lane| all & (*lane >= limit))
+    }
+    #[inline(always)]
+    fn exceeds(self, limit: f64) -> bool {
+        self.0.iter().fold(true, |all, lane| all & (*lane > limit))
+    }
+    #[inline(always)]
     fn clamp_negative(self) -> Self {
         self.map(|a| if a < 0.0 { 0.0 } else { a })
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        (self.map(f64::sin), self.map(f64::cos))
+        let (mut sine, mut cosine, mut all_right) = (self, self, true);
+        for lane in 0..Self::WIDTH {
+            let ([s, c], is_right) = sine::quick(self.0[lane]);
+            (sine.0[lane], cosine.0[lane]) = (s, c);
+            all_right &= is_right;
+        }
+        if all_right { (sine, cosine) } else { self.sin_cos_one_by_one() }
+    }
+    #[inline(always)]
+    fn evaluate<F: Formula>(formula: F) -> F::Value {
+        Arch::new().dispatch(Widest(formula))
     }
 }

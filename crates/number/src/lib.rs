@@ -8,10 +8,11 @@ mod dd;
 mod lanes;
 mod real;
 pub mod search;
+mod sine;
 
 pub use dd::Dd;
 pub use lanes::Lanes;
-pub use real::Real;
+pub use real::{Formula, Real};
 
 #[cfg(test)]
 mod tests;

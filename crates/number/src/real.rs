@@ -3,10 +3,21 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use crate::sine;
+
+/// A formula over numbers of one kind, for [`Real::evaluate`].
+pub trait Formula {
+    /// Its result.
+    type Value;
+
+    /// Evaluates it. An implementation must be `#[inline(always)]`, and so must be what it calls: the instructions of
+    /// the caller reach only as far as code is inlined.
+    fn evaluate(self) -> Self::Value;
+}
+
 /// A real number, or several side by side.
 ///
-/// There is no comparison: a formula that has to decide uses the [`least`](Self::least) or
-/// [`greatest`](Self::greatest) lane, and so decides for all lanes at once.
+/// There is no comparison of two numbers: a formula that has to decide asks whether all lanes are on one side of a limit.
 pub trait Real:
     Copy
     + Debug
@@ -42,27 +53,45 @@ pub trait Real:
     fn least(self) -> f64;
     /// The greatest lane; NaN if a lane is NaN.
     fn greatest(self) -> f64;
+    /// Whether every lane is at least `limit`; no, if a lane is NaN.
+    #[inline(always)]
+    fn at_least(self, limit: f64) -> bool {
+        self.least() >= limit
+    }
+    /// Whether every lane exceeds `limit`; no, if a lane is NaN.
+    #[inline(always)]
+    fn exceeds(self, limit: f64) -> bool {
+        self.least() > limit
+    }
     /// The greater of this number and zero, lane by lane.
     #[must_use]
     fn clamp_negative(self) -> Self;
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
+    /// Evaluates a formula with the widest instructions that the machine has for this kind of number.
+    #[inline(always)]
+    fn evaluate<F: Formula>(formula: F) -> F::Value {
+        formula.evaluate()
+    }
+
     /// Half of this number.
     #[must_use]
+    #[inline(always)]
     fn half(self) -> Self {
         self * Self::from_f64(0.5)
     }
 
     /// Twice this number.
     #[must_use]
+    #[inline(always)]
     fn twice(self) -> Self {
         self + self
     }
 }
 
 macro_rules! primitive {
-    ($float:ident) => {
+    ($float:ident, $sin_cos:path) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -70,45 +99,52 @@ macro_rules! primitive {
             #[allow(clippy::cast_lossless, trivial_numeric_casts, reason = "one macro serves both widths")]
             const EPSILON: f64 = $float::EPSILON as f64;
 
-            #[inline]
+            #[inline(always)]
             #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
             #[allow(clippy::cast_possible_truncation, reason = "f32 is asked for to see what it loses")]
             fn from_f64(value: f64) -> Self {
                 value as $float
             }
-            #[inline]
+            #[inline(always)]
             #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
             #[allow(clippy::cast_lossless, reason = "one macro serves both widths")]
             fn to_f64(self) -> f64 {
                 self as f64
             }
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 $float::sqrt(self)
             }
-            #[inline]
+            #[inline(always)]
             fn abs(self) -> Self {
                 $float::abs(self)
             }
-            #[inline]
+            #[inline(always)]
             fn least(self) -> f64 {
                 self.to_f64()
             }
-            #[inline]
+            #[inline(always)]
             fn greatest(self) -> f64 {
                 self.to_f64()
             }
-            #[inline]
+            #[inline(always)]
             fn clamp_negative(self) -> Self {
                 if self < 0.0 { 0.0 } else { self }
             }
-            #[inline]
+            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                $float::sin_cos(self)
+                $sin_cos(self)
             }
         }
     };
 }
 
-primitive!(f32);
-primitive!(f64);
+primitive!(f32, f32::sin_cos);
+primitive!(f64, sin_cos);
+
+#[inline(always)]
+fn sin_cos(angle: f64) -> (f64, f64) {
+    let (found, is_right) = sine::quick(angle);
+    let [sine, cosine] = if is_right { found } else { sine::precise(angle) };
+    (sine, cosine)
+}

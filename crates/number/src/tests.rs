@@ -34,6 +34,62 @@ fn a_nan_lane_is_not_hidden() {
     assert!(Lanes::from_f64(-1.0).sqrt().least().is_nan());
 }
 
+/// Angles of all sizes up to `limit`, and those closest to multiples of pi/4.
+fn angles(limit: f64) -> impl Iterator<Item = f64> {
+    let spread = (0..40_000).map(move |i| (f64::from(i) * 0.618_033_988_749_894_9).fract() * limit);
+    let sizes = (-60..=30).flat_map(|power| {
+        (0..40).map(move |i| (1.0 + (f64::from(i) * 0.754_877_666_246_692_8).fract()) * 2.0_f64.powi(power))
+    });
+    let eighths = (1..3000).chain((3000..2_000_000_000).step_by(999_983)).flat_map(move |i| {
+        let eighth = (f64::from(i) * std::f64::consts::FRAC_PI_4).min(limit);
+        [eighth, eighth.next_up(), eighth.next_down()]
+    });
+    spread.chain(sizes).chain(eighths).filter(move |angle| angle.abs() <= limit).flat_map(|angle| [angle, -angle])
+}
+
+/// The difference of a number from its value in 32 digits, in units in the last place.
+fn ulps(found: f64, exact: Dd) -> f64 {
+    let value = exact.to_f64().abs();
+    (Dd::from_f64(found) - exact).to_f64().abs() / (value.next_up() - value)
+}
+
+#[test]
+fn sine_and_cosine_are_within_one_unit_in_the_last_place() {
+    let mut greatest = 0.0_f64;
+    // 1e9 rad is the greatest coordinate of a scene; beyond 2^30 rad every angle is reduced in 32 digits.
+    for limit in [1.0, 7.0, 1e3, 1e9, 1e12] {
+        for angle in angles(limit) {
+            let (sine, cosine) = Real::sin_cos(angle);
+            let (s, c) = Dd::from_f64(angle).sin_cos();
+            let off = ulps(sine, s).max(ulps(cosine, c));
+            assert!(off < 0.85, "{angle:e}: {off} units");
+            greatest = greatest.max(off);
+        }
+    }
+    assert!(greatest > 0.5, "no rounding at all: {greatest}");
+    assert_eq!(Real::sin_cos(0.0_f64), (0.0, 1.0));
+    for none in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let (sine, cosine) = Real::sin_cos(none);
+        assert!(sine.is_nan() && cosine.is_nan(), "{none}");
+    }
+}
+
+#[test]
+fn every_lane_has_the_sine_and_cosine_of_its_angle() {
+    let mut all: Vec<f64> = angles(1e12).collect();
+    all.extend([f64::NAN, f64::INFINITY, 0.0, -0.0, 1e300]);
+    for shift in [0, 3] {
+        for eight in all[shift..].chunks_exact(Lanes::WIDTH) {
+            let (sine, cosine) = Lanes::of(|lane| eight[lane]).sin_cos();
+            for (lane, angle) in eight.iter().enumerate() {
+                let (s, c) = Real::sin_cos(*angle);
+                assert!(sine.0[lane].to_bits() == s.to_bits() || s.is_nan() && sine.0[lane].is_nan());
+                assert!(cosine.0[lane].to_bits() == c.to_bits() || c.is_nan() && cosine.0[lane].is_nan());
+            }
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn addition_theorem_holds_in_double_double(a in -300.0..300.0f64, b in -3.0..3.0f64) {

@@ -59,8 +59,7 @@ impl ForceAnalyzer for Groups {
         loads: &mut [Wrench<Lanes>],
         out: &mut Reactions<Lanes>,
     ) -> bool {
-        let Some(groups) = linkage.lane_groups() else { return false };
-        let bodies = &position.bodies;
+        let (groups, bodies) = (linkage.lane_groups(), &position.bodies);
         let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
             group.reactions(bodies, loads, pairs)
         });

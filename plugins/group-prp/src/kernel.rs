@@ -35,7 +35,7 @@ pub struct Crossing<T> {
 }
 
 /// The vector with given components along the normals of two directions.
-#[inline]
+#[inline(always)]
 fn meet<T: Real>(t: &[[T; 2]; 2], b: [T; 2], inverse: T) -> [T; 2] {
     scaled(inverse, minus(scaled(b[0], t[1]), scaled(b[1], t[0])))
 }
@@ -64,7 +64,7 @@ impl<T: Real> Prp<T> {
     }
 
     /// Directions of the guides, and the sine of the angle between them.
-    #[inline]
+    #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> ([[T; 2]; 2], T) {
         let t = self.slides.each_ref().map(|slide| bodies[slide.body].turned(slide.along));
         (t, cross(t[0], t[1]))
@@ -79,7 +79,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         &self.frame
     }
 
-    #[inline]
+    #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Crossing<T>, T), GroupError> {
         let (t, d) = self.guides(bodies);
         let health = d.abs();
@@ -97,7 +97,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         Ok((Crossing { c, arms, t, d }, health))
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Crossing<T> {
         let (t, d) = self.guides(bodies);
         let arms = [0, 1].map(|i| bodies[self.links[i]].arm(self.pin[i]));
@@ -105,12 +105,12 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         Crossing { c: plus([one.x, one.y], arms[0]), arms, t, d }
     }
 
-    #[inline]
+    #[inline(always)]
     fn health(&self, position: &Crossing<T>) -> T {
         position.d.abs()
     }
 
-    #[inline]
+    #[inline(always)]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],

@@ -79,7 +79,7 @@ impl<T: Real> Rpp<T> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         let carrier = &bodies[self.outer.body];
         [carrier.turned(self.inner_along), carrier.turned(self.outer.along)]
@@ -94,7 +94,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         &self.frame
     }
 
-    #[inline]
+    #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Lines<T>, T), GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let carrier = bodies[self.outer.body];
@@ -114,7 +114,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Lines<T> {
         let [one, two] = self.links.map(|i| &bodies[i]);
         let arms = [one.arm(self.end.own), two.arm(self.outer.own)];
@@ -122,12 +122,12 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         Lines { points, arms, t: self.guides(bodies) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn health(&self, _position: &Lines<T>) -> T {
         self.d.abs()
     }
 
-    #[inline]
+    #[inline(always)]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],

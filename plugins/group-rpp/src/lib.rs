@@ -45,6 +45,6 @@ inventory::submit! {
         singular: "the guides parallel",
         force_angle: ForceAngle::of_sine("angle between the guides"),
         source: "S stage 2; theory of two lines",
-        builders: Builders::of::<RppKind>(),
+        builders: Builders::in_lanes::<RppKind>(),
     }
 }

@@ -72,7 +72,7 @@ impl<T: Real> Rpr<T> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         self.ends.each_ref().map(|end| end.place(bodies))
     }
@@ -88,7 +88,7 @@ impl<T: Real> Rpr<T> {
 
     /// Returns an error if derivatives and reactions would have no correct digit: s is a root of D² - e², so a
     /// rounding of the distance D is magnified by D/s²; for a central guide only by 1/s.
-    #[inline]
+    #[inline(always)]
     fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
         GroupError::if_singular(health)?;
         let square = s * s + self.e * self.e;
@@ -105,13 +105,13 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         &self.frame
     }
 
-    #[inline]
+    #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[0], pins[1]);
         let square = dot(d, d);
         let rest = square - self.e * self.e;
-        if !(rest.least() >= -self.slack && square.least() > self.slack) {
+        if !(rest.at_least(-self.slack) && square.exceeds(self.slack)) {
             return Err(self.refusal(square, rest));
         }
         let s = rest.clamp_negative().sqrt();
@@ -127,7 +127,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         Ok((Triangle { pins, arms, t, s, health }, health))
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [slider, guide] = self.links.map(|i| &bodies[i]);
         let pins = self.pins(bodies);
@@ -138,12 +138,12 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         Triangle { pins, arms, t, s, health }
     }
 
-    #[inline]
+    #[inline(always)]
     fn health(&self, position: &Triangle<T>) -> T {
         position.health
     }
 
-    #[inline]
+    #[inline(always)]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],

@@ -50,6 +50,6 @@ inventory::submit! {
         singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
         force_angle: ForceAngle { words: "pressure angle of the line of the pins to the guide", of: kernel::pressure_angle },
         source: "S stage 2; theory of the right triangle",
-        builders: Builders::of::<RprKind>(),
+        builders: Builders::in_lanes::<RprKind>(),
     }
 }

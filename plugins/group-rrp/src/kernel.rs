@@ -93,14 +93,14 @@ impl<T: Real> Rrp<T> {
     }
 
     /// Directions along and across the guide.
-    #[inline]
+    #[inline(always)]
     fn guide(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         let t = bodies[self.slide.body].turned(self.slide.along);
         [t, perp(t)]
     }
 
     /// Returns an error if derivatives and reactions would have no correct digit.
-    #[inline]
+    #[inline(always)]
     fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
         let health = (sigma * self.inverse_length).abs();
         GroupError::if_singular(health)?;
@@ -123,14 +123,14 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         &self.frame
     }
 
-    #[inline]
+    #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
         let carrier = &bodies[self.slide.body];
         let [t, n] = self.guide(bodies);
         let a = self.end.place(bodies);
         let delta = dot(n, minus([carrier.x, carrier.y], a)) + self.height;
         let (ahead, behind) = (self.length - delta, self.length + delta);
-        if !(ahead.least() >= -self.slack && behind.least() >= -self.slack) {
+        if !(ahead.at_least(-self.slack) && behind.at_least(-self.slack)) {
             return Err(self.refusal(delta));
         }
         let sigma = (ahead * behind).clamp_negative().sqrt();
@@ -147,7 +147,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [t, n] = self.guide(bodies);
         let [rod, slider] = self.links.map(|i| &bodies[i]);
@@ -157,12 +157,12 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma: dot(t, r) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn health(&self, position: &Triangle<T>) -> T {
         (position.sigma * self.inverse_length).abs()
     }
 
-    #[inline]
+    #[inline(always)]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],

@@ -50,6 +50,6 @@ inventory::submit! {
         singular: "the rod perpendicular to the guide",
         force_angle: ForceAngle::of_cosine("pressure angle of the rod to the guide"),
         source: "S stage 2; theory of circle and line",
-        builders: Builders::of::<RrpKind>(),
+        builders: Builders::in_lanes::<RrpKind>(),
     }
 }

@@ -92,7 +92,7 @@ impl<T: Real> Rrr<T> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         self.ends.each_ref().map(|end| end.place(bodies))
     }
@@ -113,7 +113,7 @@ impl<T: Real> Rrr<T> {
     }
 
     /// Returns an error if derivatives and reactions would have no correct digit.
-    #[inline]
+    #[inline(always)]
     fn determined(&self, r: &[[T; 2]; 2], d: T) -> Result<(), GroupError> {
         let health = (d * self.inverse_product).abs();
         GroupError::if_singular(health)?;
@@ -130,16 +130,16 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         &self.frame
     }
 
-    #[inline]
+    #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[1], pins[0]);
         let square = dot(d, d);
         // Two factors, each accurate near its own zero: l1² - alpha² d² would lose half the digits near both.
         let (far, near) = (self.stretched - square, square - self.folded);
-        if !(far.least() >= -self.slack[0]
-            && near.least() >= -self.slack[1]
-            && square.least() > self.slack[1])
+        if !(far.at_least(-self.slack[0])
+            && near.at_least(-self.slack[1])
+            && square.exceeds(self.slack[1]))
         {
             return Err(self.refusal(square, far, near));
         }
@@ -160,7 +160,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         Ok((Triangle { pins, arms, r, d: root }, health))
     }
 
-    #[inline]
+    #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let link = self.links.map(|i| &bodies[i]);
         let r = [link[0].arm(self.rods[0]), link[1].arm(self.rods[1])];
@@ -168,12 +168,12 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         Triangle { pins: self.pins(bodies), arms, d: cross(r[0], r[1]), r }
     }
 
-    #[inline]
+    #[inline(always)]
     fn health(&self, position: &Triangle<T>) -> T {
         (position.d * self.inverse_product).abs()
     }
 
-    #[inline]
+    #[inline(always)]
     fn differentiate(
         &self,
         bodies: &mut [Body<T>],

@@ -50,6 +50,6 @@ inventory::submit! {
         singular: "the links in one line, stretched or folded: sin(phi2 - phi1) = 0",
         force_angle: ForceAngle::of_sine("transmission angle between the links"),
         source: "S stage 2; theory of two circles",
-        builders: Builders::of::<RrrKind>(),
+        builders: Builders::in_lanes::<RrrKind>(),
     }
 }

@@ -50,7 +50,7 @@ pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(
     motion::agrees_with_the_general_solution(case, way, health)?;
     motion::solve_is_place_and_derive(case, way, health)?;
     forces::all(case, way, health, rng)?;
-    numbers::lanes(case, way, health)?;
+    numbers::lanes(case, way)?;
     numbers::precisions(case, way, health)?;
     refusals::not_a_number(case, way)?;
     // With two links the least change of a length equals a displacement of one outer body; with more links it need

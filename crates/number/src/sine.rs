@@ -1,0 +1,80 @@
+//! Sine and cosine of an f64, by the same operations in every lane and on every machine.
+//!
+//! The argument is reduced by multiples of pi/2 in four parts (Cody and Waite), so that the rest keeps its digits; sine
+//! and cosine of the rest are the polynomials of Sun's fdlibm. The result has an error below one unit in the last place.
+//! There is no branch and no fused multiply-add: the compiler can put lanes side by side, and the bits are the same for
+//! every set of instructions.
+
+use crate::{Dd, Real};
+
+/// Greatest angle of the quick reduction, rad: beyond it, multiples of the parts of pi/2 would be rounded.
+const QUICK: f64 = 1_073_741_824.0;
+
+/// pi/2 in four parts. The first three have 23 bits, so that their multiples up to 2^30 are exact.
+const PARTS: [f64; 4] =
+    [1.570_796_251_296_997, 7.549_789_415_861_596e-8, 5.390_302_529_957_765e-15, 3.282_003_542_873_500_5e-22];
+
+/// Adding 1.5 * 2^52 rounds to an integer, which then stands in the last bits.
+const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+
+/// The error of the four parts for each multiple is about 2^-122: with a rest greater than this for each multiple,
+/// it is no error of the result.
+const CLOSEST: f64 = 1.355_252_715_606_880_5e-20;
+
+/// Coefficients of the sine: x + S[0] x³ + S[1] x⁵ + ...
+const S: [f64; 6] = [
+    -1.666_666_666_666_663_2e-1,
+    8.333_333_333_322_489_5e-3,
+    -1.984_126_982_985_795e-4,
+    2.755_731_370_707_006_8e-6,
+    -2.505_076_025_340_686_3e-8,
+    1.589_690_995_211_55e-10,
+];
+
+/// Coefficients of the cosine: 1 - x²/2 + C[0] x⁴ + C[1] x⁶ + ...
+const C: [f64; 6] = [
+    4.166_666_666_666_66e-2,
+    -1.388_888_888_887_411e-3,
+    2.480_158_728_947_673e-5,
+    -2.755_731_435_139_066_3e-7,
+    2.087_572_321_298_175e-9,
+    -1.135_964_755_778_819_5e-11,
+];
+
+/// Sine and cosine of an angle in rad, and whether they are right: if not, [`precise`] has to give them.
+#[inline(always)]
+pub(crate) fn quick(angle: f64) -> ([f64; 2], bool) {
+    let shifted = angle * std::f64::consts::FRAC_2_PI + TO_INTEGER;
+    let count = shifted - TO_INTEGER;
+    let near = (angle - count * PARTS[0]) - count * PARTS[1];
+    let third = count * PARTS[2];
+    let sum = near - third;
+    let left = ((near - sum) - third) - count * PARTS[3];
+    let rest = sum + left;
+    let tail = (sum - rest) + left;
+    let is_right = (angle.abs() <= QUICK) & (rest.abs() >= (count * CLOSEST).abs());
+
+    let square = rest * rest;
+    let upper = S[1] + square * (S[2] + square * (S[3] + square * (S[4] + square * S[5])));
+    let cube = square * rest;
+    let sine = rest - ((square * (0.5 * tail - cube * upper) - tail) - cube * S[0]);
+    let half = 0.5 * square;
+    let lower = C[0] + square * (C[1] + square * (C[2] + square * (C[3] + square * (C[4] + square * C[5]))));
+    let first = 1.0 - half;
+    let cosine = first + (((1.0 - first) - half) + (square * (square * lower) - rest * tail));
+
+    // By quarters of a turn: (s, c), (c, -s), (-s, -c), (-c, s).
+    let quarter = shifted.to_bits();
+    let odd = quarter & 1 != 0;
+    let (s, c) = (if odd { cosine } else { sine }, if odd { sine } else { cosine });
+    let sign = |number: f64, quarter: u64| f64::from_bits(number.to_bits() ^ ((quarter & 2) << 62));
+    ([sign(s, quarter), sign(c, quarter.wrapping_add(1))], is_right)
+}
+
+/// Sine and cosine by way of 32 digits, for angles that are very large or extremely close to a multiple of pi/2.
+#[cold]
+#[inline(never)]
+pub(crate) fn precise(angle: f64) -> [f64; 2] {
+    let (sine, cosine) = Dd::from_f64(angle).sin_cos();
+    [sine.to_f64(), cosine.to_f64()]
+}
