@@ -221,6 +221,12 @@ fn main() {
         if one.name.contains("by hand") {
             by_hand = one.least;
         }
-        println!("{:32} {:8.2} {:7.3} {:12.2}", one.name, one.least * 1e9, one.least / y, one.least / by_hand);
+        println!(
+            "{:32} {:8.2} {:7.3} {:12.2}",
+            one.name,
+            one.least * 1e9,
+            one.least / y,
+            one.least / by_hand
+        );
     }
 }

@@ -44,7 +44,11 @@ fn angles(limit: f64) -> impl Iterator<Item = f64> {
         let eighth = (f64::from(i) * std::f64::consts::FRAC_PI_4).min(limit);
         [eighth, eighth.next_up(), eighth.next_down()]
     });
-    spread.chain(sizes).chain(eighths).filter(move |angle| angle.abs() <= limit).flat_map(|angle| [angle, -angle])
+    spread
+        .chain(sizes)
+        .chain(eighths)
+        .filter(move |angle| angle.abs() <= limit)
+        .flat_map(|angle| [angle, -angle])
 }
 
 /// The difference of a number from its value in 32 digits, in units in the last place.

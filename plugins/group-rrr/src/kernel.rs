@@ -137,10 +137,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let square = dot(d, d);
         // Two factors, each accurate near its own zero: l1² - alpha² d² would lose half the digits near both.
         let (far, near) = (self.stretched - square, square - self.folded);
-        if !(far.at_least(-self.slack[0])
-            && near.at_least(-self.slack[1])
-            && square.exceeds(self.slack[1]))
-        {
+        if !(far.at_least(-self.slack[0]) && near.at_least(-self.slack[1]) && square.exceeds(self.slack[1])) {
             return Err(self.refusal(square, far, near));
         }
         let root = (far * near).clamp_negative().sqrt().half();
