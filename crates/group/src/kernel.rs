@@ -33,7 +33,8 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     ///
-    /// [`GroupError::NoAssembly`] if no real assembly exists (with lanes: in any lane); [`GroupError::Singular`] if the
+    /// [`GroupError::NoAssembly`] if no real assembly exists (with lanes: in any lane, or where lanes would have
+    /// to be treated differently; they are then placed one at a time); [`GroupError::Singular`] if the
     /// place is not determined.
     fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError>;
 

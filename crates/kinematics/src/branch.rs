@@ -4,6 +4,7 @@ use assur_group::Body;
 
 use crate::ChainError;
 use crate::meeting::Meeting;
+use crate::poses::Poses;
 use crate::wide::Assembly;
 
 /// A transition of one group on a branch.
@@ -44,7 +45,7 @@ pub(crate) struct Branch {
     /// The meetings of all groups followed up to now.
     pub(crate) meetings: Vec<Meeting>,
     /// For each link, its pose at every sample, as long as other groups need it.
-    pub(crate) poses: Vec<Vec<Body<f64>>>,
+    pub(crate) poses: Vec<Poses>,
     /// Links of the groups that iterate.
     iterated: Vec<usize>,
     /// All links at the start.
@@ -69,10 +70,15 @@ impl Branch {
             passages: vec![Vec::new(); first.len()],
             met_at_start: Vec::new(),
             meetings: Vec::new(),
-            poses: vec![Vec::new(); start.len()],
+            poses: vec![Poses::default(); start.len()],
             iterated: iterated.to_vec(),
             start: start.to_vec(),
         }
+    }
+
+    /// Pose of a link at a sample; where there is none, that at the start.
+    pub(crate) fn pose(&self, link: usize, sample: usize) -> Body<f64> {
+        self.poses[link].get(sample).unwrap_or(self.start[link])
     }
 
     /// Coordinate of a sample.
@@ -144,15 +150,14 @@ impl Assembly for Branch {
     fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
         let nearest = (self.distance(coordinate) / self.step()).round();
         for &link in &self.iterated {
-            let poses = &self.poses[link];
-            let last = poses.len().saturating_sub(1) as f64;
+            let last = self.poses[link].iter().len().saturating_sub(1) as f64;
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "clamped to the samples"
             )]
             let sample = nearest.clamp(0.0, last) as usize;
-            bodies[link] = *poses.get(sample).unwrap_or(&self.start[link]);
+            bodies[link] = self.pose(link, sample);
         }
     }
 }

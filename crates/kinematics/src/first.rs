@@ -7,11 +7,18 @@ use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
 use crate::start::start;
+use crate::wide::Extended;
 use crate::{Chain, ChainError};
 
 /// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the ways
 /// differ by less than the resolution of 16 digits, but by more than this.
 const SAME: f64 = 1e-14;
+
+/// Where the distances of two ways differ by more than this (in parts of the scale), 16 digits tell which is closer, ...
+const CLEARLY: f64 = 1e-6;
+
+/// ... unless the determinant of a group up to there is below this: its place has only half of the digits or less.
+const WELL_PLACED: f64 = 1e-3;
 
 /// The way of each group, and the placed links.
 pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
@@ -21,7 +28,7 @@ pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
     structure: &Structure,
-    (chain, extended): (&Chain<f64>, Option<&Chain<Dd>>),
+    (chain, extended): (&Chain<f64>, &Extended<'_>),
     from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
     let wanted = wanted(mechanism);
@@ -29,30 +36,21 @@ pub(crate) fn first_ways(
     let mut placed = vec![false; mechanism.links.len()];
     (placed[GROUND], placed[chain.input.link()]) = (true, true);
     chain.set_input(from, &mut bodies);
-    let mut wide: Vec<_> = bodies.iter().map(|body| body.map(Dd::from_f64)).collect();
-    if let Some(extended) = extended {
-        extended.set_input(Dd::from_f64(from), &mut wide);
-    }
+    let mut exact = Exact { chain, extended, from, bodies: Vec::new(), groups: 0 };
+    let mut least_health = f64::INFINITY;
     let mut ways = vec![0_u8; chain.groups.len()];
     for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.is_needed(*group)) {
-        let extended = extended.map(|chain| chain.groups[group].as_ref());
-        let links = &kernel.frame().links;
         let iterates = structure.groups[group].plugin.iterates;
         if iterates {
             start(mechanism, kernel.frame(), &placed, &mut bodies);
-            copy(links, &bodies, &mut wide);
         }
-        let mut best: Option<(f64, u8)> = None;
+        let mut candidates: Vec<(u8, f64)> = Vec::new();
         let mut failure = None;
         for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
             match miss(&wanted, kernel.as_ref(), way, &mut bodies) {
-                Ok(found) => {
-                    // In 32 digits where possible: close to a change point the ways differ by little.
-                    let exact = extended.and_then(|kernel| miss(&wanted, kernel, way, &mut wide).ok());
-                    let found = exact.unwrap_or(found);
-                    if best.is_none_or(|(least, _)| found < least - SAME * structure.scale) {
-                        best = Some((found, way));
-                    }
+                Ok((found, health)) => {
+                    candidates.push((way, found));
+                    least_health = least_health.min(health);
                 }
                 // Whether the position is singular is not known before it is found.
                 Err(GroupError::Singular { health }) if iterates => {
@@ -61,22 +59,76 @@ pub(crate) fn first_ways(
                 Err(source) => failure = Some(ChainError { group, source }),
             }
         }
-        match (best, failure) {
-            (Some((_, way)), _) => ways[group] = way,
-            (None, Some(failure)) => return Err((ways, failure)),
-            (None, None) => {}
+        if let (true, Some(failure)) = (candidates.is_empty(), failure) {
+            return Err((ways, failure));
         }
+        let is_wanted = kernel.frame().links.iter().any(|&link| !wanted[link].is_empty());
+        let chosen = closest(&candidates, SAME * structure.scale);
+        let limit = CLEARLY * structure.scale;
+        let least = candidates.iter().map(|(_, miss)| *miss).fold(f64::INFINITY, f64::min);
+        let rivals = candidates.iter().any(|(way, miss)| *way != chosen && *miss < least + limit);
+        if is_wanted && (rivals || candidates.len() > 1 && least_health < WELL_PLACED) {
+            exact.measure(group, &mut candidates, &wanted, (&ways, &bodies));
+        }
+        ways[group] = closest(&candidates, SAME * structure.scale);
         // The group was already placed from the same starting pose.
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
-        if extended.is_none_or(|kernel| kernel.place(&mut wide, usize::from(ways[group])).is_err()) {
-            // The gap is only rounding: the pose in 16 digits is kept.
-            copy(links, &bodies, &mut wide);
-        }
-        for &link in links {
+        for &link in &kernel.frame().links {
             placed[link] = true;
         }
     }
     Ok((ways, bodies))
+}
+
+/// The way with the least distance; of equal ones the first.
+fn closest(candidates: &[(u8, f64)], same: f64) -> u8 {
+    let closer = |best: (u8, f64), other: &(u8, f64)| if other.1 < best.1 - same { *other } else { best };
+    candidates.iter().skip(1).fold(candidates.first().copied().unwrap_or_default(), closer).0
+}
+
+/// The placed links in 32 digits, as far as they were asked for.
+struct Exact<'a> {
+    chain: &'a Chain<f64>,
+    extended: &'a Extended<'a>,
+    from: f64,
+    bodies: Vec<Body<Dd>>,
+    /// The groups before this one are placed.
+    groups: usize,
+}
+
+impl Exact<'_> {
+    /// Replaces the distances of a group by those in 32 digits, where there are any; `placed`: the ways of the groups
+    /// before it, and the links in 16 digits.
+    fn measure(
+        &mut self,
+        group: usize,
+        candidates: &mut [(u8, f64)],
+        wanted: &[Vec<Wanted>],
+        placed: (&[u8], &[Body<f64>]),
+    ) {
+        let Some(extended) = self.extended.chain() else { return };
+        if self.bodies.is_empty() {
+            self.bodies = extended.bodies();
+            extended.set_input(Dd::from_f64(self.from), &mut self.bodies);
+        }
+        for earlier in (self.groups..group).filter(|earlier| self.chain.is_needed(*earlier)) {
+            let kernel = &extended.groups[earlier];
+            let links = &kernel.frame().links;
+            copy(links, placed.1, &mut self.bodies);
+            if kernel.place(&mut self.bodies, usize::from(placed.0[earlier])).is_err() {
+                // The gap is only rounding: the pose in 16 digits is kept.
+                copy(links, placed.1, &mut self.bodies);
+            }
+        }
+        self.groups = group;
+        let kernel = extended.groups[group].as_ref();
+        copy(&kernel.frame().links, placed.1, &mut self.bodies);
+        for (way, found) in candidates {
+            if let Ok((exact, _)) = miss(wanted, kernel, *way, &mut self.bodies) {
+                *found = exact;
+            }
+        }
+    }
 }
 
 /// Sets links in 32 digits to their poses in 16 digits.
@@ -107,14 +159,14 @@ fn wanted(mechanism: &Mechanism) -> Vec<Vec<Wanted>> {
     wanted
 }
 
-/// Root of the sum of the squared distances between a group's points in one way and their wanted places, m. Leaves
-/// the links of the group unchanged.
+/// Root of the sum of the squared distances between a group's points in one way and their wanted places, m, and the
+/// size of its determinant. Leaves the links of the group unchanged.
 fn miss<T: Number>(
     wanted: &[Vec<Wanted>],
     kernel: &dyn AssurGroup<T>,
     way: u8,
     bodies: &mut [Body<T>],
-) -> Result<f64, GroupError> {
+) -> Result<(f64, f64), GroupError> {
     let links = &kernel.frame().links;
     let before: Vec<_> = links.iter().map(|&link| bodies[link]).collect();
     let placed = kernel.place(bodies, usize::from(way));
@@ -128,5 +180,5 @@ fn miss<T: Number>(
         }
     }
     links.iter().zip(before).for_each(|(&link, before)| bodies[link] = before);
-    placed.map(|_| sum.sqrt().to_f64())
+    placed.map(|health| (sum.sqrt().to_f64(), health.abs().to_f64()))
 }

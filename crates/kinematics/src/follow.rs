@@ -3,9 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use assur_group::{Body, GroupError};
+use assur_group::GroupError;
 use assur_mechanism::Mechanism;
-use assur_number::Dd;
+use assur_number::Lanes;
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
@@ -15,7 +15,7 @@ use crate::follower::Follower;
 use crate::guesses::{Guesses, iterated};
 use crate::interpolants::Interpolants;
 use crate::ways::{Transition, Ways};
-use crate::wide::Wide;
+use crate::wide::{Extended, Wide};
 use crate::{Chain, ChainError, Range};
 
 /// Samples over one turn, or over the length of the range of a sliding input.
@@ -44,12 +44,16 @@ pub(crate) struct Followed {
 }
 
 /// Chooses the assembly of the first position and follows it.
-pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain<f64>) -> Followed {
+pub(crate) fn follow(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    chain: &Chain<f64>,
+    lane_chain: &Chain<Lanes>,
+) -> Followed {
     let unit = coordinate_unit(mechanism, structure);
     let from = mechanism.input.from;
-    // Where a kernel can't be built in 32 digits, meetings are not searched for.
-    let extended = Chain::<Dd>::compile(mechanism, structure).ok();
-    let begin = |q: f64| first_ways(mechanism, structure, (chain, extended.as_ref()), q);
+    let extended = Extended::new(mechanism, structure);
+    let begin = |q: f64| first_ways(mechanism, structure, (chain, &extended), q);
     let found = match begin(from) {
         // Coincident equal links may point in any direction; their assembly is chosen a small distance behind the
         // position.
@@ -73,14 +77,13 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chain: &Chain
         }
     };
     let dependence = Dependence::of(structure);
-    let wide = extended.map(|chain| Wide::new(chain, &dependence));
-    let follower =
-        Follower { chain, structure, dependence: &dependence, wide, iterated: iterated(structure), unit };
+    let wide = Wide::new(&extended, &dependence);
+    let iterated = iterated(structure);
+    let follower = Follower { chain, lane_chain, structure, dependence: &dependence, wide, iterated, unit };
     let mut path = Path { follower, from, start: (first, start) };
     let (ways, range, ends, guesses) =
         if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
-    let around = |wide: &mut Wide<'_>| Interpolants::of(structure, unit, wide, (&ways, guesses.as_ref()));
-    let interpolants = path.follower.wide.as_mut().map(around).unwrap_or_default();
+    let interpolants = Interpolants::of(structure, unit, &mut path.follower.wide, (&ways, guesses.as_ref()));
     Followed { ways, range: Some(range), first_failure: None, ends, interpolants, guesses }
 }
 
@@ -112,7 +115,11 @@ impl Path<'_> {
                 let range = Range { low: self.from, high: self.from + TAU, full: true };
                 let transitions = transitions(&branch, true);
                 let ways = Ways::new(self.from, Some(length), first.clone(), transitions);
-                let poses = self.follower.iterated.iter().map(|&link| (link, branch.poses[link].clone()));
+                let poses = self
+                    .follower
+                    .iterated
+                    .iter()
+                    .map(|&link| (link, branch.poses[link].iter().collect::<Vec<_>>()));
                 let guesses = Guesses {
                     low: self.from,
                     step: branch.step(),
@@ -148,7 +155,7 @@ impl Path<'_> {
         let before = back.samples.saturating_sub(1);
         let poses = self.follower.iterated.iter().map(|&link| {
             let [back, forth] = [back, forth].map(|branch| &branch.poses[link]);
-            (link, back.iter().skip(1).rev().chain(forth).copied().collect::<Vec<Body<f64>>>())
+            (link, back.iter().skip(1).rev().chain(forth.iter()).collect::<Vec<_>>())
         });
         let guesses = Guesses {
             low: self.from - before as f64 * forth.step(),

@@ -2,13 +2,14 @@
 
 use assur_group::{Body, GroupError, Order};
 use assur_number::search::bisect;
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Lanes, Real};
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
 use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
-use crate::samples::{Samples, pose_distance};
+use crate::poses::Poses;
+use crate::samples::{Kernels, Samples, Scratch, pose_distance};
 use crate::wide::{Assembly, Wide};
 use crate::{Chain, ChainError};
 
@@ -22,11 +23,6 @@ const SAME_MEETING: f64 = 1e-6;
 /// the branch.
 const BEHIND: f64 = 0.25;
 
-/// A pose that changes by more than the first number (rad, or parts of the scale), and by more than the second number
-/// times the previous change, may have jumped.
-const LEAST_JUMP: f64 = 0.02;
-const JUMP_RATIO: f64 = 4.0;
-
 /// Poses on both sides of a coordinate that differ by less than this (parts of the scale, or rad) continue each
 /// other.
 const CONTINUOUS: f64 = 1e-6;
@@ -35,10 +31,12 @@ const CONTINUOUS: f64 = 1e-6;
 #[derive(Debug)]
 pub(crate) struct Follower<'a> {
     pub(crate) chain: &'a Chain<f64>,
+    /// The chain for eight samples at once.
+    pub(crate) lane_chain: &'a Chain<Lanes>,
     pub(crate) structure: &'a Structure,
     pub(crate) dependence: &'a Dependence,
     /// The chain in 32 digits.
-    pub(crate) wide: Option<Wide<'a>>,
+    pub(crate) wide: Wide<'a>,
     /// Links of the groups that iterate.
     pub(crate) iterated: Vec<usize>,
     /// Unit of the coordinate: 1 rad, or the scale in m.
@@ -56,41 +54,59 @@ enum Event {
 impl Follower<'_> {
     /// Follows all groups along a branch; with `is_back`, a meeting at the start itself belongs to it.
     pub(crate) fn follow(&mut self, mut branch: Branch, is_back: bool) -> Branch {
-        if let Some(wide) = &mut self.wide {
-            wide.restart(Order::Place);
-        }
-        let mut scratch = self.chain.bodies();
-        let input = self.chain.input.link();
-        for sample in 0..branch.samples {
-            self.chain.set_input(branch.at(sample), &mut scratch);
-            branch.poses[input].push(scratch[input]);
-        }
-        let last_users = self.last_users();
+        self.wide.restart(Order::Place);
+        let mut scratch = Scratch { bodies: self.chain.bodies(), lanes: self.lane_chain.bodies() };
+        self.place_input(&mut branch, &mut scratch);
+        let released = self.released();
         for group in (0..self.chain.groups.len()).filter(|group| self.chain.is_needed(*group)) {
             self.follow_group(group, &mut branch, is_back, &mut scratch);
-            for &(link, _) in last_users.iter().filter(|(_, user)| *user == group) {
-                branch.poses[link] = Vec::new();
+            for &link in &released[group] {
+                branch.poses[link] = Poses::default();
             }
         }
         branch.trim();
         branch
     }
 
-    /// For each link that is not iterated, the last group that needs its poses.
-    fn last_users(&self) -> Vec<(usize, usize)> {
+    /// Places the input link at all samples.
+    fn place_input(&self, branch: &mut Branch, scratch: &mut Scratch) {
+        let input = self.chain.input.link();
+        let whole = branch.samples - branch.samples % Lanes::WIDTH;
+        for first in (0..whole).step_by(Lanes::WIDTH) {
+            let coordinates = Lanes::of(|lane| branch.at(first + lane));
+            self.lane_chain.set_input(coordinates, &mut scratch.lanes);
+            branch.poses[input].push_block(&scratch.lanes[input]);
+        }
+        for sample in whole..branch.samples {
+            self.chain.set_input(branch.at(sample), &mut scratch.bodies);
+            branch.poses[input].push(&scratch.bodies[input]);
+        }
+    }
+
+    /// For each group the links whose poses no later group needs. Those that are iterated are kept.
+    fn released(&self) -> Vec<Vec<usize>> {
         let mut users = vec![None; self.structure.links];
         for (group, found) in self.structure.groups.iter().enumerate() {
             let outer = found.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
             outer.chain(found.frame.links.iter().copied()).for_each(|link| users[link] = Some(group));
         }
-        let used = users.into_iter().enumerate().filter_map(|(link, user)| Some((link, user?)));
-        used.filter(|(link, _)| !self.iterated.contains(link)).collect()
+        self.iterated.iter().for_each(|&link| users[link] = None);
+        let mut released = vec![Vec::new(); self.structure.groups.len()];
+        for (link, user) in users.into_iter().enumerate() {
+            if let Some(user) = user {
+                released[user].push(link);
+            }
+        }
+        released
     }
 
     /// Follows a group from event to event to the end of the branch or of its own range.
-    fn follow_group(&mut self, group: usize, branch: &mut Branch, is_back: bool, scratch: &mut [Body<f64>]) {
+    fn follow_group(&mut self, group: usize, branch: &mut Branch, is_back: bool, scratch: &mut Scratch) {
         let kernel = self.chain.groups[group].as_ref();
-        let mut samples = Samples::new(kernel, branch.way(group, branch.from), scratch);
+        let lanes =
+            (!self.structure.groups[group].plugin.iterates).then(|| self.lane_chain.groups[group].as_ref());
+        let kernels = Kernels { single: kernel, lanes };
+        let mut samples = Samples::new(kernels, branch.way(group, branch.from), scratch, branch);
         samples.place_from(0, branch);
         let mut sample = 0;
         loop {
@@ -102,7 +118,10 @@ impl Follower<'_> {
                 _ if kernel.ways() == 1 => None,
                 _ => {
                     let found = self.meeting(group, sample, &mut samples, branch, is_back);
-                    found.or_else(|| self.jump((group, samples.way), sample, branch))
+                    found.or_else(|| {
+                        let jumps = samples.jumps(sample);
+                        jumps.then(|| self.jump((group, samples.way), sample, branch)).flatten()
+                    })
                 }
             };
             match event {
@@ -177,7 +196,10 @@ impl Follower<'_> {
         (near, resolution): (f64, f64),
         branch: &Branch,
     ) -> Minimum {
-        let Some(wide) = &mut self.wide else { return Minimum::Beside };
+        let wide = &mut self.wide;
+        if !wide.is_available() {
+            return Minimum::Beside;
+        }
         let mut determinant = |q: Dd| wide.solve(q, (group, way), branch).map(|(_, health)| health);
         let earlier = &branch.meetings;
         Judge { determinant: &mut determinant, sample: branch.step(), resolution, earlier }.judge(near)
@@ -205,7 +227,8 @@ impl Follower<'_> {
         step: f64,
         branch: &Branch,
     ) -> Option<u8> {
-        let wide = self.wide.as_mut()?;
+        let wide = &mut self.wide;
+        wide.is_available().then_some(())?;
         // All groups that meet here use the same places.
         let lattice = step / 16.0;
         let middle = (distance / lattice).round() * lattice;
@@ -223,8 +246,8 @@ impl Follower<'_> {
         let expected: Vec<_> = (0..near.len()).map(expected).collect();
         let scale = self.structure.scale;
         let ways = 0..u8::try_from(self.chain.groups[group].ways()).unwrap_or(u8::MAX);
-        let candidates =
-            ways.filter_map(|way| Some((way, pose_distance(&solve(1.0, way)?, &expected, scale))));
+        let candidates = ways
+            .filter_map(|way| Some((way, pose_distance(solve(1.0, way)?, expected.iter().copied(), scale))));
         candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(way, _)| way)
     }
 
@@ -238,22 +261,17 @@ impl Follower<'_> {
         renumbered.map_or(Event::End(good, source), Event::Transition)
     }
 
-    /// Whether a group jumps between a sample and the previous one because the kind's numbering of its ways changes.
+    /// A transition between a sample and the previous one, from which the pose jumps, if it jumps because the kind's numbering of its
+    /// ways changes.
     fn jump(&self, (group, way): (usize, u8), sample: usize, branch: &Branch) -> Option<Event> {
         let links = &self.chain.groups[group].frame().links;
         let scale = self.structure.scale;
-        let poses = |sample: usize| links.iter().map(move |&link| &branch.poses[link][sample]);
-        let change = |sample: usize| pose_distance(poses(sample), poses(sample - 1), scale);
-        // Nearly all samples change by too little, whatever the one before does.
-        let jumps = |by: f64| by >= LEAST_JUMP && by >= LEAST_JUMP + JUMP_RATIO * change(sample - 1);
-        if sample < 2 || !jumps(change(sample)) {
-            return None;
-        }
+        let poses = |sample: usize| links.iter().map(move |&link| branch.pose(link, sample));
         let is_before = |q: f64| {
             let found = self.place((group, way), q, branch);
             found.is_ok_and(|bodies| {
                 let own = self.own(group, &bodies);
-                let apart = |sample: usize| pose_distance(&own, poses(sample), scale);
+                let apart = |sample: usize| pose_distance(own.iter().copied(), poses(sample), scale);
                 apart(sample - 1) < apart(sample)
             })
         };
@@ -273,7 +291,9 @@ impl Follower<'_> {
         let last = placed(before, good)?;
         let continues = |way: &u8| {
             let next = placed(*way, bad);
-            next.is_some_and(|next| pose_distance(&last, &next, self.structure.scale) < CONTINUOUS)
+            next.is_some_and(|next| {
+                pose_distance(last.iter().copied(), next, self.structure.scale) < CONTINUOUS
+            })
         };
         let ways = 0..u8::try_from(self.chain.groups[group].ways()).unwrap_or(u8::MAX);
         let after = if continues(&before) { None } else { ways.filter(|way| *way != before).find(continues) };

@@ -23,6 +23,9 @@ impl Interpolants {
         wide: &mut Wide<'_>,
         (ways, guesses): (&Ways, Option<&Guesses>),
     ) -> Self {
+        if ways.change_points().next().is_none() || !wide.is_available() {
+            return Self::default();
+        }
         wide.restart(Order::Second);
         let found = Found { ways, guesses };
         let turns = ways.period().map(|period| period / std::f64::consts::TAU);

@@ -25,6 +25,7 @@ mod linkage;
 mod meeting;
 mod motion;
 mod poles;
+mod poses;
 mod rank;
 mod samples;
 mod start;

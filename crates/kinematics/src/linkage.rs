@@ -79,7 +79,7 @@ impl Linkage {
         chain.limit_to(needed);
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
-        let followed = follow(&mechanism, &structure, &chain);
+        let followed = follow(&mechanism, &structure, &chain, &lane_chain);
         Ok(Self {
             mechanism,
             structure,

@@ -2,6 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError};
 use assur_mechanism::GROUND;
+use assur_number::{Lanes, Real};
 
 use crate::branch::Branch;
 
@@ -11,61 +12,146 @@ const SUSPECT: f64 = 0.2;
 /// A squared determinant whose interpolating parabola stays above this has no zero between the samples.
 const CLEAR: f64 = 1e-4;
 
+/// A pose that changes by more than the first number (rad, or parts of the scale), and by more than the second number
+/// times the previous change, may have jumped.
+const LEAST_JUMP: f64 = 0.02;
+const JUMP_RATIO: f64 = 4.0;
+
+/// Storage for all bodies of the mechanism, at one sample and at eight.
+#[derive(Debug)]
+pub(crate) struct Scratch {
+    pub(crate) bodies: Vec<Body<f64>>,
+    pub(crate) lanes: Vec<Body<Lanes>>,
+}
+
+/// The kernel of one group for one sample and, where its solution needs no starting pose, for eight.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kernels<'a> {
+    pub(crate) single: &'a dyn AssurGroup<f64>,
+    pub(crate) lanes: Option<&'a dyn AssurGroup<Lanes>>,
+}
+
 /// One group, placed at successive samples in its present way.
 pub(crate) struct Samples<'a> {
-    kernel: &'a dyn AssurGroup<f64>,
+    kernels: Kernels<'a>,
     /// Bodies of other groups that its outer pairs join.
     outer: Vec<usize>,
-    /// Storage for all bodies of the mechanism.
-    scratch: &'a mut [Body<f64>],
+    scratch: &'a mut Scratch,
+    /// A typical length of the mechanism, m.
+    scale: f64,
     /// The present way.
     pub(crate) way: u8,
     /// Absolute value of the determinant at each sample.
     pub(crate) health: Vec<f64>,
+    /// Square of the distance of the pose at each sample from that at the one before; see [`pose_distance`].
+    moved: Vec<f64>,
     /// Why it can't be placed at the sample after the last one.
     pub(crate) failure: Option<GroupError>,
 }
 
 impl<'a> Samples<'a> {
-    pub(crate) fn new(kernel: &'a dyn AssurGroup<f64>, way: u8, scratch: &'a mut [Body<f64>]) -> Self {
-        let frame = kernel.frame();
+    pub(crate) fn new(kernels: Kernels<'a>, way: u8, scratch: &'a mut Scratch, branch: &Branch) -> Self {
+        let frame = kernels.single.frame();
         let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
         let outer = ends.filter(|end| *end != GROUND && !frame.links.contains(end)).collect();
-        Self { kernel, outer, scratch, way, health: Vec::new(), failure: None }
+        let storage = || Vec::with_capacity(branch.samples);
+        let (health, moved) = (storage(), storage());
+        Self { kernels, outer, scratch, scale: frame.scale, way, health, moved, failure: None }
     }
 
     /// Places the group at all samples from one on, until it can't be assembled; earlier samples stay unchanged.
     pub(crate) fn place_from(&mut self, first: usize, branch: &mut Branch) {
-        let links = &self.kernel.frame().links;
         self.health.truncate(first);
+        self.moved.truncate(first);
         self.failure = None;
-        for &link in links {
-            branch.poses[link].truncate(first);
-            self.scratch[link] = *branch.poses[link].last().unwrap_or(&branch.start[link]);
-        }
-        for sample in self.health.len()..branch.samples {
-            self.outer.iter().for_each(|&body| self.scratch[body] = branch.poses[body][sample]);
-            // A kind that iterates starts from the previous sample, which the scratch still holds.
-            match self.kernel.place(self.scratch, usize::from(self.way)) {
-                Ok(found) => self.health.push(found.abs()),
-                // At a change point itself a group may report "singular": the branch continues beyond it.
-                Err(GroupError::Singular { .. }) => self.health.push(0.0),
-                Err(failure) => {
-                    self.failure = Some(failure);
-                    break;
-                }
+        let links = &self.kernels.single.frame().links;
+        links.iter().for_each(|&link| branch.poses[link].truncate(first));
+        while self.health.len() < branch.samples && self.failure.is_none() {
+            let is_whole = self.health.len().is_multiple_of(Lanes::WIDTH)
+                && self.health.len() + Lanes::WIDTH <= branch.samples;
+            if is_whole && self.place_eight(branch) {
+                continue;
             }
-            for &link in links {
-                branch.poses[link].push(self.scratch[link]);
+            let end = (self.health.len() / Lanes::WIDTH + 1) * Lanes::WIDTH;
+            while self.health.len() < end.min(branch.samples) && self.failure.is_none() {
+                self.place_next(branch);
             }
         }
     }
 
+    /// Places the group at the next eight samples; `false` where one of them has no solution.
+    fn place_eight(&mut self, branch: &mut Branch) -> bool {
+        let Some(kernel) = self.kernels.lanes else { return false };
+        let block = self.health.len() / Lanes::WIDTH;
+        let bodies = &mut self.scratch.lanes;
+        self.outer.iter().for_each(|&body| branch.poses[body].load(block, &mut bodies[body]));
+        let Ok(found) = kernel.place(bodies, usize::from(self.way)) else { return false };
+        self.health.extend(found.abs().0);
+        let mut moved = [0.0; Lanes::WIDTH];
+        for &link in &kernel.frame().links {
+            let before = branch.poses[link].last();
+            let body = &bodies[link];
+            let numbers = [body.x, body.y, body.c, body.s];
+            let earlier = before.map_or_else(
+                || numbers.map(|now| now.0[0]),
+                |before| [before.x, before.y, before.c, before.s],
+            );
+            let steps = [0, 1, 2, 3].map(|k| numbers[k] - shifted(earlier[k], numbers[k]));
+            let by = Lanes::from_f64(1.0 / self.scale);
+            let (dx, dy) = (steps[0] * by, steps[1] * by);
+            let squares = [dx * dx + dy * dy, steps[2] * steps[2] + steps[3] * steps[3]];
+            for square in squares {
+                for (most, square) in moved.iter_mut().zip(square.0) {
+                    *most = if square > *most { square } else { *most };
+                }
+            }
+            branch.poses[link].push_block(body);
+        }
+        self.moved.extend(moved);
+        true
+    }
+
+    /// Places the group at the next sample.
+    fn place_next(&mut self, branch: &mut Branch) {
+        let Self { kernels, scratch, .. } = self;
+        let (kernel, bodies, sample) = (kernels.single, &mut scratch.bodies, self.health.len());
+        self.outer.iter().for_each(|&body| bodies[body] = branch.pose(body, sample));
+        // A kind that iterates starts from the previous sample.
+        let links = &kernel.frame().links;
+        for &link in links {
+            bodies[link] = branch.poses[link].last().unwrap_or(branch.start[link]);
+        }
+        match kernel.place(bodies, usize::from(self.way)) {
+            Ok(found) => self.health.push(found.abs()),
+            // At a change point itself a group may report "singular": the branch continues beyond it.
+            Err(GroupError::Singular { .. }) => self.health.push(0.0),
+            Err(failure) => {
+                self.failure = Some(failure);
+                return;
+            }
+        }
+        let before = links.iter().map(|&link| branch.poses[link].last().unwrap_or(bodies[link]));
+        let moved = pose_distance(links.iter().map(|&link| bodies[link]), before, self.scale);
+        self.moved.push(moved * moved);
+        for &link in links {
+            branch.poses[link].push(&bodies[link]);
+        }
+    }
+
+    /// Whether the pose changes abruptly from the sample before to this one: by far more than over the step before.
+    pub(crate) fn jumps(&self, sample: usize) -> bool {
+        if sample < 2 || self.moved[sample] < LEAST_JUMP * LEAST_JUMP {
+            return false;
+        }
+        self.moved[sample].sqrt() >= LEAST_JUMP + JUMP_RATIO * self.moved[sample - 1].sqrt()
+    }
+
     /// Determinant below which, near a sample, nothing but rounding is left.
     pub(crate) fn resolution(&mut self, sample: usize, branch: &Branch) -> f64 {
-        let links = self.outer.iter().chain(&self.kernel.frame().links);
-        links.for_each(|&body| self.scratch[body] = branch.poses[body][sample]);
-        self.kernel.resolution(self.scratch)
+        let kernel = self.kernels.single;
+        let links = self.outer.iter().chain(&kernel.frame().links);
+        links.for_each(|&body| self.scratch.bodies[body] = branch.pose(body, sample));
+        kernel.resolution(&self.scratch.bodies)
     }
 
     /// Where the squared determinant has a minimum near a sample, in samples from it; `None` if there is no minimum,
@@ -104,14 +190,20 @@ impl<'a> Samples<'a> {
 
 /// The greatest difference between two poses of the same links, of directions (rad) or of places (parts of the
 /// scale).
-pub(crate) fn pose_distance<'a, 'b>(
-    one: impl IntoIterator<Item = &'a Body<f64>>,
-    other: impl IntoIterator<Item = &'b Body<f64>>,
+pub(crate) fn pose_distance(
+    one: impl IntoIterator<Item = Body<f64>>,
+    other: impl IntoIterator<Item = Body<f64>>,
     scale: f64,
 ) -> f64 {
-    let apart = |(a, b): (&Body<f64>, &Body<f64>)| {
+    let apart = |(a, b): (Body<f64>, Body<f64>)| {
         let place = (a.x - b.x).hypot(a.y - b.y) / scale;
         place.max((a.c - b.c).hypot(a.s - b.s))
     };
     one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
+}
+
+/// The number before each of eight.
+fn shifted(before: f64, numbers: Lanes) -> Lanes {
+    let [a, b, c, d, e, f, g, _] = numbers.0;
+    Lanes([before, a, b, c, d, e, f, g])
 }

@@ -4,10 +4,13 @@
 //! give only 8 digits of the determinant. These don't show whether the ways meet, pass close to each other or leave a
 //! gap.
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use assur_group::{Body, GroupError, Order};
+use assur_mechanism::Mechanism;
 use assur_number::{Dd, Real};
+use assur_structure::Structure;
 
 use crate::Chain;
 use crate::dependence::Dependence;
@@ -26,10 +29,29 @@ pub(crate) trait Assembly {
     fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]);
 }
 
-/// The chain in double-double, with its most recently solved states.
+/// The chain in double-double, compiled when it is asked for: most assemblies are followed without it.
+#[derive(Debug)]
+pub(crate) struct Extended<'a> {
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+    chain: OnceCell<Option<Chain<Dd>>>,
+}
+
+impl<'a> Extended<'a> {
+    pub(crate) fn new(mechanism: &'a Mechanism, structure: &'a Structure) -> Self {
+        Self { mechanism, structure, chain: OnceCell::new() }
+    }
+
+    /// `None` where a kernel can't be built in 32 digits.
+    pub(crate) fn chain(&self) -> Option<&Chain<Dd>> {
+        self.chain.get_or_init(|| Chain::compile(self.mechanism, self.structure).ok()).as_ref()
+    }
+}
+
+/// The chain in double-double with its most recently solved states.
 #[derive(Debug)]
 pub(crate) struct Wide<'a> {
-    chain: Chain<Dd>,
+    extended: &'a Extended<'a>,
     dependence: &'a Dependence,
     /// Highest order of the derivatives in the states.
     order: Order,
@@ -44,8 +66,13 @@ struct State {
 }
 
 impl<'a> Wide<'a> {
-    pub(crate) fn new(chain: Chain<Dd>, dependence: &'a Dependence) -> Self {
-        Self { chain, dependence, order: Order::Place, states: HashMap::new() }
+    pub(crate) fn new(extended: &'a Extended<'a>, dependence: &'a Dependence) -> Self {
+        Self { extended, dependence, order: Order::Place, states: HashMap::new() }
+    }
+
+    /// Whether there is a chain in 32 digits; where not, meetings are not searched for.
+    pub(crate) fn is_available(&self) -> bool {
+        self.extended.chain().is_some()
     }
 
     /// Discards all states, because the ways of groups or the order have changed.
@@ -66,7 +93,7 @@ impl<'a> Wide<'a> {
         if self.states.len() >= MOST_STATES && !self.states.contains_key(&key) {
             self.states.clear();
         }
-        let chain = &self.chain;
+        let chain = self.extended.chain().ok_or(GroupError::Singular { health: f64::NAN })?;
         let state = self.states.entry(key).or_insert_with(|| {
             let mut guess = vec![Body::ground(); chain.bodies().len()];
             assembly.guess(q.to_f64(), &mut guess);

@@ -36,7 +36,7 @@ fn circles<T: Real>(a: [T; 2], b: [T; 2], [r, s]: [T; 2]) -> Option<[[T; 2]; 2]>
     let square = dot(d, d);
     let along = (square + r * r - s * s).half() / square;
     let height = r * r / square - along * along;
-    if height.to_f64() < -1e-15 {
+    if height.least() < -1e-15 {
         return None;
     }
     let across = height.clamp_negative().sqrt();
@@ -59,13 +59,21 @@ fn length(from: [f64; 2], to: [f64; 2]) -> f64 {
 }
 
 /// The direction along which the places of the inner pin are ordered.
-fn order(p: [f64; 2]) -> f64 {
-    p[0] * 0.3_f64.cos() + p[1] * 0.3_f64.sin()
+fn order<T: Real>(p: [T; 2]) -> T {
+    p[0] * T::from_f64(0.3_f64.cos()) + p[1] * T::from_f64(0.3_f64.sin())
+}
+
+/// Whether a number is negative; an error where that differs between the lanes, which are then placed one at a time.
+fn is_negative<T: Real>(number: T) -> Result<bool, GroupError> {
+    match (number.least() < 0.0, number.greatest() < 0.0) {
+        (least, greatest) if least == greatest => Ok(least),
+        _ => Err(GroupError::NoAssembly { gap_m: 3.0 }),
+    }
 }
 
 /// The number of the first way.
-fn first_way(a: [f64; 2]) -> usize {
-    usize::from(a[0] < 0.0)
+fn first_way<T: Real>(a: [T; 2]) -> Result<usize, GroupError> {
+    is_negative(a[0]).map(usize::from)
 }
 
 /// Two links and three pins. The ways are the two places of the inner pin in their order; they have the numbers 0 and 1, or
@@ -92,9 +100,10 @@ impl<T: Real> AssurGroup<T> for Sorted {
         let ends = links.map(|link| outer(frame, link, bodies));
         let radii = own.map(|[from, to]| T::from_f64(length(from, to)));
         let mut found = circles(ends[0], ends[1], radii).ok_or(GroupError::NoAssembly { gap_m: 1.0 })?;
-        let of = |p: [T; 2]| order(p.map(Real::to_f64));
-        found.sort_by(|a, b| of(*a).total_cmp(&of(*b)));
-        let index = way.checked_sub(first_way(ends[0].map(Real::to_f64)));
+        if is_negative(order(found[1]) - order(found[0]))? {
+            found.swap(0, 1);
+        }
+        let index = way.checked_sub(first_way(ends[0])?);
         let inner = *index.and_then(|index| found.get(index)).ok_or(GroupError::NoAssembly { gap_m: 2.0 })?;
         for i in [0, 1] {
             put(&mut bodies[links[i]], own[i], [ends[i], inner]);
@@ -166,7 +175,7 @@ fn a_parallelogram_stays_one_whatever_the_numbers_of_its_ways() {
         let other = circles(a, [5.0, 0.0], [5.0, 2.0]).unwrap();
         let mirrored = other.into_iter().max_by(|x, y| length(*x, b).total_cmp(&length(*y, b))).unwrap();
         if (order(b) - order(mirrored)).abs() > 1e-6 {
-            let number = first_way(a) + usize::from(order(b) > order(mirrored));
+            let number = first_way(a).unwrap() + usize::from(order(b) > order(mirrored));
             assert_eq!(usize::from(linkage.ways.at(q)[0]), number, "{q}");
         }
     }
