@@ -10,7 +10,9 @@ use assur_mechanism::{Mechanism, Motion};
 use assur_scene::{SceneErrors, document};
 use assur_structure::StructureError;
 
-pub(crate) use write::{is_same, is_stream, remove_on_signals, remove_temporaries, write, write_folder};
+pub(crate) use write::{
+    is_same, is_stream, open_stream, put, remove_on_signals, remove_temporaries, write, write_folder,
+};
 
 /// Why a file is not read or written.
 #[derive(Debug, thiserror::Error)]

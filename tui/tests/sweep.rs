@@ -5,6 +5,7 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::time::Duration;
 
 /// Crank and rod: the rod of 300 mm is too short for a crank of 400 mm.
 const SLIDER: &str = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = \"100 mm\" }\n\
@@ -18,15 +19,15 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Runs `assur sweep a.toml`.
+/// `assur sweep a.toml`.
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+    command.args(["sweep", "a.toml"]).args(arguments).current_dir(folder).env("LC_ALL", "C.UTF-8");
+    command
+}
+
 fn sweep(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_assur"))
-        .args(["sweep", "a.toml"])
-        .args(arguments)
-        .current_dir(folder)
-        .env("LC_ALL", "C.UTF-8")
-        .output()
-        .unwrap()
+    command(folder, arguments).output().unwrap()
 }
 
 /// Exit status and standard error.
@@ -86,7 +87,7 @@ fn bad_usage_ends_with_2_and_touches_no_file() {
         ),
         (
             &["--vary", "link.piston.mass=-1..-2:3", "-o", "b.csv"],
-            "error: a.toml: no point of the grid can be calculated; the first, link.piston.mass = -1:\n\
+            "error: a.toml: no point of the sweep can be calculated; the first, link.piston.mass = -1:\n\
              error: `mass` must not be negative, got -1\n  a.toml, line 9, column 8\n  |\n9 | mass = -1\n  \
              |        ^^ such as \"4 kg\", or a number in kg\n",
         ),
@@ -99,4 +100,120 @@ fn bad_usage_ends_with_2_and_touches_no_file() {
     }
     assert_eq!(fs::read_to_string(folder.path().join("b.csv")).unwrap(), "mine");
     assert_eq!(names(folder.path()), ["a.toml", "b.csv"]);
+}
+
+/// Some points can't be assembled: the rod of 300 mm is too short for the longest cranks.
+const MANY: &str = "link.crank.points.A=100 mm..301 mm:500";
+
+#[test]
+fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
+    let folder = folder();
+    let path = folder.path();
+    for (whole, killed) in [("whole.csv", "killed.csv"), ("whole.parquet", "killed.parquet")] {
+        let first = sweep(path, &["--vary", MANY, "-o", whole]);
+        let (mut kills, mut seed) = (0, 1_u64);
+        let last = loop {
+            let part = path.join(format!("{killed}.part"));
+            let mut child = command(path, &["--vary", MANY, "-o", killed, "--resume"])
+                .stderr(std::process::Stdio::piped())
+                .spawn()
+                .unwrap();
+            // Later kills come later, so that there is always some progress.
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            std::thread::sleep(Duration::from_millis(20 + seed % 97 + 20 * kills));
+            if child.try_wait().unwrap().is_some() {
+                break child.wait_with_output().unwrap();
+            }
+            child.kill().unwrap();
+            child.wait().unwrap();
+            kills += 1;
+            assert!(part.exists(), "rows so far are beside the file");
+            assert!(!path.join(killed).exists(), "the file is there only when it is complete");
+        };
+        assert!(kills >= 2, "{kills} kills: too few points for this machine");
+        assert_eq!(end(&last), end(&first));
+        assert_eq!(fs::read(path.join(killed)).unwrap(), fs::read(path.join(whole)).unwrap(), "{killed}");
+    }
+    assert_eq!(names(path), ["a.toml", "killed.csv", "killed.parquet", "whole.csv", "whole.parquet"]);
+}
+
+#[test]
+fn every_beginning_of_a_file_is_gone_on_with() {
+    let folder = folder();
+    let path = folder.path();
+    let vary = ["--vary", "link.crank.points.A=100 mm..301 mm:9"];
+    let run = |more: &[&str]| sweep(path, &[&vary[..], more].concat());
+    run(&["-o", "whole.csv"]);
+    let whole = fs::read(path.join("whole.csv")).unwrap();
+    let rows = whole.iter().filter(|byte| **byte == b'\n').count() - 1;
+    assert_eq!(rows, 9);
+    // Ends within the header, at line ends, and within rows.
+    for length in (0..=whole.len()).step_by(whole.len() / 23) {
+        fs::write(path.join("b.csv.part"), &whole[..length]).unwrap();
+        let output = run(&["-o", "b.csv", "--resume"]);
+        assert!(end(&output).1.contains("no solution at 1 of 9 points"), "{}", end(&output).1);
+        assert_eq!(fs::read(path.join("b.csv")).unwrap(), whole, "{length}");
+        fs::remove_file(path.join("b.csv")).unwrap();
+    }
+}
+
+#[test]
+fn rows_of_another_sweep_are_not_gone_on_with() {
+    let folder = folder();
+    let path = folder.path();
+    let vary = ["--vary", LENGTHS, "-o", "b.csv"];
+    fs::write(path.join("b.csv.part"), "a,b\n").unwrap();
+    let refused = sweep(path, &vary);
+    let message = "a sweep was ended here before it was complete: go on with --resume, or remove it";
+    assert_eq!(end(&refused), (2, &*format!("error: can't write b.csv.part: {message}\n")));
+    for foreign in ["a,b\n", "1,2\n3,4\n"] {
+        fs::write(path.join("b.csv.part"), foreign).unwrap();
+        let refused = sweep(path, &[&vary[..], &["--resume"]].concat());
+        assert!(end(&refused).1.contains("is not of this sweep"), "{}", end(&refused).1);
+        assert_eq!(fs::read_to_string(path.join("b.csv.part")).unwrap(), foreign);
+    }
+    // The same columns with other numbers.
+    fs::remove_file(path.join("b.csv.part")).unwrap();
+    assert_eq!(end(&sweep(path, &vary)), (0, ""));
+    fs::rename(path.join("b.csv"), path.join("b.csv.part")).unwrap();
+    let others = ["--vary", "link.crank.points.A=100 mm..210 mm:3", "-o", "b.csv", "--resume"];
+    assert!(end(&sweep(path, &others)).1.contains("row 3 is not of this sweep"));
+}
+
+#[test]
+fn shards_one_after_the_other_are_the_whole() {
+    let folder = folder();
+    let path = folder.path();
+    for points in
+        [&["--vary", LENGTHS][..], &["--vary", "link.crank.points.A=100 mm..200 mm", "--sample", "200"]]
+    {
+        let whole = sweep(path, points).stdout;
+        for count in [1, 2, 5] {
+            let mut merged = Vec::new();
+            for part in 1..=count {
+                let shard = format!("{part}/{count}");
+                let name = format!("{part}.csv");
+                let output = sweep(path, &[points, &["--shard", &shard, "-o", &name]].concat());
+                assert_eq!(end(&output), (0, ""), "{shard}");
+                merged.extend(fs::read(path.join(name)).unwrap());
+            }
+            assert_eq!(str::from_utf8(&merged).unwrap(), str::from_utf8(&whole).unwrap(), "{count}");
+        }
+    }
+    for shard in ["0/2", "3/2", "1", "a/b"] {
+        let output = sweep(path, &["--vary", LENGTHS, "--shard", shard]);
+        assert_eq!(end(&output).0, 2, "{shard}");
+        assert!(end(&output).1.contains("write it as I/N"), "{}", end(&output).1);
+    }
+}
+
+#[test]
+fn the_help_names_every_measure() {
+    let help = sweep(folder().path(), &["--help"]).stdout;
+    let help = str::from_utf8(&help).unwrap();
+    for measure in assur_sweep::MEASURES {
+        let star = if measure.by_default { " *" } else { "" };
+        let name = format!("  {}{star} ", measure.name);
+        assert!(help.lines().any(|line| line.starts_with(&name)), "{name}");
+    }
 }

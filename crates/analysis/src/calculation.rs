@@ -50,6 +50,22 @@ impl Calculation {
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
+        Self::planned(mechanism, structure, plan, options, watch)
+    }
+
+    /// Compiles a mechanism with its structure and its plan, and finds its motion: for many mechanisms that differ only
+    /// in numbers, so that they have these in common.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`of`](Self::of).
+    pub fn planned(
+        mechanism: Mechanism,
+        structure: Structure,
+        plan: Plan,
+        options: &Options,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self, AnalysisError> {
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         // Without any solvable position no load can be compiled; the positions themselves report why.
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();

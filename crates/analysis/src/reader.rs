@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
             (Some(loads), Some(analyzer)) => Some(Forces {
                 loads,
                 analyzer,
-                joints: joints(linkage),
+                joints: joints(&linkage.mechanism, &linkage.structure),
                 wrenches: vec![Wrench::ZERO; linkage.structure.links],
                 reactions: Reactions::new(linkage).without_idle(&plan.groups_carrying),
             }),

@@ -31,7 +31,7 @@ impl<'a> Forces<'a> {
             subject,
             loads,
             writer: Writer::new(subject),
-            joints: joints(subject.linkage),
+            joints: joints(&subject.linkage.mechanism, &subject.linkage.structure),
             written: Collector::new("loads", reason),
             balance: equilibrium::collectors(),
             agreement: agreement::collector(),

@@ -23,7 +23,7 @@ pub struct JointForce {
 pub fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<JointForce> {
     let mechanism = &linkage.mechanism;
     let mut list = Vec::new();
-    for joint in joints(linkage) {
+    for joint in joints(&linkage.mechanism, &linkage.structure) {
         for (nth, link) in joint.links.iter().enumerate() {
             list.push(JointForce {
                 joint: name_of(mechanism, joint.id).to_owned(),

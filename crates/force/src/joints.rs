@@ -1,9 +1,9 @@
 //! Pair reactions summed to the reactions of each pin and slide of the scene.
 
 use assur_group::{Pair, Wrench};
-use assur_kinematics::Linkage;
-use assur_mechanism::{LinkId, PairId};
+use assur_mechanism::{LinkId, Mechanism, PairId};
 use assur_number::Real;
+use assur_structure::Structure;
 
 /// A pin or slide, and the pairs of the structure of which it consists.
 ///
@@ -30,8 +30,7 @@ pub struct JointReaction {
 }
 
 /// All pins in the order of the points, then all slides.
-pub fn joints(linkage: &Linkage) -> Vec<Joint> {
-    let mechanism = &linkage.mechanism;
+pub fn joints(mechanism: &Mechanism, structure: &Structure) -> Vec<Joint> {
     let mut of_point = vec![usize::MAX; mechanism.points.len()];
     let mut joints = Vec::with_capacity(mechanism.points.len() + mechanism.slides.len());
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
@@ -41,7 +40,7 @@ pub fn joints(linkage: &Linkage) -> Vec<Joint> {
     let pins = joints.len();
     let slides = mechanism.slides.iter().enumerate();
     joints.extend(slides.map(|(id, slide)| Joint::new(PairId::Slide(id), vec![slide.link, slide.on])));
-    for (index, named) in linkage.structure.pairs.iter().enumerate() {
+    for (index, named) in structure.pairs.iter().enumerate() {
         let joint = match named.source {
             PairId::Pin(point) => of_point[point],
             PairId::Slide(slide) => pins + slide,

@@ -1,5 +1,7 @@
 //! The registry of the kinds of groups.
 
+use std::f64::consts::FRAC_PI_2;
+
 use assur_plugin::{Registered, RegistryError};
 
 use crate::builders::{Builders, Number};
@@ -23,9 +25,17 @@ pub struct ForceAngle {
     pub words: &'static str,
     /// Its value (rad) from the placed group and the absolute value of its health.
     pub of: fn(&GroupFrame, &[Body<f64>], f64) -> f64,
+    /// It is a pressure angle, which is best at 0; a transmission angle is best at 90 degrees.
+    pub is_pressure: bool,
 }
 
 impl ForceAngle {
+    /// The transmission angle, rad: the angle itself, or what a pressure angle lacks of a right angle.
+    pub fn transmission(&self, frame: &GroupFrame, bodies: &[Body<f64>], health: f64) -> f64 {
+        let angle = (self.of)(frame, bodies, health).abs();
+        if self.is_pressure { FRAC_PI_2 - angle } else { angle }
+    }
+
     /// An angle whose sine is the health.
     pub const fn of_sine(words: &'static str) -> Self {
         Self {
@@ -34,6 +44,7 @@ impl ForceAngle {
                 let (sine, cosine) = sine_and_cosine(health);
                 sine.atan2(cosine)
             },
+            is_pressure: false,
         }
     }
 
@@ -45,6 +56,7 @@ impl ForceAngle {
                 let (sine, cosine) = sine_and_cosine(health);
                 cosine.atan2(sine)
             },
+            is_pressure: true,
         }
     }
 

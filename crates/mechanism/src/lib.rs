@@ -6,10 +6,12 @@
 mod drive;
 mod load;
 mod motion;
+mod numbers;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
 pub use load::{Balance, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
 pub use motion::{Motion, Until, passage};
+pub use numbers::links_of_length_zero;
 
 /// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.
 pub type LinkId = usize;

@@ -35,7 +35,7 @@ use names::LoadNames;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
-pub use units::{Dimension, UnitError, quantity};
+pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
 
 /// A commented, complete scene as a start for a new one.
 pub const STARTER: &str = include_str!("starter.toml");

@@ -1,6 +1,6 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Link, LinkId, Place};
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point, links_of_length_zero};
 
 use crate::error::Fault;
 use crate::linkage::{Linkage, coordinates};
@@ -37,31 +37,18 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     (linkage, firsts)
 }
 
-/// Pins nearer than this (relative to the greatest coordinate of the scene) coincide.
-const SAME_PLACE: f64 = 1e-12;
-
 /// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
 /// determined.
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
-    let links = root.get("link").map(|entry| entry.named("tables [link.NAME]", "")).unwrap_or_default();
-    let slides = |link: LinkId| linkage.slides.iter().any(|slide| slide.link == link || slide.on == link);
-    let places = || linkage.points.iter().flat_map(|point| &point.places);
-    let greatest = places().flat_map(|place| place.at).fold(0.0, |most: f64, x| most.max(x.abs()));
-    let mut pins = vec![Vec::new(); linkage.links.len()];
-    for pin in linkage.points.iter().filter(|point| point.is_pin()) {
-        pin.places.iter().for_each(|place| pins[place.link].push((pin.name.as_str(), place.at)));
-    }
-    for (index, entry) in links.iter().enumerate().filter(|(index, _)| !slides(index + 1)) {
-        let pins = &pins[index + 1];
-        let [(_, first), others @ ..] = &pins[..] else { continue };
-        let is_same =
-            |(_, at): &(&str, [f64; 2])| (at[0] - first[0]).hypot(at[1] - first[1]) <= SAME_PLACE * greatest;
-        if !others.is_empty() && others.iter().all(is_same) {
-            let (link, names) = (shown(&entry.name), row(pins.iter().map(|pin| pin.0)));
-            let message = format!("link `{link}` has its pins {names} at one place: its length is zero");
-            let label = "give them different coordinates, or join the neighbors in one pin";
-            entry.faults.push(Fault::new(entry.key.clone(), message).label(label));
-        }
+    let entries = root.get("link").map(|entry| entry.named("tables [link.NAME]", "")).unwrap_or_default();
+    for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
+        let Some(entry) = entries.get(id - 1) else { continue };
+        let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
+        let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
+        let link = shown(&entry.name);
+        let message = format!("link `{link}` has its pins {pins} at one place: its length is zero");
+        let label = "give them different coordinates, or join the neighbors in one pin";
+        entry.faults.push(Fault::new(entry.key.clone(), message).label(label));
     }
 }
 

@@ -25,7 +25,7 @@ fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     let graph = counted_system(mechanism);
     refuse_other_mobility(mechanism, &mobility, &graph)?;
     let incidence = Incidence::of(mechanism);
-    let scale = typical_length(mechanism, &incidence);
+    let scale = typical_length(mechanism);
     let mut pairs = vec![input_pair(mechanism)];
     let mut rank = vec![usize::MAX; mechanism.links.len()];
     (rank[GROUND], rank[mechanism.input.link]) = (0, 1);

@@ -1,9 +1,9 @@
 //! The links and pairs of a group, as indices and lengths in the compiled chain.
 
 use assur_group::{GroupFrame, Pair, PairGeometry};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
 
-use crate::NamedPair;
+use crate::{NamedPair, Structure};
 
 /// Points and slides of each link, in the order of the scene.
 pub(crate) struct Incidence {
@@ -37,41 +37,68 @@ fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
 }
 
 /// The greatest distance between two points of one link or of the ground; 1 m if there is none.
-pub(crate) fn typical_length(mechanism: &Mechanism, incidence: &Incidence) -> f64 {
+pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
+    let mut places: Vec<Place> =
+        mechanism.points.iter().flat_map(|point| point.places.iter().copied()).collect();
+    places.sort_unstable_by_key(|place| place.link);
     let mut longest = 0.0_f64;
-    for (link, points) in incidence.points.iter().enumerate() {
-        let places: Vec<_> = points.iter().filter_map(|&id| mechanism.place_in(id, link)).collect();
-        for (i, a) in places.iter().enumerate() {
-            for b in &places[..i] {
-                longest = longest.max((a[0] - b[0]).hypot(a[1] - b[1]));
+    for of_link in places.chunk_by(|a, b| a.link == b.link) {
+        for (i, a) in of_link.iter().enumerate() {
+            for b in &of_link[..i] {
+                longest = longest.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));
             }
         }
     }
     if longest > 0.0 { longest } else { 1.0 }
 }
 
+/// Where a pin or slide lies in its bodies: in `a`, which for a slide is the sliding link, and in `b`.
+fn geometry(mechanism: &Mechanism, source: PairId, a: LinkId, b: LinkId) -> PairGeometry {
+    match source {
+        PairId::Pin(point) => {
+            let at = |link| mechanism.place_in(point, link).unwrap_or_default();
+            PairGeometry::Pin { at_a: at(a), at_b: at(b) }
+        }
+        PairId::Slide(slide) => {
+            let Slide { point, through, angle, tilt, .. } = mechanism.slides[slide];
+            PairGeometry::Slide { point, through, angle, tilt }
+        }
+    }
+}
+
+fn named(mechanism: &Mechanism, source: PairId, id: usize, a: LinkId, b: LinkId) -> NamedPair {
+    NamedPair { pair: Pair { id, a, b, geometry: geometry(mechanism, source, a, b) }, source }
+}
+
+/// The pair of the input link with the ground, the first of all.
 pub(crate) fn input_pair(mechanism: &Mechanism) -> NamedPair {
     match mechanism.input.pair {
-        InputPair::Pin(point) => {
-            let at = |link| mechanism.place_in(point, link).unwrap_or_default();
-            let geometry = PairGeometry::Pin { at_a: at(mechanism.input.link), at_b: at(GROUND) };
-            let pair = Pair { id: 0, a: mechanism.input.link, b: GROUND, geometry };
-            NamedPair { pair, source: PairId::Pin(point) }
-        }
+        InputPair::Pin(point) => named(mechanism, PairId::Pin(point), 0, mechanism.input.link, GROUND),
         InputPair::Slide(slide) => slide_pair(mechanism, slide, 0),
     }
 }
 
-fn slide_pair(mechanism: &Mechanism, id: usize, index: usize) -> NamedPair {
-    let slide = &mechanism.slides[id];
-    let geometry = PairGeometry::Slide {
-        point: slide.point,
-        through: slide.through,
-        angle: slide.angle,
-        tilt: slide.tilt,
-    };
-    let pair = Pair { id: index, a: slide.link, b: slide.on, geometry };
-    NamedPair { pair, source: PairId::Slide(id) }
+fn slide_pair(mechanism: &Mechanism, slide: SlideId, id: usize) -> NamedPair {
+    let Slide { link, on, .. } = mechanism.slides[slide];
+    named(mechanism, PairId::Slide(slide), id, link, on)
+}
+
+impl Structure {
+    /// Takes lengths and directions from a mechanism with the same links, pins, slides and input: the structure then
+    /// equals [`Structure::of`] of this mechanism.
+    pub fn set_geometry(&mut self, mechanism: &Mechanism) {
+        self.scale = typical_length(mechanism);
+        for NamedPair { pair, source } in &mut self.pairs {
+            pair.geometry = geometry(mechanism, *source, pair.a, pair.b);
+        }
+        for group in &mut self.groups {
+            let frame = &mut group.frame;
+            frame.scale = self.scale;
+            for pair in frame.inner.iter_mut().chain(&mut frame.outer) {
+                *pair = self.pairs[pair.id].pair;
+            }
+        }
+    }
 }
 
 /// The pairs of these links with each other and with solved links; they are appended to `pairs`.
@@ -125,9 +152,7 @@ fn pins_of(
             (None, []) => continue,
         };
         for place in hung {
-            let geometry = PairGeometry::Pin { at_a: place.at, at_b: anchor.at };
-            let pair = Pair { id: first + found.len(), a: place.link, b: anchor.link, geometry };
-            found.push(NamedPair { pair, source: PairId::Pin(id) });
+            found.push(named(mechanism, PairId::Pin(id), first + found.len(), place.link, anchor.link));
         }
     }
     found

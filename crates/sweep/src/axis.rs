@@ -1,11 +1,10 @@
-//! A parameter of the grid, found in the scene: the text for each of its values, and the values in SI.
+//! A parameter, found in the scene: its values as text and in SI.
 
 use std::ops::Range;
 
 use assur_scene::edit::{Document, Place, replaced, split};
-use assur_scene::{Dimension, quantity};
+use assur_scene::{Dimension, Unit, quantity};
 
-use crate::range::between;
 use crate::unit::{self, Takes};
 use crate::{SweepError, Vary};
 
@@ -18,19 +17,16 @@ pub(crate) struct Axis {
     pub(crate) column: String,
     /// Bytes of the file that are replaced.
     pub(crate) span: Range<usize>,
-    /// The values.
-    pub(crate) values: Vec<AxisValue>,
-}
-
-/// One value of a parameter.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct AxisValue {
-    /// As written into the scene.
-    pub(crate) toml: String,
-    /// As shown in messages: "120 mm".
-    pub(crate) shown: String,
-    /// In SI.
-    pub(crate) si: f64,
+    /// First value.
+    pub(crate) from: f64,
+    /// Last value.
+    pub(crate) to: f64,
+    /// How many values a grid has.
+    pub(crate) count: usize,
+    /// The unit of the values; empty for SI.
+    name: String,
+    /// That unit; `None` for a count.
+    unit: Option<Unit>,
 }
 
 /// One end of a range.
@@ -53,10 +49,37 @@ impl Axis {
         let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
         let dimension = dimension(vary, &found, [&from, &to], file, scene).map_err(fault)?;
-        let values = values(vary.range.count, from, to, dimension).map_err(fault)?;
-        let unit = dimension.map(unit::suffix).filter(|unit| !unit.is_empty());
-        let column = unit.map_or(key.clone(), |unit| format!("{key}_{unit}"));
-        Ok(Self { key, column, span: found.span, values })
+        let (from, to) = in_one_unit(from, to, dimension).map_err(fault)?;
+        let suffix = dimension.map(unit::suffix).filter(|unit| !unit.is_empty());
+        let column = suffix.map_or(key.clone(), |unit| format!("{key}_{unit}"));
+        let unit = dimension.map(|dimension| Unit::of(&from.unit, dimension)).transpose();
+        let unit = unit.map_err(|error| fault(error.to_string()))?;
+        let count = vary.range.count;
+        Ok(Self {
+            key,
+            column,
+            span: found.span,
+            from: from.number,
+            to: to.number,
+            count,
+            name: from.unit,
+            unit,
+        })
+    }
+
+    /// A value in SI.
+    pub(crate) fn si(&self, number: f64) -> f64 {
+        self.unit.map_or(number, |unit| unit.si(number))
+    }
+
+    /// A value as it is written into the scene.
+    pub(crate) fn toml(&self, number: f64) -> String {
+        unit::toml(number, &self.name, !self.name.is_empty())
+    }
+
+    /// A value for messages: `120 mm`.
+    pub(crate) fn shown(&self, number: f64) -> String {
+        End { number, unit: self.name.clone() }.text()
     }
 }
 
@@ -124,23 +147,18 @@ fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
     }
 }
 
-/// The values; spaced in the unit of the ends if both have the same, so that decimal steps stay decimal.
-fn values(count: usize, from: End, to: End, dimension: Option<Dimension>) -> Result<Vec<AxisValue>, String> {
+/// The ends in the unit of both, so that decimal steps stay decimal; in SI if they have different units.
+fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End, End), String> {
     let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
         Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.to_string()),
         None => Ok(end.number),
     };
-    let (from, to) = match dimension {
+    let numbers = (si(&from)?, si(&to)?);
+    match dimension {
         Some(dimension) if from.unit != to.unit => {
-            let unit = dimension.si().to_owned();
-            (End { number: si(&from)?, unit: unit.clone() }, End { number: si(&to)?, unit })
+            let end = |number| End { number, unit: dimension.si().to_owned() };
+            Ok((end(numbers.0), end(numbers.1)))
         }
-        _ => (from, to),
-    };
-    let value = |index: usize| {
-        let end = End { number: between(from.number, to.number, index, count), unit: from.unit.clone() };
-        let toml = unit::toml(end.number, &end.unit, !end.unit.is_empty());
-        Ok(AxisValue { toml, shown: end.text(), si: si(&end)? })
-    };
-    (0..count).map(value).collect()
+        _ => Ok((from, to)),
+    }
 }

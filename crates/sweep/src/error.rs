@@ -2,6 +2,8 @@
 
 use assur_scene::SceneErrors;
 
+use crate::MEASURES;
+
 /// Why a sweep can't begin, or has no row to write. What is wrong at one point is part of the table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -29,15 +31,29 @@ pub enum SweepError {
         second: String,
     },
     /// Too many points.
-    #[error("the grid has {points} points, at most {most} are calculated: fewer values of each parameter")]
+    #[error("the sweep has {points} points, at most {most} are calculated: fewer values of each parameter")]
     TooMany {
         /// How many; `too many` where they can't be counted.
         points: String,
         /// How many there may be.
         most: usize,
     },
-    /// No point of the grid makes a scene that can be calculated.
-    #[error("no point of the grid can be calculated; the first, {point}:\n{problem}")]
+    /// Too many parameters of a sample.
+    #[error("the sample has {count} parameters, at most {most}: keep those that matter")]
+    TooManyParameters {
+        /// How many.
+        count: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// There is no such measure.
+    #[error("there is no measure `{name}`: name some of {}, or `default` or `all`", measures())]
+    Measure {
+        /// The name.
+        name: String,
+    },
+    /// No point makes a scene that can be calculated.
+    #[error("no point of the sweep can be calculated; the first, {point}:\n{problem}")]
     AllRefused {
         /// Keys and values of the first point.
         point: String,
@@ -58,4 +74,8 @@ impl SweepError {
     pub(crate) fn vary(vary: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Vary { vary: vary.into(), problem: problem.into() }
     }
+}
+
+fn measures() -> String {
+    MEASURES.iter().map(|measure| measure.name).collect::<Vec<_>>().join(", ")
 }

@@ -36,21 +36,31 @@
 //! Extremes are over the positions of the scene; of equal ones the first counts. Columns without a value at any point
 //! are left out.
 
+mod angles;
 mod axis;
+mod csv;
 mod error;
+mod layout;
 mod measure;
 pub mod parquet;
 mod point;
+mod points;
+mod positions;
 mod range;
-mod row;
+mod rows;
+mod statistics;
 mod sweep;
-mod table;
+mod tally;
 mod unit;
+mod variants;
 mod vary;
 
 pub use error::SweepError;
-pub use sweep::{MOST_POINTS, Sweep};
-pub use table::{Status, Table};
+pub use measure::{MEASURES, Measure};
+pub use points::Points;
+pub use rows::{Rows, Status};
+pub use sweep::{MOST_POINTS, Request, Sweep};
+pub use tally::Tally;
 pub use vary::Vary;
 
 #[cfg(test)]

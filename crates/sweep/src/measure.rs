@@ -1,128 +1,333 @@
-//! The columns of one point.
+//! The families of columns, from what was found at a point.
 
-use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, ScalarMotion};
+use assur_dynamics::{Instant, Steady};
+use assur_mechanism::{Input, PairId, Range};
 
-use crate::row::Cells;
+use crate::SweepError;
+use crate::layout::{Layout, Sought};
+use crate::statistics::Statistics;
 
-/// Units that depend on the input and the balancing load.
+/// A family of columns.
 #[derive(Debug, Clone, Copy)]
-struct Units {
-    coordinate: &'static str,
-    speed: &'static str,
-    balancing: &'static str,
+pub struct Measure {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What its columns hold.
+    pub summary: &'static str,
+    /// Whether it is written where no measures are named.
+    pub by_default: bool,
+    /// Whether it needs the angles of the links.
+    pub(crate) angles: bool,
+    /// Whether it needs the transmission angles of the groups.
+    pub(crate) transmission: bool,
+    put: fn(&Layout, &Found, &mut Sheet<'_>),
 }
 
-impl Units {
-    fn of(analysis: &Analysis) -> Self {
-        let (coordinate, speed) =
-            if analysis.input.angular { ("rad", "rad_per_s") } else { ("m", "m_per_s") };
-        Self { coordinate, speed, balancing: if analysis.input.balancing_is_moment { "Nm" } else { "N" } }
+/// All measures, in the order of their columns.
+pub const MEASURES: &[Measure] = &[
+    Measure::new("health", "least dimensionless determinant of all groups, and where", health),
+    Measure {
+        by_default: false,
+        transmission: true,
+        ..Measure::new("transmission", "least transmission angle of all groups, and where", transmission)
+    },
+    Measure::new(
+        "balancing",
+        "balancing load: greatest modulus and where, mean, mean of the modulus",
+        balancing,
+    ),
+    Measure {
+        by_default: false,
+        ..Measure::new("balancing-rms", "root of the mean square of the balancing load", balancing_rms)
+    },
+    Measure::new("reactions", "greatest force and moment of each pair", reactions),
+    Measure {
+        by_default: false,
+        ..Measure::new(
+            "reaction-rms",
+            "root of the mean square of force and moment of each pair",
+            reaction_rms,
+        )
+    },
+    Measure {
+        angles: true,
+        ..Measure::new("extremes", "extremes of points, slides and angles of links", extremes)
+    },
+    Measure {
+        by_default: false,
+        angles: true,
+        ..Measure::new("stroke", "greatest less least displacement of slides and angle of links", stroke)
+    },
+    Measure {
+        by_default: false,
+        angles: true,
+        ..Measure::new("time-ratio", "time ratio of each slide and each link that swings", time_ratio)
+    },
+    Measure::new("regime", "periodic regime and drive", regime),
+    Measure::new("end", "the last state of a transient motion", end),
+];
+
+/// What was found at a point of a sweep.
+#[derive(Debug)]
+pub(crate) struct Found {
+    /// Least determinant of all groups.
+    pub(crate) health: Statistics,
+    /// Least transmission angle of all groups.
+    pub(crate) transmission: Statistics,
+    pub(crate) balancing: Statistics,
+    /// Modulus of the balancing load.
+    pub(crate) load: Statistics,
+    /// Of each joint: square of the greatest force on one of its links.
+    pub(crate) forces: Vec<Statistics>,
+    /// Of each joint: modulus of its moment.
+    pub(crate) moments: Vec<Statistics>,
+    pub(crate) points: Vec<[Statistics; 2]>,
+    pub(crate) slides: Vec<Statistics>,
+    /// Angles of links.
+    pub(crate) links: Vec<Statistics>,
+    /// The input, which gives the coordinates of the positions.
+    pub(crate) input: Option<Input>,
+    /// The last state of a transient motion.
+    pub(crate) last: Option<Instant>,
+    pub(crate) steady: Option<Box<Steady>>,
+}
+
+impl Found {
+    /// Coordinate of the position of a number, rad or m.
+    fn coordinate(&self, of: &Statistics, position: fn(&Statistics) -> f64) -> Option<f64> {
+        let input = self.input.as_ref().filter(|_| of.is_known())?;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the number of a position"
+        )]
+        Some(input.coordinate(position(of) as usize))
     }
-}
 
-/// The columns of an analysis without failures. `groups`: number of solved groups; `transient`: whether the trajectory
-/// has an end state.
-pub(crate) fn cells(analysis: &Analysis, groups: usize, transient: bool) -> Cells {
-    let mut cells = Cells::default();
-    let units = Units::of(analysis);
-    health(analysis, groups, units, &mut cells);
-    balancing(analysis, units, &mut cells);
-    reactions(analysis, &mut cells);
-    places(analysis, &mut cells);
-    dynamics(analysis, units, &mut cells);
-    if let Some(end) = analysis.trajectory.last().filter(|_| transient) {
-        cells.add("end_time_s", end.time);
-        cells.add(format!("end_coordinate_{}", units.coordinate), end.coordinate);
-        cells.add(format!("end_speed_{}", units.speed), end.speed);
-    }
-    cells
-}
-
-fn health(analysis: &Analysis, groups: usize, units: Units, cells: &mut Cells) {
-    if groups == 0 {
-        return;
-    }
-    // A group whose determinant is zero has no condition.
-    let least = |position: &PositionResult| match position.condition.len() {
-        known if known < groups => 0.0,
-        _ => position.condition.iter().map(|(_, condition)| 1.0 / condition).fold(f64::INFINITY, f64::min),
-    };
-    // The least value is the negative of the greatest negated one.
-    let healths = analysis.positions.iter().map(|position| (position.coordinate, -least(position)));
-    if let Some((at, negative)) = greatest(healths) {
-        cells.add("smallest_health", -negative);
-        cells.add(format!("smallest_health_at_{}", units.coordinate), at);
-    }
-}
-
-/// The greatest value and where it is; the first of equal ones.
-fn greatest(values: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
-    values.reduce(|best, next| if next.1 > best.1 { next } else { best })
-}
-
-fn balancing(analysis: &Analysis, units: Units, cells: &mut Cells) {
-    let loads = || analysis.positions.iter().filter_map(|p| Some((p.coordinate, p.balancing?)));
-    if let Some((at, load)) = greatest(loads().map(|(at, load)| (at, load.abs()))) {
-        let unit = units.balancing;
-        cells.add(format!("balancing_greatest_{unit}"), load);
-        cells.add(format!("balancing_greatest_at_{}", units.coordinate), at);
-        let count = loads().count() as f64;
-        let mean = |of: fn(f64) -> f64| loads().map(|(_, load)| of(load)).sum::<f64>() / count;
-        cells.add(format!("balancing_mean_{unit}"), mean(|load| load));
-        cells.add(format!("balancing_mean_modulus_{unit}"), mean(f64::abs));
-    }
-}
-
-fn reactions(analysis: &Analysis, cells: &mut Cells) {
-    let all = || analysis.positions.iter().filter_map(|position| position.reactions.as_ref());
-    let Some(first) = all().next() else { return };
-    for (index, (pair, _)) in first.iter().enumerate() {
-        let each = || all().filter_map(|named| named.0.get(index)).map(|(_, reaction)| reaction);
-        let forces = each().flat_map(|r: &PairReaction| &r.forces).map(|(_, [x, y])| x.hypot(*y));
-        cells.add_some(format!("reaction_{pair}_greatest_N"), forces.reduce(f64::max));
-        let moments = each().filter_map(|reaction| reaction.moment).map(f64::abs);
-        cells.add_some(format!("reaction_{pair}_moment_greatest_Nm"), moments.reduce(f64::max));
-    }
-}
-
-fn places(analysis: &Analysis, cells: &mut Cells) {
-    let Some(first) = analysis.positions.first() else { return };
-    for (index, (point, _)) in first.points.iter().enumerate() {
-        for (axis, part) in ["x", "y"].into_iter().enumerate() {
-            let place = |position: &PositionResult| Some(position.points.0.get(index)?.1.pf0[axis]);
-            let [min, max] = extremes(analysis, place);
-            cells.add(format!("{point}_{part}_min_m"), min);
-            cells.add(format!("{point}_{part}_max_m"), max);
+    /// Memory for what is measured.
+    pub(crate) fn new(layout: &Layout) -> Self {
+        let many = |count: usize| vec![Statistics::NONE; count];
+        Self {
+            health: Statistics::NONE,
+            transmission: Statistics::NONE,
+            balancing: Statistics::NONE,
+            load: Statistics::NONE,
+            forces: many(layout.joints.len()),
+            moments: many(layout.joints.len()),
+            points: vec![[Statistics::NONE; 2]; layout.points.len()],
+            slides: many(layout.slides.len()),
+            links: many(layout.links.len()),
+            input: None,
+            last: None,
+            steady: None,
         }
     }
-    let value = |named: &Named<ScalarMotion>, index: usize| Some(named.0.get(index)?.1.pf0);
-    for (index, (slide, _)) in first.slides.iter().enumerate() {
-        let [min, max] = extremes(analysis, |position| value(&position.slides, index));
-        cells.add(format!("{slide}_min_m"), min);
-        cells.add(format!("{slide}_max_m"), max);
-        cells.add(format!("{slide}_travel_m"), max - min);
-    }
-    for (index, (link, _)) in first.links.iter().enumerate() {
-        let [min, max] = extremes(analysis, |position| value(&position.links, index));
-        cells.add(format!("{link}_angle_min_rad"), min);
-        cells.add(format!("{link}_angle_max_rad"), max);
+
+    /// Forgets everything.
+    pub(crate) fn clear(&mut self) {
+        let Self { health, transmission, balancing, load, forces, moments, points, slides, links, .. } = self;
+        [health, transmission, balancing, load].into_iter().for_each(|one| *one = Statistics::NONE);
+        for list in [forces, moments, slides, links] {
+            list.fill(Statistics::NONE);
+        }
+        points.fill([Statistics::NONE; 2]);
+        (self.input, self.last, self.steady) = (None, None, None);
     }
 }
 
-fn extremes(analysis: &Analysis, value: impl Fn(&PositionResult) -> Option<f64>) -> [f64; 2] {
-    let values = analysis.positions.iter().filter_map(value);
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], value| [min.min(value), max.max(value)])
+impl Measure {
+    const fn new(
+        name: &'static str,
+        summary: &'static str,
+        put: fn(&Layout, &Found, &mut Sheet<'_>),
+    ) -> Self {
+        Self { name, summary, by_default: true, angles: false, transmission: false, put }
+    }
+
+    /// The measures that are written where none are named.
+    pub fn defaults() -> Vec<Self> {
+        MEASURES.iter().filter(|measure| measure.by_default).copied().collect()
+    }
+
+    /// The measures of these names, in the order of their columns; `default` and `all` name several.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Measure`] for a name that there is not.
+    pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
+        let known =
+            |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);
+        if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !known(name)) {
+            return Err(SweepError::Measure { name: name.to_owned() });
+        }
+        let wanted = |measure: &&Self| {
+            let mut names = names.iter().map(AsRef::as_ref);
+            names.any(|name| name == "all" || name == measure.name || name == "default" && measure.by_default)
+        };
+        Ok(MEASURES.iter().filter(wanted).copied().collect())
+    }
+
+    /// Puts its columns on a sheet.
+    pub(crate) fn put(&self, layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+        (self.put)(layout, found, sheet);
+    }
 }
 
-fn dynamics(analysis: &Analysis, units: Units, cells: &mut Cells) {
-    let Some(found) = &analysis.dynamics else { return };
-    cells.add_some("flywheel_kgm2", found.flywheel);
-    cells.add_some("ratio", found.ratio);
-    cells.add_some("torque_Nm", found.torque);
-    cells.add(format!("mean_speed_{}", units.speed), found.mean_speed);
-    cells.add("unevenness", found.unevenness);
-    cells.add(format!("speed_min_{}", units.speed), found.speed_min);
-    cells.add(format!("speed_max_{}", units.speed), found.speed_max);
-    cells.add("excess_work_J", found.excess_work);
-    cells.add("required_power_W", found.required_power);
+/// The columns of measures: their names, or their values at one point.
+pub(crate) enum Sheet<'a> {
+    /// Receives the names.
+    Names(&'a mut Vec<String>),
+    /// Receives the values, NaN for a cell without one, and the column of the first one that is not finite.
+    Values(&'a mut Vec<f64>, &'a mut Option<usize>),
+}
+
+impl Sheet<'_> {
+    fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
+        match self {
+            Self::Names(names) => names.push(name()),
+            Self::Values(values, wrong) => {
+                if wrong.is_none() && value.is_some_and(|value| !value.is_finite()) {
+                    **wrong = Some(values.len());
+                }
+                values.push(value.unwrap_or(f64::NAN));
+            }
+        }
+    }
+
+    /// The statistic of a quantity that was found at some position.
+    fn of(&mut self, from: &Statistics, value: fn(&Statistics) -> f64, name: impl FnOnce() -> String) {
+        self.put(from.is_known().then(|| value(from)), name);
+    }
+}
+
+fn health(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    if layout.groups {
+        sheet.of(&found.health, Statistics::least, || "smallest_health".to_owned());
+        let name = || format!("smallest_health_at_{}", layout.units.coordinate);
+        sheet.put(found.coordinate(&found.health, Statistics::at_least), name);
+    }
+}
+
+fn transmission(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    if layout.groups {
+        let name = || "least_transmission_angle_rad".to_owned();
+        sheet.of(&found.transmission, Statistics::least, name);
+        let name = || format!("least_transmission_angle_at_{}", layout.units.coordinate);
+        sheet.put(found.coordinate(&found.transmission, Statistics::at_least), name);
+    }
+}
+
+fn balancing(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    if layout.balancing {
+        let unit = layout.units.balancing;
+        sheet.of(&found.load, Statistics::greatest, || format!("balancing_greatest_{unit}"));
+        let name = || format!("balancing_greatest_at_{}", layout.units.coordinate);
+        sheet.put(found.coordinate(&found.load, Statistics::at_greatest), name);
+        sheet.of(&found.balancing, Statistics::mean, || format!("balancing_mean_{unit}"));
+        sheet.of(&found.load, Statistics::mean, || format!("balancing_mean_modulus_{unit}"));
+    }
+}
+
+fn balancing_rms(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    if layout.balancing {
+        sheet.of(&found.balancing, Statistics::rms, || format!("balancing_rms_{}", layout.units.balancing));
+    }
+}
+
+fn reactions(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
+    for ((joint, force), moment) in each {
+        let name = &joint.name;
+        sheet.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
+        if matches!(joint.id.id, PairId::Slide(_)) {
+            sheet.of(moment, Statistics::greatest, || format!("reaction_{name}_moment_greatest_Nm"));
+        }
+    }
+}
+
+fn reaction_rms(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
+    for ((joint, force), moment) in each {
+        let name = &joint.name;
+        sheet.of(force, |square| square.mean().sqrt(), || format!("reaction_{name}_rms_N"));
+        if matches!(joint.id.id, PairId::Slide(_)) {
+            sheet.of(moment, Statistics::rms, || format!("reaction_{name}_moment_rms_Nm"));
+        }
+    }
+}
+
+fn extremes(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    for (point, place) in layout.points.iter().zip(&found.points) {
+        for (axis, of) in ["x", "y"].into_iter().zip(place) {
+            sheet.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
+            sheet.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
+        }
+    }
+    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
+        sheet.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
+        sheet.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
+        sheet.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
+    }
+    for (link, angle) in layout.links.iter().zip(&found.links) {
+        sheet.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
+        sheet.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
+    }
+}
+
+fn stroke(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
+        sheet.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
+    }
+    for (link, angle) in layout.links.iter().zip(&found.links) {
+        sheet.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
+    }
+}
+
+fn time_ratio(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    let ratio = |of: &Statistics| {
+        let Range::Cycle(_) = found.input.as_ref()?.range else { return None };
+        let positions = found.input.as_ref()?.positions as f64;
+        let there = ((of.at_greatest() - of.at_least()) / positions).rem_euclid(1.0);
+        if !of.is_known() || of.range() <= 0.0 {
+            return None;
+        }
+        Some(there.max(1.0 - there) / there.min(1.0 - there))
+    };
+    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
+        sheet.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
+    }
+    for (link, angle) in layout.links.iter().zip(&found.links) {
+        let swings = angle.range() < std::f64::consts::PI;
+        sheet.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
+    }
+}
+
+fn regime(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    let Some(Sought::Steady { flywheel, motor, torque }) = layout.motion else { return };
+    let steady = found.steady.as_deref();
+    let mut put = |shown: bool, name: &str, value: fn(&Steady) -> Option<f64>| {
+        if shown {
+            sheet.put(steady.and_then(value), || name.to_owned());
+        }
+    };
+    put(flywheel, "flywheel_kgm2", |found| Some(found.regime.flywheel));
+    put(motor, "ratio", |found| found.regime.ratio);
+    put(torque, "torque_Nm", |found| found.regime.torque);
+    let speed = layout.units.speed;
+    put(true, &format!("mean_speed_{speed}"), |found| Some(found.regime.mean_speed));
+    put(true, "unevenness", |found| Some(found.regime.unevenness));
+    put(true, &format!("speed_min_{speed}"), |found| Some(found.regime.speed_min));
+    put(true, &format!("speed_max_{speed}"), |found| Some(found.regime.speed_max));
+    put(true, "excess_work_J", |found| Some(found.regime.excess_work));
+    put(true, "required_power_W", |found| Some(found.regime.required_power));
+}
+
+fn end(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+    if layout.motion == Some(Sought::Transient) {
+        let last = found.last.map(|instant| instant.state);
+        sheet.put(last.map(|state| state.time), || "end_time_s".to_owned());
+        let name = || format!("end_coordinate_{}", layout.units.coordinate);
+        sheet.put(last.map(|state| state.coordinate), name);
+        sheet.put(last.map(|state| state.speed), || format!("end_speed_{}", layout.units.speed));
+    }
 }

@@ -1,62 +1,126 @@
-//! The calculation of one point.
+//! The calculation of one point after the other.
 
-use assur_analysis::results::Failure;
-use assur_analysis::{AnalysisError, Calculation, Options, unwatched};
-use assur_group::{GroupError, Order};
-use assur_mechanism::{Mechanism, Motion};
+use std::ops::Range;
 
-use crate::row::{Row, SharedNames};
-use crate::{Status, measure};
+use assur_analysis::plan::Plan;
+use assur_analysis::{AnalysisError, Calculation, InputMotion, unwatched};
+use assur_dynamics::Instant;
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
+use assur_structure::Structure;
 
-/// Calculates a mechanism and extracts the values of the columns.
-pub(crate) fn row(mechanism: Mechanism, options: &Options, names: &SharedNames) -> Row {
-    let refused = |error: AnalysisError| {
-        let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
-        Row::without(status, &error.to_string(), None)
-    };
-    let calculation = match Calculation::of(mechanism, options, &mut unwatched) {
-        Ok(calculation) => calculation,
-        Err(error) => return refused(error),
-    };
-    let analysis = match calculation.analyze_positions(&mut unwatched) {
-        Ok(analysis) => analysis,
-        Err(stopped) => return refused(stopped.into()),
-    };
-    if let Some(first) = analysis.failures.first() {
-        return Row::without(status(&calculation, first), &first.message, Some(failed(&analysis.failures)));
+use crate::angles::Angles;
+use crate::measure::{Found, Sheet};
+use crate::positions::Positions;
+use crate::rows::{Outcome, Rows};
+use crate::{Status, Sweep};
+
+/// Calculates points; keeps its memory from one to the next.
+pub(crate) struct Worker<'a> {
+    pub(crate) sweep: &'a Sweep,
+    pub(crate) found: Found,
+    pub(crate) angles: Angles,
+    /// Parameters in the units of their ranges, and in SI.
+    numbers: Vec<f64>,
+    parameters: Vec<f64>,
+    values: Vec<f64>,
+    /// What the last point had in common with the next one; lost with a mechanism that can't be compiled.
+    common: Option<(Mechanism, Structure, Plan)>,
+}
+
+impl<'a> Worker<'a> {
+    pub(crate) fn new(sweep: &'a Sweep) -> Self {
+        let parameters = vec![0.0; sweep.axes.len()];
+        Self {
+            sweep,
+            found: Found::new(&sweep.layout),
+            angles: Angles::default(),
+            numbers: parameters.clone(),
+            parameters,
+            values: Vec::new(),
+            common: None,
+        }
     }
-    if let Some(message) = &analysis.no_motion {
-        return Row::without(Status::NoSolution, message, Some(0));
+
+    /// The rows of some points.
+    pub(crate) fn rows(&mut self, points: Range<usize>) -> Rows {
+        let mut rows = Rows::new(&self.sweep.columns, points.start, points.len());
+        points.for_each(|index| self.add(index, &mut rows));
+        rows
     }
-    let groups = calculation.plan.groups_needed.iter().filter(|needed| **needed).count();
-    let transient = matches!(calculation.linkage.mechanism.motion, Some(Motion::Transient { .. }));
-    let cells = measure::cells(&analysis, groups, transient);
-    if let Some(column) = cells.not_finite() {
-        let message = format!("the number found for `{column}` is not finite");
-        return Row::without(Status::Error, &message, Some(0));
+
+    fn add(&mut self, index: usize, rows: &mut Rows) {
+        self.sweep.points.numbers(&self.sweep.axes, index, &mut self.numbers);
+        for ((axis, number), si) in self.sweep.axes.iter().zip(&self.numbers).zip(&mut self.parameters) {
+            *si = axis.si(*number);
+        }
+        self.values.clear();
+        let outcome = self.outcome().unwrap_or_else(|failure| failure);
+        rows.push(&self.parameters, &self.values, outcome);
     }
-    let motor = analysis.dynamics.and_then(|found| found.motor).map(|motor| motor.designation);
-    Row {
-        motor,
-        names: names.shared(cells.names),
-        values: cells.values,
-        ..Row::without(Status::Ok, "", Some(0))
+
+    /// Calculates a point and puts its values in order.
+    fn outcome(&mut self) -> Result<Outcome, Outcome> {
+        self.found.clear();
+        let calculation = self.compiled()?;
+        let result = Positions::new(&calculation, self).outcome();
+        self.found.last = last(&calculation);
+        let Calculation { linkage: Linkage { mechanism, structure, .. }, plan, motion, .. } = calculation;
+        self.common = Some((mechanism, structure, plan));
+        let mut outcome = result?;
+        if let InputMotion::Steady(found) = motion {
+            outcome.motor =
+                found.motor.as_ref().map(|motor| motor.motor.designation.clone().unwrap_or_default());
+            self.found.steady = Some(found);
+        }
+        let mut wrong = None;
+        let mut sheet = Sheet::Values(&mut self.values, &mut wrong);
+        for measure in &self.sweep.measures {
+            measure.put(&self.sweep.layout, &self.found, &mut sheet);
+        }
+        if let Some(value) = wrong {
+            self.values.clear();
+            let column = self.sweep.columns.value_name(value);
+            let message = format!("the number found for `{column}` is not finite");
+            return Err(Outcome::failure(Status::Error, &message, Some(0)));
+        }
+        Ok(outcome)
+    }
+
+    /// The mechanism of the point, compiled.
+    fn compiled(&mut self) -> Result<Calculation, Outcome> {
+        let sweep = self.sweep;
+        let (mechanism, common) = match self.common.take() {
+            Some((mechanism, structure, plan)) => (Some(mechanism), Some((structure, plan))),
+            None => (None, None),
+        };
+        let mechanism = sweep.variants.mechanism(&sweep.axes, &self.numbers, &self.parameters, mechanism);
+        let mechanism = mechanism.map_err(|errors| {
+            let first = errors.errors.first();
+            let message = first.map(|error| format!("{} (line {})", error.message, error.line));
+            Outcome::failure(Status::Refused, &message.unwrap_or_default(), None)
+        })?;
+        let calculation = match common {
+            Some((mut structure, mut plan)) if sweep.variants.sets_numbers() => {
+                structure.set_geometry(&mechanism);
+                plan.fit(&mechanism, &structure);
+                Calculation::planned(mechanism, structure, plan, &sweep.options, &mut unwatched)
+            }
+            _ => Calculation::of(mechanism, &sweep.options, &mut unwatched),
+        };
+        calculation.map_err(|error: AnalysisError| {
+            let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
+            Outcome::failure(status, &error.to_string(), None)
+        })
     }
 }
 
-/// Number of positions with failures; a position may have several failures.
-fn failed(failures: &[Failure]) -> usize {
-    let mut positions: Vec<_> = failures.iter().map(|failure| failure.index).collect();
-    positions.sort_unstable();
-    positions.dedup();
-    positions.len()
-}
-
-/// Whether the assembly failed.
-fn status(calculation: &Calculation, first: &Failure) -> Status {
+/// The last state of a transient motion at which the mechanism can be assembled.
+fn last(calculation: &Calculation) -> Option<Instant> {
+    let InputMotion::Transient(motion) = &calculation.motion else { return None };
     let mut position = calculation.linkage.position();
-    match calculation.linkage.solve_index(first.index, Order::Place, &mut position) {
-        Err(error) if matches!(error.source, GroupError::NoAssembly { .. }) => Status::NoAssembly,
-        _ => Status::NoSolution,
-    }
+    let mut solved =
+        |at: &&Instant| calculation.linkage.solve(at.state.coordinate, Order::Place, &mut position).is_ok();
+    motion.instants.iter().rev().find(|at| solved(at)).copied()
 }

@@ -1,6 +1,8 @@
-//! `FROM..TO:N`.
+//! `FROM..TO:N`, or `FROM..TO` of a sample.
 
 use assur_scene::edit::decimal;
+
+use crate::Points;
 
 /// The values of a parameter as they are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -9,20 +11,28 @@ pub(crate) struct Range {
     pub(crate) from: String,
     /// Last value.
     pub(crate) to: String,
-    /// How many, at least 1.
+    /// How many values of a grid, at least 1; of a sample 1.
     pub(crate) count: usize,
 }
 
-pub(crate) fn parse(text: &str) -> Result<Range, String> {
-    let wrong = || "write it as KEY=FROM..TO:N, such as \"link.crank.mass=1 kg..5 kg:9\"".to_owned();
-    let (ends, count) = text.rsplit_once(':').ok_or_else(wrong)?;
+pub(crate) fn parse(text: &str, points: Points) -> Result<Range, String> {
+    let wrong = || match points {
+        Points::Grid => "write it as KEY=FROM..TO:N, such as \"link.crank.mass=1 kg..5 kg:9\"".to_owned(),
+        Points::Sample { .. } => {
+            "of a sample write it as KEY=FROM..TO, such as \"link.crank.mass=1 kg..5 kg\"".to_owned()
+        }
+    };
+    let (ends, count) = match points {
+        Points::Grid => text.rsplit_once(':').ok_or_else(wrong)?,
+        Points::Sample { .. } => (text, "1"),
+    };
     let (from, to) = ends.split_once("..").ok_or_else(wrong)?;
     let (from, to) = (from.trim(), to.trim());
-    if from.is_empty() || to.is_empty() {
+    if from.is_empty() || to.is_empty() || to.contains(':') {
         return Err(wrong());
     }
-    let points: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
-    let count = points.ok_or_else(|| format!("N is `{}`: write a whole number from 1", count.trim()))?;
+    let found: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
+    let count = found.ok_or_else(|| format!("N is `{}`: write a whole number from 1", count.trim()))?;
     Ok(Range { from: from.to_owned(), to: to.to_owned(), count })
 }
 

@@ -1,29 +1,59 @@
-//! The grid and its run.
+//! A scene with its parameters, and the calculation of its points in threads.
 
 use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, sync_channel};
 
 use assur_analysis::Options;
-use assur_mechanism::Mechanism;
-use assur_scene::SceneErrors;
-use assur_scene::edit::{Document, replaced};
-use rayon::ThreadPoolBuilder;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use assur_scene::edit::Document;
 
-use crate::axis::{Axis, AxisValue};
-use crate::row::{Row, SharedNames};
-use crate::{Status, SweepError, Table, Vary, point};
+use crate::axis::Axis;
+use crate::layout::Layout;
+use crate::measure::{Found, Measure, Sheet};
+use crate::point::Worker;
+use crate::points::MOST_SAMPLED;
+use crate::rows::{Columns, Rows};
+use crate::variants::Variants;
+use crate::{Points, SweepError, Vary};
 
-/// Most points of a grid.
-pub const MOST_POINTS: usize = 1_000_000;
+/// Most points of a sweep: at a million points a second they would take eleven days.
+pub const MOST_POINTS: usize = 1_000_000_000_000;
 
-/// A scene and a grid of parameters, ready to be run.
+/// Points that a thread calculates before it hands on their rows.
+const BLOCK: usize = 64;
+
+/// Blocks that a thread may be ahead of the writer.
+const AHEAD: usize = 4;
+
+/// What a sweep calculates.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// The points.
+    pub points: Points,
+    /// The families of columns.
+    pub measures: Vec<Measure>,
+    /// The methods.
+    pub options: Options,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self { points: Points::Grid, measures: Measure::defaults(), options: Options::default() }
+    }
+}
+
+/// A scene and the points at which it is calculated, ready to be run.
 #[derive(Debug, Clone)]
 pub struct Sweep {
-    file: String,
-    scene: String,
-    axes: Vec<Axis>,
-    points: usize,
+    pub(crate) axes: Vec<Axis>,
+    pub(crate) points: Points,
+    pub(crate) variants: Variants,
+    pub(crate) layout: Layout,
+    pub(crate) measures: Vec<Measure>,
+    pub(crate) options: Options,
+    pub(crate) columns: Arc<Columns>,
+    count: usize,
 }
 
 impl Sweep {
@@ -32,12 +62,13 @@ impl Sweep {
     /// # Errors
     ///
     /// [`SweepError`]: a faulty scene, a parameter that is not in it or not a number, units that don't fit, too many points.
-    pub fn of(file_name: &str, scene: &str, vary: &[Vary]) -> Result<Self, SweepError> {
-        assur_scene::read(file_name, scene)?;
+    pub fn of(file_name: &str, scene: &str, vary: &[Vary], request: Request) -> Result<Self, SweepError> {
+        let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let points = points(vary)?;
+        let Request { points, measures, options } = request;
+        let count = count(points, vary)?;
         let document = Document::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
         let axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
@@ -46,96 +77,113 @@ impl Sweep {
                 return Err(SweepError::Twice { first: same.key.clone(), second: axis.key.clone() });
             }
         }
-        Ok(Self { file: file_name.to_owned(), scene: scene.to_owned(), axes, points })
+        let variants = Variants::of(file_name, scene, &axes);
+        let layout = Layout::of(&variants.richest(&axes).unwrap_or(base), &options);
+        let mut names = Vec::new();
+        let mut sheet = Sheet::Names(&mut names);
+        measures.iter().for_each(|measure| measure.put(&layout, &Found::new(&layout), &mut sheet));
+        let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
+        let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
+        Ok(Self { axes, points, variants, layout, measures, options, columns, count })
     }
 
-    /// Points of the grid.
+    /// How many points there are.
     pub fn points(&self) -> usize {
-        self.points
+        self.count
     }
 
-    /// Calculates every point. The table does not depend on `threads`. `progress` receives the number of finished
-    /// points; it is called from any thread.
+    /// The points of part `part` of `parts` (from 1), in which the points are divided in their order.
+    pub fn part(&self, part: usize, parts: usize) -> Range<usize> {
+        let parts = parts.max(1);
+        // The product of two numbers of points may be too large.
+        let start = |part: usize| self.count / parts * part + self.count % parts * part / parts;
+        start(part.saturating_sub(1))..start(part.min(parts))
+    }
+
+    /// Calculates points of the sweep and hands on their rows block by block, in the order of the points. The rows do not
+    /// depend on `threads`; `encode` is called in these threads, `accept` in the caller's, and an error of it ends the run.
     ///
     /// # Errors
     ///
-    /// [`SweepError::AllRefused`] where no point makes a scene that can be calculated; [`SweepError::Threads`].
-    pub fn run(
+    /// The first error of `accept`; [`SweepError::Threads`].
+    pub fn run<T: Send, E: From<SweepError>>(
         &self,
-        options: &Options,
+        points: &Range<usize>,
         threads: NonZeroUsize,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Table, SweepError> {
-        let threads = threads.get().min(self.points);
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| SweepError::Threads { threads, problem: error.to_string() })?;
-        let (done, names) = (AtomicUsize::new(0), SharedNames::default());
-        let one = |index| {
-            let row = self.row(index, options, &names);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            row
-        };
-        let rows: Vec<Row> = pool.install(|| (0..self.points).into_par_iter().map(one).collect());
-        self.refuse_hopeless(&rows)?;
-        Ok(Table::of(self.axes.iter().map(|axis| axis.column.clone()).collect(), rows))
+        encode: impl Fn(Rows) -> T + Sync,
+        mut accept: impl FnMut(T) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let blocks = points.len().div_ceil(BLOCK);
+        // Each thread takes every n-th block and has a channel of its own: the order needs no sorting.
+        let threads = threads.get().min(blocks);
+        let encode = &encode;
+        std::thread::scope(|scope| {
+            let spawn = |first: usize| {
+                let (sender, receiver) = sync_channel(AHEAD);
+                let work = move || {
+                    let mut worker = Worker::new(self);
+                    for block in (first..blocks).step_by(threads) {
+                        let start = points.start + block * BLOCK;
+                        let rows = worker.rows(start..points.end.min(start + BLOCK));
+                        // The caller has ended the run.
+                        if sender.send(encode(rows)).is_err() {
+                            return;
+                        }
+                    }
+                };
+                let spawned = std::thread::Builder::new().spawn_scoped(scope, work);
+                let problem =
+                    |error: std::io::Error| SweepError::Threads { threads, problem: error.to_string() };
+                spawned.map(|_| receiver).map_err(problem)
+            };
+            let receivers: Vec<Receiver<T>> = (0..threads).map(spawn).collect::<Result<_, _>>()?;
+            for block in 0..blocks {
+                // A thread that panics closes its channel; the scope passes the panic on.
+                let Ok(encoded) = receivers[block % threads].recv() else { break };
+                accept(encoded)?;
+            }
+            Ok(())
+        })
+    }
+
+    /// The row of one point.
+    pub fn row(&self, index: usize) -> Rows {
+        Worker::new(self).rows(index..index + 1)
     }
 
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
     pub fn describe(&self, index: usize) -> String {
-        let each = self.axes.iter().zip(self.values(index));
-        let each: Vec<_> = each.map(|(axis, value)| format!("{} = {}", axis.key, value.shown)).collect();
-        each.join(", ")
+        let numbers = self.numbers(index);
+        let each = self
+            .axes
+            .iter()
+            .zip(numbers)
+            .map(|(axis, number)| format!("{} = {}", axis.key, axis.shown(number)));
+        each.collect::<Vec<_>>().join(", ")
     }
 
-    /// The values of a point: the last parameter changes fastest.
-    fn values(&self, index: usize) -> Vec<&AxisValue> {
-        let mut rest = index;
-        let from_last = self.axes.iter().rev().filter_map(|axis| {
-            let value = axis.values.get(rest % axis.values.len());
-            rest /= axis.values.len();
-            value
-        });
-        let mut values: Vec<_> = from_last.collect();
-        values.reverse();
-        values
-    }
-
-    fn mechanism(&self, values: &[&AxisValue]) -> Result<Mechanism, SceneErrors> {
-        let edits = self.axes.iter().zip(values).map(|(axis, value)| (&axis.span, value.toml.as_str()));
-        assur_scene::read(&self.file, &replaced(&self.scene, edits))
-    }
-
-    fn row(&self, index: usize, options: &Options, names: &SharedNames) -> Row {
-        let values = self.values(index);
-        let row = match self.mechanism(&values) {
-            Ok(mechanism) => point::row(mechanism, options, names),
-            Err(errors) => {
-                let first = errors.errors.first();
-                let message = first.map(|error| format!("{} (line {})", error.message, error.line));
-                Row::without(Status::Refused, &message.unwrap_or_default(), None)
-            }
-        };
-        Row { parameters: values.iter().map(|value| value.si).collect(), ..row }
-    }
-
-    /// If no point of the grid can be calculated, the call is at fault, so there is no table.
-    fn refuse_hopeless(&self, rows: &[Row]) -> Result<(), SweepError> {
-        let hopeless = |row: &Row| matches!(row.status, Status::Refused | Status::Error);
-        if !rows.iter().all(hopeless) {
-            return Ok(());
-        }
-        let problem = match self.mechanism(&self.values(0)) {
+    /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
+    pub fn all_refused(&self, first: usize) -> SweepError {
+        let problem = match self.variants.read(&self.axes, &self.numbers(first)) {
             Err(errors) => errors.to_string(),
-            Ok(_) => rows.first().map(|row| row.message.clone()).unwrap_or_default(),
+            Ok(_) => self.row(first).status(0).map(|(_, message)| message.to_owned()).unwrap_or_default(),
         };
-        Err(SweepError::AllRefused { point: self.describe(0), problem })
+        SweepError::AllRefused { point: self.describe(first), problem }
+    }
+
+    fn numbers(&self, index: usize) -> Vec<f64> {
+        let mut numbers = vec![0.0; self.axes.len()];
+        self.points.numbers(&self.axes, index, &mut numbers);
+        numbers
     }
 }
 
-/// The number of points of the grid, within the limit.
-fn points(vary: &[Vary]) -> Result<usize, SweepError> {
-    let product = vary.iter().try_fold(1_usize, |product, vary| product.checked_mul(vary.range.count));
-    match product {
+/// The number of points, within the limits.
+fn count(points: Points, vary: &[Vary]) -> Result<usize, SweepError> {
+    if matches!(points, Points::Sample { .. }) && vary.len() > MOST_SAMPLED {
+        return Err(SweepError::TooManyParameters { count: vary.len(), most: MOST_SAMPLED });
+    }
+    match points.count(vary.iter().map(|vary| vary.range.count)) {
         Some(points) if points <= MOST_POINTS => Ok(points),
         other => {
             let points = other.map_or_else(|| "too many".to_owned(), |points| points.to_string());

@@ -3,16 +3,17 @@
 mod columns;
 mod grid;
 mod keys;
+mod measures;
+mod sample;
+mod variants;
 mod written;
 
 use std::num::NonZeroUsize;
 
 use assur_all as _;
-use assur_analysis::Options;
-
 use assur_report::csv::Cell;
 
-use crate::{Sweep, SweepError, Table, Vary};
+use crate::{Request, Rows, Status, Sweep, SweepError, Vary};
 
 /// A slider-crank whose places are known in closed form: crank r, rod l, slide along x.
 const SLIDER: &str = r#"[ground]
@@ -54,27 +55,48 @@ value = 0
 B = [0.4, 0]
 "#;
 
+fn requested(scene: &str, vary: &[&str], request: Request) -> Result<Sweep, SweepError> {
+    let vary: Vec<Vary> =
+        vary.iter().map(|vary| Vary::parse(vary, request.points)).collect::<Result<_, _>>()?;
+    Sweep::of("a.toml", scene, &vary, request)
+}
+
 fn sweep(scene: &str, vary: &[&str]) -> Result<Sweep, SweepError> {
-    let vary: Vec<Vary> = vary.iter().map(|vary| Vary::parse(vary)).collect::<Result<_, _>>()?;
-    Sweep::of("a.toml", scene, &vary)
+    requested(scene, vary, Request::default())
 }
 
-fn run(scene: &str, vary: &[&str], threads: usize) -> Table {
-    let threads = NonZeroUsize::new(threads).unwrap();
-    sweep(scene, vary).unwrap().run(&Options::default(), threads, &|_| ()).unwrap()
+fn rows(sweep: &Sweep, threads: usize) -> Rows {
+    let mut all: Option<Rows> = None;
+    let accept = |rows: Rows| {
+        match &mut all {
+            Some(all) => all.append(rows),
+            None => all = Some(rows),
+        }
+        Ok::<_, SweepError>(())
+    };
+    sweep.run(&(0..sweep.points()), NonZeroUsize::new(threads).unwrap(), |rows| rows, accept).unwrap();
+    all.unwrap()
 }
 
-fn column(table: &Table, name: &str) -> usize {
+fn run(scene: &str, vary: &[&str], threads: usize) -> Rows {
+    rows(&sweep(scene, vary).unwrap(), threads)
+}
+
+fn column(table: &Rows, name: &str) -> usize {
     let found = table.header().iter().position(|column| column == name);
     found.unwrap_or_else(|| panic!("no column {name}: {:?}", table.header()))
 }
 
 /// The numbers of a column, which has one in every row.
-fn numbers(table: &Table, name: &str) -> Vec<f64> {
+fn numbers(table: &Rows, name: &str) -> Vec<f64> {
     let column = column(table, name);
     let cells = (0..table.len()).map(|row| match table.cell(row, column) {
         Cell::Number(value) => value,
         other => panic!("row {row} of {name}: {other:?}"),
     });
     cells.collect()
+}
+
+fn failures(table: &Rows) -> Vec<usize> {
+    (0..table.len()).filter(|row| table.status(*row).unwrap().0 != Status::Ok).collect()
 }

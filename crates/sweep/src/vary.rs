@@ -2,16 +2,19 @@
 
 use assur_scene::edit::Key;
 
-use crate::SweepError;
 use crate::range::{self, Range};
+use crate::{Points, SweepError};
 
-/// One parameter of the grid: its key in the scene, and its values.
+/// One parameter of a sweep: its key in the scene, and its values.
 ///
 /// # Examples
 ///
 /// ```
-/// assert!(assur_sweep::Vary::parse("link.crank.points.A=100 mm..140 mm:5").is_ok());
-/// let error = assur_sweep::Vary::parse("link.crank.mass=1..5").unwrap_err();
+/// use assur_sweep::{Points, Vary};
+///
+/// assert!(Vary::parse("link.crank.points.A=100 mm..140 mm:5", Points::Grid).is_ok());
+/// assert!(Vary::parse("link.crank.points.A=100 mm..140 mm", Points::Sample { count: 99, seed: 0 }).is_ok());
+/// let error = Vary::parse("link.crank.mass=1..5", Points::Grid).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
 ///     "`link.crank.mass=1..5`: write it as KEY=FROM..TO:N, such as \"link.crank.mass=1 kg..5 kg:9\""
@@ -24,15 +27,15 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Reads `KEY=FROM..TO:N`.
+    /// Reads `KEY=FROM..TO:N` for a grid, `KEY=FROM..TO` for a sample.
     ///
     /// # Errors
     ///
     /// [`SweepError::Vary`] where it is written otherwise.
-    pub fn parse(text: &str) -> Result<Self, SweepError> {
+    pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: String| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
-        let range = range::parse(range).map_err(fault)?;
+        let range = range::parse(range, points).map_err(fault)?;
         Ok(Self { key: Key::parse(key).map_err(fault)?, range })
     }
 

@@ -61,7 +61,10 @@ fn reactions_agree_with_the_independent_results() {
         for (i, wanted) in wanted["positions"].as_array().unwrap().iter().enumerate() {
             let (out, ..) = solve(&linkage, linkage.mechanism.input.coordinate(i)).unwrap();
             deviation.add("balancing", &[out.balancing], &wanted["balancing"]);
-            let joints = joints(&linkage).iter().map(|joint| joint.reaction(&out.pairs)).collect::<Vec<_>>();
+            let joints = joints(&linkage.mechanism, &linkage.structure)
+                .iter()
+                .map(|joint| joint.reaction(&out.pairs))
+                .collect::<Vec<_>>();
             assert_eq!(joints.len(), wanted["reactions"].as_object().unwrap().len());
             for joint in joints {
                 let name = name_of(&linkage.mechanism, joint.joint);
@@ -126,7 +129,10 @@ fn slider_crank_by_hand() {
     let (out, ..) = solve(&linkage, std::f64::consts::FRAC_PI_2).unwrap();
     let tan = 1.0 / 8.0_f64.sqrt();
     assert!((out.balancing + 50.0).abs() < 1e-11, "{}", out.balancing);
-    let joints = joints(&linkage).iter().map(|joint| joint.reaction(&out.pairs)).collect::<Vec<_>>();
+    let joints = joints(&linkage.mechanism, &linkage.structure)
+        .iter()
+        .map(|joint| joint.reaction(&out.pairs))
+        .collect::<Vec<_>>();
     let on = |joint: usize, link: &str| {
         let link = linkage.mechanism.link(link).unwrap();
         joints[joint].forces.iter().find(|(of, _)| *of == link).unwrap().1

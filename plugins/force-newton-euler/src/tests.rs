@@ -126,7 +126,9 @@ proptest! {
 fn forces_of_a_joint_add_up_to_nothing() {
     let linkage = Linkage::compile(mechanism("andrews")).unwrap();
     let (answers, ..) = both(&linkage, 0.3).unwrap();
-    for joint in joints(&linkage).iter().map(|joint| joint.reaction(&answers[1].pairs)) {
+    for joint in
+        joints(&linkage.mechanism, &linkage.structure).iter().map(|joint| joint.reaction(&answers[1].pairs))
+    {
         let sum = joint.forces.iter().fold([0.0, 0.0], |s, (_, f)| [s[0] + f[0], s[1] + f[1]]);
         assert!(sum[0].abs() + sum[1].abs() < 1e-12, "{joint:?}");
     }

@@ -48,7 +48,11 @@ inventory::submit! {
         ways: Ways { most: 2, varies: false, words: "0: the outer pin of the first link ahead of that of the second, in the direction of the guide; 1: behind it" },
         iterates: false,
         singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
-        force_angle: ForceAngle { words: "pressure angle of the line of the pins to the guide", of: kernel::pressure_angle },
+        force_angle: ForceAngle {
+            words: "pressure angle of the line of the pins to the guide",
+            of: kernel::pressure_angle,
+            is_pressure: true,
+        },
         source: "S stage 2; theory of the right triangle",
         builders: Builders::in_lanes::<RprKind>(),
     }

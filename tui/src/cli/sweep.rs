@@ -1,9 +1,14 @@
-//! `assur sweep`: reads the scene, shows the progress, writes the table.
+//! `assur sweep`: reads the scene, shows the progress, writes the rows.
 
-use std::num::NonZeroUsize;
+mod lines;
+mod parts;
+mod target;
+
+use std::num::{NonZeroU32, NonZeroUsize};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{Sweep, SweepError, Table, Vary, parquet};
+use assur_sweep::{Measure, Points, Request, Sweep, SweepError, Tally, Vary};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -11,20 +16,27 @@ use super::options::MethodArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::files::{self, FileError};
+use crate::files;
 use crate::progress::ProgressLine;
+use target::{Form, form};
 
-/// Explanations of the columns whose names are not self-explanatory.
+/// Explanations of measures and columns.
 const COLUMNS: &str = "\
-Columns, SI, the unit in the name; empty where something does not apply:
-  KEY                    each parameter
-  status, message        ok, no assembly, no solution, error, refused; the first failure in words
-  smallest_health        least determinant of all groups over the positions; _at_: where
-  balancing_greatest     greatest modulus of the balancing load; _at_: where
-  balancing_mean         its mean with its sign; _mean_modulus: mean of the modulus
-  reaction_P_greatest    greatest force in the pair P; _moment_greatest: greatest moment of a slide
-  _min, _max, _travel    extremes over the positions
-  flywheel, ratio, ...   periodic regime and drive; end_...: last state of a transient motion";
+Measures; --measure default,NAME adds to those that are written by default (*):
+  health *               least determinant of all groups over the positions, and where
+  transmission           least transmission angle of all groups, and where
+  balancing *            balancing load: greatest modulus and where, mean, mean of the modulus
+  balancing-rms          root of its mean square
+  reactions *            greatest force in each pair, greatest moment of each slide
+  reaction-rms           roots of their mean squares
+  extremes *             extremes of points, slides and angles of links over the positions
+  stroke                 greatest less least displacement of each slide and angle of each link
+  time-ratio             time of the longer way over that of the shorter one, of slides and links that swing
+  regime *               periodic regime and drive
+  end *                  last state of a transient motion
+
+Columns are in SI, the unit in the name, and empty where something does not apply. The first ones are each parameter,
+status (ok, no assembly, no solution, error, refused), message (the first failure) and failed_positions.";
 
 /// Arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
@@ -33,12 +45,28 @@ pub(crate) struct SweepArgs {
     /// Scene file
     scene: PathBuf,
     /// N values of a number of the scene, equally spaced, both ends included, such as
-    /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest
+    /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest.
+    /// With --sample without N: KEY=FROM..TO
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N", allow_hyphen_values = true)]
     vary: Vec<String>,
+    /// Instead of a grid N points that fill the ranges evenly (a Sobol sequence)
+    #[arg(long, value_name = "N")]
+    sample: Option<NonZeroUsize>,
+    /// Other points of the sample
+    #[arg(long, value_name = "S", default_value_t = 0, requires = "sample")]
+    seed: u32,
+    /// What is written of each point (below)
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', default_value = "default")]
+    measure: Vec<String>,
     /// Write to this file (*.csv or *.parquet) instead of CSV to standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Go on with the sweep that was ended before FILE was complete
+    #[arg(long, requires = "output")]
+    resume: bool,
+    /// Calculate part I of N; the parts of CSV, one after the other, are the whole
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    shard: Option<(NonZeroU32, NonZeroU32)>,
     /// Threads; the results don't depend on them [default: as many as the machine runs at once]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -46,54 +74,37 @@ pub(crate) struct SweepArgs {
     methods: MethodArgs,
 }
 
-/// Form of the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Csv,
-    Parquet,
+/// Reads I/N.
+fn shard(text: &str) -> Result<(NonZeroU32, NonZeroU32), String> {
+    let parts = text.split_once('/').and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+    let parts: Option<(NonZeroU32, NonZeroU32)> = parts.filter(|(part, of)| part <= of);
+    parts.ok_or_else(|| "write it as I/N with I from 1 to N, such as 3/8".to_owned())
 }
 
 pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
-    let output = Output::of(args.output.as_deref(), &args.scene)?;
+    // A target that is the scene itself is refused before anything is calculated.
+    Output::of(args.output.as_deref(), &args.scene)?;
     let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
-    let options = scene::options(&args.methods)?;
-    let text = files::read(&args.scene)?;
-    let vary = args.vary.iter().map(|vary| Vary::parse(vary)).collect::<Result<Vec<_>, _>>();
-    let file = args.scene.display().to_string();
-    let fault = |error| fault(&args.scene, error, style);
-    let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?).map_err(fault)?;
-    let line = ProgressLine::new();
-    let points = sweep.points();
-    let table =
-        sweep.run(&options, threads(args), &|done| line.show(|| format!("{done} of {points} points")));
-    drop(line);
-    let table = table.map_err(fault)?;
-    let status = tell_failures(&table, &sweep, style);
-    let content = match form {
-        Form::Csv => table.to_csv(style.ascii_data).map_err(Fault::other)?.into_bytes(),
-        Form::Parquet => parquet::to_parquet(&table).map_err(Fault::other)?,
-    };
-    output.write(content, status).map(|()| status)
-}
-
-/// The format, from the name of the file; known before anything is calculated.
-fn form(path: &Path) -> Result<Form, Fault> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let fault = |problem: String| FileError::write(path, problem).into();
-    let form = match extension.as_deref() {
-        // Whether the target is a device such as `/dev/null`.
-        None | Some("csv") => Form::Csv,
-        Some("parquet") => Form::Parquet,
-        Some(_) => return Err(fault("name it *.csv or *.parquet".to_owned())),
-    };
-    match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
-        Some(folder) => Err(fault(format!("there is no folder {}", folder.display()))),
-        None => Ok(form),
+    let sweep = sweep(args, style)?;
+    let job = Job::of(args, &sweep, style);
+    match (&args.output, form) {
+        (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
+        (path, _) => lines::run(&job, path.as_deref(), args.resume),
     }
 }
 
-fn threads(args: &SweepArgs) -> NonZeroUsize {
-    args.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
+    let points = match args.sample {
+        Some(count) => Points::Sample { count: count.get(), seed: args.seed },
+        None => Points::Grid,
+    };
+    let fault = |error| fault(&args.scene, error, style);
+    let measures = Measure::named(&args.measure).map_err(fault)?;
+    let request = Request { points, measures, options: scene::options(&args.methods)? };
+    let text = files::read(&args.scene)?;
+    let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
+    let file = args.scene.display().to_string();
+    Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)
 }
 
 fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
@@ -104,13 +115,80 @@ fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
     }
 }
 
-/// Points without a solution are reported on standard error, the first one in full.
-fn tell_failures(table: &Table, sweep: &Sweep, style: Style) -> Status {
-    let failures: Vec<usize> = table.failures().collect();
-    let first = failures.first().and_then(|row| Some((*row, table.status(*row)?)));
-    let Some((row, (_, message))) = first else { return Status::Done };
-    let (count, points) = (failures.len(), table.len());
-    let point = sweep.describe(row);
-    style.tell(&format!("error: no solution at {count} of {points} points; the first, {point}: {message}"));
-    Status::Failed
+/// A sweep, or a part of it, that is calculated now.
+struct Job<'a> {
+    scene: &'a Path,
+    sweep: &'a Sweep,
+    /// All its points.
+    points: Range<usize>,
+    /// Whether it has the first points, and with them the header.
+    is_first: bool,
+    threads: NonZeroUsize,
+    style: Style,
+}
+
+impl<'a> Job<'a> {
+    fn of(args: &'a SweepArgs, sweep: &'a Sweep, style: Style) -> Self {
+        let (part, parts) = args.shard.unwrap_or((NonZeroU32::MIN, NonZeroU32::MIN));
+        let [part, parts] = [part, parts].map(|number| number.get() as usize);
+        let threads = args.threads.or_else(|| std::thread::available_parallelism().ok());
+        Self {
+            scene: &args.scene,
+            sweep,
+            points: sweep.part(part, parts),
+            is_first: part == 1,
+            threads: threads.unwrap_or(NonZeroUsize::MIN),
+            style,
+        }
+    }
+
+    /// Calculates the points from `done` on.
+    fn run<T: Send>(
+        &self,
+        done: usize,
+        encode: impl Fn(assur_sweep::Rows) -> Result<T, Fault> + Sync,
+        mut accept: impl FnMut(T, Tally) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let (line, total) = (ProgressLine::new(), self.points.len());
+        let mut finished = done;
+        let encode = |rows: assur_sweep::Rows| {
+            let tally = Tally::of(&rows);
+            encode(rows).map(|encoded| (encoded, tally))
+        };
+        let points = self.points.start + done..self.points.end;
+        self.sweep.run(&points, self.threads, encode, |block| {
+            let (encoded, tally) = block?;
+            finished += tally.points;
+            accept(encoded, tally)?;
+            line.show(|| format!("{finished} of {total} points"));
+            Ok(())
+        })
+    }
+
+    /// If no point can be calculated, the call is at fault, so there is no table.
+    fn refuse_hopeless(&self, tally: &Tally) -> Result<(), Fault> {
+        if !tally.is_hopeless() {
+            return Ok(());
+        }
+        Err(fault(self.scene, self.sweep.all_refused(self.points.start), self.style))
+    }
+
+    /// Points without a solution are reported on standard error, the first one in full.
+    fn tell_failures(&self, tally: &Tally) -> Status {
+        let Some(first) = tally.first else { return Status::Done };
+        let Tally { failures, points, .. } = tally;
+        let row = self.sweep.row(first);
+        let message = row.status(0).map_or("", |(_, message)| message);
+        let point = self.sweep.describe(first);
+        self.style.tell(&format!(
+            "error: no solution at {failures} of {points} points; the first, {point}: {message}"
+        ));
+        Status::Failed
+    }
+}
+
+impl From<SweepError> for Fault {
+    fn from(error: SweepError) -> Self {
+        Self::other(error)
+    }
 }

@@ -34,6 +34,24 @@ pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), FileEr
     }
 }
 
+/// A device, a pipe or an open stream, to be written to as it is; `None` where a path means a file.
+pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write>>> {
+    let special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    if !special && !is_stream(path) {
+        return None;
+    }
+    if is_standard_output(path) {
+        return Some(Ok(Box::new(io::stdout())));
+    }
+    Some(OpenOptions::new().append(true).open(path).map(|file| Box::new(file) as Box<dyn Write>))
+}
+
+/// Puts a complete file in the place of another one, or where none is, with the care of [`write`].
+pub(crate) fn put(complete: &Path, path: &Path) -> Result<(), FileError> {
+    let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    take_place(complete, &real).map_err(|error| FileError::write(path, error))
+}
+
 /// Writes CSV files into a folder: all of them, or none. Files of an earlier run that this run does not write are
 /// removed.
 pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), FileError> {
@@ -99,10 +117,14 @@ fn stream_of(path: &Path) -> Option<PathBuf> {
     None
 }
 
+fn is_standard_output(path: &Path) -> bool {
+    let names = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
+    stream_of(path).is_some_and(|stream| names.contains(&stream.as_path()))
+}
+
 /// Writes to what exists: to a file that is open as a stream at its end, because its owner opened it.
 fn stream(path: &Path, content: &[u8]) -> io::Result<()> {
-    let names = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
-    if stream_of(path).is_some_and(|stream| names.contains(&stream.as_path())) {
+    if is_standard_output(path) {
         let mut stdout = io::stdout().lock();
         return stdout.write_all(content).and_then(|()| stdout.flush());
     }
@@ -149,28 +171,34 @@ impl Replacement {
         Ok(replacement)
     }
 
-    /// Replaces the content of the target: by renaming, with the permissions of the old file; where that would separate
-    /// hard links or change the owner, by copying into the old file.
-    ///
-    /// A copy that is interrupted, by a full disk or a crash, leaves a mixture, which renaming never does. Access lists
-    /// and extended attributes of a renamed file are lost.
+    /// Replaces the content of the target.
     fn put(self) -> io::Result<()> {
-        match fs::metadata(&self.path) {
-            Ok(old) if is_bound(&old, &self.content.as_file().metadata()?) => {
-                let mut target = OpenOptions::new().write(true).open(&self.path)?;
-                let length = io::copy(&mut File::open(self.content.path())?, &mut target)?;
-                target.set_len(length)?;
-                target.sync_all()
+        let temporary = self.content.into_temp_path();
+        let put = take_place(&temporary, &self.path);
+        temporaries().retain(|path| *path != *temporary);
+        put
+    }
+}
+
+/// Replaces the content of a file by that of another one, which is then gone: by renaming, with the permissions of the
+/// old file; where that would separate hard links or change the owner, by copying into the old file.
+///
+/// A copy that is interrupted, by a full disk or a crash, leaves a mixture, which renaming never does. Access lists
+/// and extended attributes of a renamed file are lost.
+fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(old) if is_bound(&old, &fs::metadata(complete)?) => {
+            let mut target = OpenOptions::new().write(true).open(path)?;
+            let length = io::copy(&mut File::open(complete)?, &mut target)?;
+            target.set_len(length)?;
+            target.sync_all()?;
+            fs::remove_file(complete)
+        }
+        old => {
+            if let Ok(old) = old {
+                fs::set_permissions(complete, old.permissions())?;
             }
-            old => {
-                if let Ok(old) = old {
-                    self.content.as_file().set_permissions(old.permissions())?;
-                }
-                let temporary = self.content.path().to_owned();
-                let put = self.content.persist(&self.path).map(drop).map_err(|error| error.error);
-                temporaries().retain(|path| *path != temporary);
-                put
-            }
+            fs::rename(complete, path)
         }
     }
 }

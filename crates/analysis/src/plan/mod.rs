@@ -52,6 +52,29 @@ pub struct Plan {
     pub forces: bool,
     /// The equation of motion is solved: the motion is not prescribed.
     pub dynamics: bool,
+    /// What the plan took from the numbers of the mechanism.
+    basis: Basis,
+}
+
+/// What of the numbers of a mechanism a plan depends on; the rest are its links, pairs, loads, motion and output.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Basis {
+    /// Whether there is a gravity.
+    gravity: bool,
+    /// By link: whether it has a mass, and a moment of inertia.
+    heavy: Vec<[bool; 2]>,
+    /// J is the same at every coordinate.
+    inertia_constant: bool,
+}
+
+impl Basis {
+    fn of(mechanism: &Mechanism) -> Self {
+        Self {
+            gravity: mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0]),
+            heavy: mechanism.links.iter().map(|link| [link.mass > 0.0, link.inertia > 0.0]).collect(),
+            inertia_constant: mechanism.has_constant_reduced_inertia(),
+        }
+    }
 }
 
 impl Wanted {
@@ -85,10 +108,22 @@ impl Plan {
             forces,
             dynamics,
             wanted,
+            basis: Basis::of(mechanism),
         };
         plan.groups_needed = needs::groups(mechanism, structure, &plan);
         (plan.order, plan.order_for) = order::order(mechanism, structure, &plan);
         plan
+    }
+
+    /// Turns the plan of a mechanism into that of another one, which differs in numbers only.
+    pub fn fit(&mut self, mechanism: &Mechanism, structure: &Structure) {
+        if self.basis != Basis::of(mechanism) {
+            *self = Self::of(mechanism, structure, self.by_groups);
+            return;
+        }
+        for (point, place) in &mut self.wanted.points {
+            place.at = mechanism.place_in(*point, place.link).unwrap_or_default();
+        }
     }
 
     /// Whether any group is left out.

@@ -45,9 +45,9 @@ use Dimension as D;
 /// Dimension, its powers, its name, its usual units (SI first), an example, the greatest size in SI.
 type Row = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
 
-/// Absolute values below this, other than 0, are refused: no measurement is so fine, and products of several of them
-/// underflow.
-pub(crate) const LEAST: f64 = 1e-30;
+/// Absolute values of a quantity below this, other than 0, are refused: no measurement is so fine, and products of
+/// several of them underflow.
+pub const LEAST: f64 = 1e-30;
 
 // The greatest values are far beyond any machine, but small enough for results to keep digits: an angle of 1e9 rad
 // has 7 digits left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest

@@ -5,7 +5,7 @@ mod parse;
 #[cfg(test)]
 mod tests;
 
-pub use dimension::Dimension;
+pub use dimension::{Dimension, LEAST};
 
 use crate::text::shown;
 
@@ -80,6 +80,37 @@ pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, U
     }
 }
 
+/// A unit of one kind of quantity, to convert many numbers to SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit(parse::Scale);
+
+impl Unit {
+    /// The unit of this name: `mm`, `kg*m^2`; without a name the SI unit.
+    ///
+    /// # Errors
+    ///
+    /// [`UnitError`]: an unknown unit, or a unit of another dimension.
+    pub fn of(name: &str, wanted: Dimension) -> Result<Self, UnitError> {
+        if name.is_empty() {
+            return Ok(Self(parse::Scale::ONE));
+        }
+        let scale = parse::unit(name, wanted)?;
+        if wanted.accepts(scale.powers) {
+            return Ok(Self(scale));
+        }
+        let found = Dimension::of(scale.powers);
+        Err(UnitError::WrongDimension { unit: name.to_owned(), found, wanted })
+    }
+
+    /// The SI value of a number of this unit.
+    pub fn si(&self, number: f64) -> f64 {
+        let Self(scale) = self;
+        // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. Pi
+        // comes last, so 60 rpm is 2 pi rad/s to the last bit.
+        number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns)
+    }
+}
+
 /// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI.
 ///
 /// # Errors
@@ -87,18 +118,7 @@ pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, U
 /// [`UnitError`]: no number, one out of range, an unknown unit, a unit of another dimension.
 pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let (number, unit) = parse::split(text, wanted)?;
-    if unit.is_empty() {
-        return within(number, text, wanted);
-    }
-    let scale = parse::unit(unit, wanted)?;
-    if !wanted.accepts(scale.powers) {
-        let found = Dimension::of(scale.powers);
-        return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, wanted });
-    }
-    // Multiplied first and divided once: 270 mm is the double nearest to 0.27, as if it had been written so. Pi comes
-    // last, so 60 rpm is 2 pi rad/s to the last bit.
-    let value = number * scale.up / scale.down * std::f64::consts::PI.powi(scale.turns);
-    within(value, text, wanted)
+    within(Unit::of(unit, wanted)?.si(number), text, wanted)
 }
 
 /// Whether a text is a unit of any quantity.

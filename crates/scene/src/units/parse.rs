@@ -13,6 +13,11 @@ pub(super) struct Scale {
     pub(super) powers: Powers,
 }
 
+impl Scale {
+    /// The unit 1.
+    pub(super) const ONE: Self = Self { up: 1.0, down: 1.0, turns: 0, powers: [0; 4] };
+}
+
 const M: Powers = [1, 0, 0, 0];
 const KG: Powers = [0, 1, 0, 0];
 const S: Powers = [0, 0, 1, 0];
@@ -100,7 +105,7 @@ fn number_length(text: &str) -> usize {
 
 /// The scale of a unit: factors joined by `*`, `·`, white space or `/`, each with an exponent (`^2`, `²` or `2`).
 pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
-    let mut scale = Scale { up: 1.0, down: 1.0, turns: 0, powers: [0; 4] };
+    let mut scale = Scale::ONE;
     let mut rest = text;
     let mut sign = 1;
     // More factors than any unit has; the limit keeps the exponents small.

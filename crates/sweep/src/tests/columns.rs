@@ -1,14 +1,11 @@
 //! The columns against known values.
 
 use std::f64::consts::TAU;
-use std::num::NonZeroUsize;
 
-use assur_analysis::Options;
-
-use super::{SLIDER, column, numbers, run, sweep};
+use super::{SLIDER, column, failures, numbers, rows, run, sweep};
 use assur_report::csv::Cell;
 
-use crate::Status;
+use crate::{Status, Tally};
 
 fn close(found: f64, known: f64) {
     assert!((found - known).abs() <= 1e-12 * (1.0 + known.abs()), "{found} is not {known}");
@@ -60,7 +57,7 @@ fn a_point_that_can_not_be_assembled_keeps_its_row() {
     // |sin q| > 3/4 at 60, 90, 120 degrees and their opposites.
     assert_eq!(table.cell(2, column(&table, "failed_positions")), Cell::Number(6.0));
     assert_eq!(table.cell(2, column(&table, "B_x_max_m")), Cell::Empty, "extremes over a part are none");
-    assert!(table.failures().any(|row| row == 2));
+    assert!(failures(&table).contains(&2));
 }
 
 #[test]
@@ -75,10 +72,13 @@ fn a_point_that_the_reader_refuses_keeps_its_row() {
 #[test]
 fn a_grid_of_refused_points_is_a_mistake() {
     let grid = sweep(SLIDER, &["link.piston.mass=-1 kg..-2 kg:2"]).unwrap();
-    let error = grid.run(&Options::default(), NonZeroUsize::MIN, &|_| ()).unwrap_err();
+    let tally = Tally::of(&rows(&grid, 2));
+    assert!(tally.is_hopeless());
+    assert_eq!(tally, Tally { points: 2, failures: 2, first: Some(0), hopeless: 2 });
+    let error = grid.all_refused(0);
     assert_eq!(
         error.to_string(),
-        "no point of the grid can be calculated; the first, link.piston.mass = -1 kg:\n\
+        "no point of the sweep can be calculated; the first, link.piston.mass = -1 kg:\n\
          error: `mass` must not be negative, got \"-1 kg\"\n  a.toml, line 12, column 8\n   |\n\
          12 | mass = \"-1 kg\"\n   |        ^^^^^^^ such as \"4 kg\", or a number in kg\n"
     );

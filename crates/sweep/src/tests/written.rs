@@ -1,32 +1,30 @@
 //! CSV and Parquet, and that nothing depends on threads.
 
 use std::io::Write;
-use std::sync::Mutex;
+use std::num::NonZeroUsize;
 
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use ::parquet::record::Field;
-use assur_analysis::Options;
 
-use super::{SLIDER, run, sweep};
+use super::{SLIDER, failures, rows, run, sweep};
 use assur_report::csv::Cell;
 
-use crate::parquet;
+use crate::{Rows, SweepError, parquet};
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
 
 #[test]
 fn one_thread_and_four_write_the_same_bytes() {
     let (one, four) = (run(SLIDER, &GRID, 1), run(SLIDER, &GRID, 4));
-    assert!(one.failures().count() > 0, "some points have no solution");
-    assert!(one.failures().count() < one.len(), "and some have");
+    assert!((1..one.len()).contains(&failures(&one).len()), "some points have no solution, some have");
     assert_eq!(one.to_csv(false).unwrap(), four.to_csv(false).unwrap());
-    assert_eq!(parquet::to_parquet(&one).unwrap(), parquet::to_parquet(&four).unwrap());
+    assert_eq!(parquet::part(&one).unwrap(), parquet::part(&four).unwrap());
 }
 
 #[test]
 fn csv_reads_back_as_the_same_numbers() {
     let table = run(SLIDER, &GRID, 2);
-    let text = table.to_csv(false).unwrap();
+    let text = sweep(SLIDER, &GRID).unwrap().csv_header(false).unwrap() + &table.to_csv(false).unwrap();
     let mut reader = ::csv::Reader::from_reader(text.as_bytes());
     assert_eq!(reader.headers().unwrap(), table.header());
     let records: Vec<_> = reader.records().map(Result::unwrap).collect();
@@ -46,7 +44,7 @@ fn csv_reads_back_as_the_same_numbers() {
 fn parquet_reads_back_as_the_same_cells() {
     let table = run(SLIDER, &GRID, 2);
     let mut file = tempfile::tempfile().unwrap();
-    file.write_all(&parquet::to_parquet(&table).unwrap()).unwrap();
+    file.write_all(&parquet::part(&table).unwrap()).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 35);
@@ -65,12 +63,36 @@ fn parquet_reads_back_as_the_same_cells() {
 }
 
 #[test]
-fn progress_hears_every_point_once() {
-    let heard = Mutex::new(Vec::new());
+fn parts_of_a_sweep_follow_one_another() {
     let grid = sweep(SLIDER, &GRID).unwrap();
-    let threads = 2.try_into().unwrap();
-    grid.run(&Options::default(), threads, &|done| heard.lock().unwrap().push(done)).unwrap();
-    let mut heard = heard.into_inner().unwrap();
-    heard.sort_unstable();
-    assert_eq!(heard, (1..=35).collect::<Vec<_>>());
+    let whole = rows(&grid, 2).to_csv(false).unwrap();
+    for parts in [1, 2, 3, 7, 35, 40] {
+        let mut text = String::new();
+        let mut next = 0;
+        for part in 1..=parts {
+            let points = grid.part(part, parts);
+            assert_eq!(points.start, next, "{part} of {parts}");
+            assert!(points.len().abs_diff(35 / parts) <= 1);
+            next = points.end;
+            let accept = |block: String| {
+                text += &block;
+                Ok::<_, SweepError>(())
+            };
+            let threads = NonZeroUsize::new(2).unwrap();
+            grid.run(&points, threads, |rows| rows.to_csv(false).unwrap(), accept).unwrap();
+        }
+        assert_eq!((next, &text), (35, &whole));
+    }
+}
+
+#[test]
+fn the_writer_can_end_a_run() {
+    let grid = sweep(SLIDER, &["link.crank.points.A=100 mm..200 mm:100000"]).unwrap();
+    let mut blocks = 0;
+    let accept = |_: Rows| {
+        blocks += 1;
+        if blocks == 3 { Err(SweepError::Nothing) } else { Ok(()) }
+    };
+    let ended = grid.run(&(0..grid.points()), NonZeroUsize::new(2).unwrap(), |rows| rows, accept);
+    assert_eq!((ended, blocks), (Err(SweepError::Nothing), 3));
 }

@@ -137,7 +137,10 @@ fn reference(name: &str, analyzer: Longitudinal) {
         };
         let balancing = position["balancing"].as_f64().unwrap();
         assert!((found.balancing - balancing).abs() < 1e-10 * balancing.abs().max(1e3), "{q}");
-        for joint in assur_force::joints(&linkage).iter().map(|joint| joint.reaction(&found.pairs)) {
+        for joint in assur_force::joints(&linkage.mechanism, &linkage.structure)
+            .iter()
+            .map(|joint| joint.reaction(&found.pairs))
+        {
             let name = name_of(&linkage, joint.joint);
             for (link, force) in joint.forces {
                 let wanted = &position["reactions"][name][&linkage.mechanism.links[link].name];

@@ -1,0 +1,110 @@
+//! What of a mechanism is measured, by name and by place.
+
+use assur_analysis::plan::Plan;
+use assur_analysis::{Options, methods};
+use assur_force::{Joint, joints};
+use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
+use assur_structure::{Structure, name_of};
+
+/// What of a mechanism is measured; the same at every point of a sweep.
+#[derive(Debug, Clone)]
+pub(crate) struct Layout {
+    /// Whether there is a group.
+    pub(crate) groups: bool,
+    /// Whether a balancing load is found at the positions.
+    pub(crate) balancing: bool,
+    /// Pins and slides whose reactions are found.
+    pub(crate) joints: Vec<Named<Joint>>,
+    /// Points, each with the link in which it is placed first.
+    pub(crate) points: Vec<Named<(PointId, LinkId)>>,
+    /// Slides.
+    pub(crate) slides: Vec<Named<SlideId>>,
+    /// Moving links.
+    pub(crate) links: Vec<Named<LinkId>>,
+    /// The motion, unless it is prescribed.
+    pub(crate) motion: Option<Sought>,
+    /// Units of coordinate, speed and balancing load, as ends of column names.
+    pub(crate) units: Units,
+}
+
+/// Something with its name in the scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Named<T> {
+    pub(crate) name: String,
+    pub(crate) id: T,
+}
+
+/// A motion that is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sought {
+    /// The periodic regime.
+    Steady { flywheel: bool, motor: bool, torque: bool },
+    /// From an initial state.
+    Transient,
+}
+
+/// Units that depend on the input and the balancing load, as ends of column names.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Units {
+    pub(crate) coordinate: &'static str,
+    pub(crate) speed: &'static str,
+    pub(crate) balancing: &'static str,
+}
+
+impl Layout {
+    /// The layout for a mechanism; it is empty where the mechanism can't be decomposed into groups.
+    pub(crate) fn of(mechanism: &Mechanism, options: &Options) -> Self {
+        let (coordinate, speed) =
+            if mechanism.input.is_angle() { ("rad", "rad_per_s") } else { ("m", "m_per_s") };
+        let balancing = if mechanism.balances_by_moment() { "Nm" } else { "N" };
+        let mut layout = Self {
+            groups: false,
+            balancing: false,
+            joints: Vec::new(),
+            points: Vec::new(),
+            slides: Vec::new(),
+            links: Vec::new(),
+            motion: sought(mechanism),
+            units: Units { coordinate, speed, balancing },
+        };
+        let Ok(structure) = Structure::of(mechanism) else { return layout };
+        let plan = Plan::of(mechanism, &structure, methods(mechanism, options).by_groups);
+        let wanted = plan.wanted;
+        layout.groups = plan.groups_needed.contains(&true);
+        layout.balancing = plan.forces && layout.motion != Some(Sought::Transient);
+        let analyzer = assur_force::choose(options.analyzer.as_deref());
+        if layout.balancing && analyzer.is_ok_and(|plugin| plugin.gives_reactions) {
+            let joints = joints(mechanism, &structure).into_iter();
+            let joints = joints.filter(|joint| wanted.reactions.contains(&joint.id));
+            layout.joints = named(joints, |joint| name_of(mechanism, joint.id));
+        }
+        let points = wanted.points.into_iter().map(|(id, place)| (id, place.link));
+        layout.points = named(points, |(id, _)| &mechanism.points[*id].name);
+        layout.slides = named(wanted.slides.into_iter(), |id| &mechanism.slides[*id].name);
+        layout.links = named(wanted.links.into_iter(), |id| &mechanism.links[*id].name);
+        layout
+    }
+
+    /// Whether a motor is chosen or given.
+    pub(crate) fn has_motor(&self) -> bool {
+        matches!(self.motion, Some(Sought::Steady { motor: true, .. }))
+    }
+}
+
+fn named<'m, T>(ids: impl Iterator<Item = T>, name: impl Fn(&T) -> &'m str) -> Vec<Named<T>> {
+    ids.map(|id| Named { name: name(&id).to_owned(), id }).collect()
+}
+
+fn sought(mechanism: &Mechanism) -> Option<Sought> {
+    let drive = mechanism.drive.as_ref();
+    let torque = drive.map(|drive| &drive.torque);
+    match mechanism.motion.as_ref()? {
+        Motion::Prescribed { .. } => None,
+        Motion::Transient { .. } => Some(Sought::Transient),
+        Motion::Steady { .. } => Some(Sought::Steady {
+            flywheel: drive.is_some_and(|drive| drive.flywheel.is_some()),
+            motor: matches!(torque, Some(Torque::Motor { .. })),
+            torque: matches!(torque, Some(Torque::Balance | Torque::Constant(_))),
+        }),
+    }
+}

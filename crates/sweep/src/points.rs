@@ -1,0 +1,95 @@
+//! The points of a sweep, by their number.
+
+use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
+
+use crate::axis::Axis;
+use crate::range::between;
+
+/// Most parameters of a sample: for so many there are Sobol sequences.
+pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;
+
+/// The points of a sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Points {
+    /// Every value of each parameter with every value of the others; the last parameter changes fastest.
+    Grid,
+    /// Points of a Sobol sequence with Owen scrambling: they fill the ranges evenly, and any first part of them does.
+    Sample {
+        /// How many.
+        count: usize,
+        /// Another seed gives other points, which are as good.
+        seed: u32,
+    },
+}
+
+impl Points {
+    /// How many there are; `None` beyond the greatest number.
+    pub(crate) fn count(self, counts: impl Iterator<Item = usize>) -> Option<usize> {
+        match self {
+            Self::Grid => counts.into_iter().try_fold(1_usize, usize::checked_mul),
+            Self::Sample { count, .. } => Some(count),
+        }
+    }
+
+    /// The value of each parameter at a point, in the unit of its range.
+    pub(crate) fn numbers(self, axes: &[Axis], index: usize, out: &mut [f64]) {
+        match self {
+            Self::Grid => {
+                let mut rest = index;
+                for (axis, out) in axes.iter().zip(out).rev() {
+                    *out = between(axis.from, axis.to, rest % axis.count, axis.count);
+                    rest /= axis.count;
+                }
+            }
+            Self::Sample { seed, .. } => {
+                for ((axis, out), dimension) in axes.iter().zip(out).zip(0..) {
+                    *out = axis.from + (axis.to - axis.from) * fraction(index, dimension, seed);
+                }
+            }
+        }
+    }
+}
+
+/// One coordinate of a point of the unit cube, from 0 (included) to 1.
+///
+/// The crate's sequence has 2^16 points; each further 2^16 points are the same sequence in a scrambling of their own.
+fn fraction(index: usize, dimension: u32, seed: u32) -> f64 {
+    const LENGTH: usize = 1 << 16;
+    let [within, block] =
+        [index % LENGTH, index / LENGTH].map(|part| u32::try_from(part).unwrap_or(u32::MAX));
+    let scramble = hash(hash(hash(seed) ^ block).wrapping_add(dimension));
+    let reversed = owen_scramble_rev(sobol_rev(within.reverse_bits(), dimension), scramble);
+    f64::from(reversed.reverse_bits()) / (f64::from(u32::MAX) + 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fraction;
+
+    /// A digital net in base 2: of 2^k successive points, each of 2^k equal boxes contains one, however the two sides are halved.
+    #[test]
+    fn successive_points_are_nets() {
+        for (seed, first) in [(0, 0), (7, 0), (7, 1 << 16), (9, 3 << 16 | 1 << 10)] {
+            for (columns, rows) in [(1, 1024), (32, 32), (1024, 1), (4, 256)] {
+                let mut boxes = vec![0; 1024];
+                for index in first..first + 1024 {
+                    let [x, y] = [0, 1].map(|dimension| fraction(index, dimension, seed));
+                    boxes[(x * columns as f64) as usize + columns * (y * rows as f64) as usize] += 1;
+                }
+                assert!(boxes.iter().all(|count| *count == 1), "{seed} {first} {columns}");
+            }
+        }
+    }
+
+    #[test]
+    fn seeds_and_parts_of_the_sequence_differ() {
+        let points = |seed: u32, first: usize| -> Vec<u64> {
+            (first..first + 64).map(|index| fraction(index, 3, seed).to_bits()).collect()
+        };
+        assert_ne!(points(0, 0), points(1, 0));
+        assert_ne!(points(0, 0), points(0, 1 << 16));
+        // The mean of n points of a net is 1/2 within 1/n.
+        let mean = (0..4096).map(|index| fraction(index, 17, 5)).sum::<f64>() / 4096.0;
+        assert!((mean - 0.5).abs() < 1.0 / 4096.0, "{mean}");
+    }
+}

@@ -1,0 +1,222 @@
+//! Rows of a sweep.
+
+use std::sync::Arc;
+
+use assur_report::csv::Cell;
+
+/// How the calculation of a point ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Everything that the scene requests was found.
+    Ok,
+    /// A position can't be assembled.
+    NoAssembly,
+    /// A position is singular, or the motion has no solution.
+    NoSolution,
+    /// The scene as a whole can't be calculated.
+    Error,
+    /// The reader of scenes refuses the values.
+    Refused,
+}
+
+impl Status {
+    const ALL: [Self; 5] = [Self::Ok, Self::NoAssembly, Self::NoSolution, Self::Error, Self::Refused];
+
+    /// The word for it in the table.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::NoAssembly => "no assembly",
+            Self::NoSolution => "no solution",
+            Self::Error => "error",
+            Self::Refused => "refused",
+        }
+    }
+
+    /// The status of a word in the table.
+    pub fn of(text: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|status| status.text() == text)
+    }
+
+    /// Whether the scene with these values can't be calculated at all: if that holds for every point, the call is at fault.
+    pub fn is_hopeless(self) -> bool {
+        matches!(self, Self::Error | Self::Refused)
+    }
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Content {
+    /// A number of the row: a parameter or a value.
+    Number(usize),
+    Status,
+    Message,
+    Failed,
+    Motor,
+}
+
+/// The columns of a sweep.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Columns {
+    names: Vec<String>,
+    contents: Vec<Content>,
+    parameters: usize,
+}
+
+impl Columns {
+    pub(crate) fn new(parameters: Vec<String>, values: Vec<String>, motor: bool) -> Self {
+        let (count, numbers) = (parameters.len(), parameters.len() + values.len());
+        let mut names = parameters;
+        let mut contents: Vec<Content> = (0..count).map(Content::Number).collect();
+        names.extend(["status", "message", "failed_positions"].map(str::to_owned));
+        contents.extend([Content::Status, Content::Message, Content::Failed]);
+        names.extend(values);
+        contents.extend((count..numbers).map(Content::Number));
+        if motor {
+            names.push("motor".to_owned());
+            contents.push(Content::Motor);
+        }
+        Self { names: assur_report::csv::unique(names), contents, parameters: count }
+    }
+
+    pub(crate) fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Name of a value.
+    pub(crate) fn value_name(&self, value: usize) -> &str {
+        let number = Content::Number(self.parameters + value);
+        let at = self.contents.iter().position(|content| *content == number);
+        at.and_then(|at| self.names.get(at)).map_or("", String::as_str)
+    }
+
+    /// Index of the column with the status.
+    pub(crate) fn status(&self) -> usize {
+        self.parameters
+    }
+
+    /// Whether a column holds texts; otherwise numbers.
+    pub(crate) fn is_text(&self, column: usize) -> bool {
+        matches!(self.contents.get(column), Some(Content::Status | Content::Message | Content::Motor))
+    }
+
+    /// Numbers of a row: parameters and values.
+    fn numbers(&self) -> usize {
+        self.contents.iter().filter(|content| matches!(content, Content::Number(_))).count()
+    }
+}
+
+/// How the calculation of a point ended, without its numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Outcome {
+    pub(crate) status: Status,
+    /// The first failure in words, one line; empty where there is none.
+    pub(crate) message: String,
+    /// Positions without a solution; `None` where none was tried.
+    pub(crate) failed: Option<usize>,
+    /// Designation of the motor.
+    pub(crate) motor: Option<String>,
+}
+
+impl Outcome {
+    /// A failure.
+    pub(crate) fn failure(status: Status, message: &str, failed: Option<usize>) -> Self {
+        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
+        Self { status, message, failed, motor: None }
+    }
+}
+
+/// Rows of successive points of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rows {
+    pub(crate) columns: Arc<Columns>,
+    first: usize,
+    /// Parameters and values of the rows, one row after the other; NaN is an empty cell.
+    numbers: Vec<f64>,
+    outcomes: Vec<Outcome>,
+}
+
+impl Rows {
+    /// No rows yet; `first`: number of the first point.
+    pub(crate) fn new(columns: &Arc<Columns>, first: usize, capacity: usize) -> Self {
+        let numbers = Vec::with_capacity(capacity * columns.numbers());
+        Self { columns: Arc::clone(columns), first, numbers, outcomes: Vec::with_capacity(capacity) }
+    }
+
+    /// Adds a row; missing values are empty cells.
+    pub(crate) fn push(&mut self, parameters: &[f64], values: &[f64], outcome: Outcome) {
+        self.numbers.extend_from_slice(parameters);
+        self.numbers.extend_from_slice(values);
+        self.outcomes.push(outcome);
+        self.numbers.resize(self.outcomes.len() * self.columns.numbers(), f64::NAN);
+    }
+
+    /// Adds the rows of the points that follow.
+    pub fn append(&mut self, mut next: Self) {
+        self.numbers.append(&mut next.numbers);
+        self.outcomes.append(&mut next.outcomes);
+    }
+
+    /// Removes the rows from `at` on and returns them.
+    #[must_use]
+    pub fn split_off(&mut self, at: usize) -> Self {
+        Self {
+            columns: Arc::clone(&self.columns),
+            first: self.first + at,
+            numbers: self.numbers.split_off(at * self.columns.numbers()),
+            outcomes: self.outcomes.split_off(at),
+        }
+    }
+
+    /// Number of the point of the first row.
+    pub fn first(&self) -> usize {
+        self.first
+    }
+
+    /// Names of the columns.
+    pub fn header(&self) -> &[String] {
+        self.columns.names()
+    }
+
+    /// Whether a column holds texts; otherwise numbers.
+    pub fn is_text(&self, column: usize) -> bool {
+        self.columns.is_text(column)
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.outcomes.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.outcomes.is_empty()
+    }
+
+    /// How the point of a row ended, and what went wrong there; `None` beyond the last row.
+    pub fn status(&self, row: usize) -> Option<(Status, &str)> {
+        self.outcomes.get(row).map(|outcome| (outcome.status, outcome.message.as_str()))
+    }
+
+    /// One cell; empty outside the table.
+    pub fn cell(&self, row: usize, column: usize) -> Cell<'_> {
+        let (Some(outcome), Some(content)) = (self.outcomes.get(row), self.columns.contents.get(column))
+        else {
+            return Cell::Empty;
+        };
+        match *content {
+            Content::Number(index) => match self.numbers.get(row * self.columns.numbers() + index) {
+                Some(value) if value.is_finite() => Cell::Number(*value),
+                _ => Cell::Empty,
+            },
+            Content::Status => Cell::Text(outcome.status.text()),
+            Content::Message => text(&outcome.message),
+            Content::Failed => outcome.failed.map_or(Cell::Empty, |count| Cell::Number(count as f64)),
+            Content::Motor => text(outcome.motor.as_deref().unwrap_or_default()),
+        }
+    }
+}
+
+fn text(text: &str) -> Cell<'_> {
+    if text.is_empty() { Cell::Empty } else { Cell::Text(text) }
+}

@@ -1,0 +1,105 @@
+//! Setting numbers in the mechanism does the same as reading the edited text.
+
+use assur_analysis::plan::Plan;
+use assur_fixtures::SCENES;
+use assur_scene::edit::Document;
+use assur_structure::Structure;
+
+use super::{SLIDER, run, sweep};
+use crate::Sweep;
+
+/// A sweep of one number of a scene, from a little less to a little more than it is.
+fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
+    let (number, unit) = assur_scene::edit::split(&assur_scene::edit::bare(written).replace('_', ""))?;
+    let [from, to] = [0.9, 1.1].map(|part| format!("{} {unit}", part * number));
+    sweep(scene, &[&format!("{key}={from}..{to}:4")]).ok()
+}
+
+#[test]
+fn every_number_of_every_scene_is_set_as_it_is_read() {
+    let (mut set, mut read) = (0, Vec::new());
+    for (name, scene) in SCENES.iter().filter(|(name, _)| *name != "n-four-bar-40") {
+        for value in Document::of(scene).values() {
+            let Some(sweep) = around(scene, &value.key, &value.written) else { continue };
+            let axes = &sweep.axes;
+            if !sweep.variants.sets_numbers() {
+                read.push(format!("{name}: {}", value.key));
+                continue;
+            }
+            let mut scratch = None;
+            for number in [0.7, 0.2, 1.0].map(|part| axes[0].from + part * (axes[0].to - axes[0].from)) {
+                let si = axes[0].si(number);
+                let found = sweep.variants.mechanism(axes, &[number], &[si], scratch.take()).unwrap();
+                let known = sweep.variants.read(axes, &[number]).unwrap();
+                assert_eq!(found, known, "{name}: {} = {number}", value.key);
+                assert_eq!(format!("{found:?}"), format!("{known:?}"), "signs of zeros too");
+                scratch = Some(found);
+                set += 1;
+            }
+        }
+    }
+    assert!(set > 1000, "{set}");
+    // Read as text: counts, tables, ends of ranges and of intervals, pairs of speeds; and the efficiency, because more
+    // than 1 is refused.
+    let allowed = [
+        ".table[",
+        ".forward",
+        ".back",
+        "input.positions",
+        "input.to",
+        "input.cycle",
+        "input.from",
+        ".during[",
+        "motion.until",
+        "motion.samples",
+        "_speed",
+        "drive.efficiency",
+    ];
+    let others: Vec<_> = read.iter().filter(|key| !allowed.iter().any(|part| key.contains(part))).collect();
+    assert!(others.is_empty(), "{others:#?}");
+}
+
+#[test]
+fn structure_and_plan_fit_as_if_made_anew() {
+    for (name, scene) in SCENES {
+        let mut mechanism = assur_scene::read(name, scene).unwrap();
+        let mut structure = Structure::of(&mechanism).unwrap();
+        let mut plan = Plan::of(&mechanism, &structure, true);
+        let same = |found: &(&Structure, &Plan), known: &(Structure, Plan)| {
+            assert_eq!(format!("{found:?}"), format!("{known:?}"), "{name}");
+        };
+        // Every second, third, ... number becomes zero or changes; a mass or a load that is zero changes the plan.
+        for step in 2..9 {
+            let mut index = 0;
+            mechanism.visit_numbers(|number| {
+                index += 1;
+                *number = if index % step == 0 { 0.0 } else { *number * 1.25 + 0.01 };
+            });
+            structure.set_geometry(&mechanism);
+            plan.fit(&mechanism, &structure);
+            let known = Structure::of(&mechanism).unwrap();
+            let known_plan = Plan::of(&mechanism, &known, true);
+            same(&(&structure, &plan), &(known, known_plan));
+        }
+    }
+}
+
+#[test]
+fn what_the_reader_refuses_between_accepted_ends_is_refused() {
+    // Both pins of the rod at one place, in the middle of the range.
+    let table = run(SLIDER, &["link.rod.points.B=-0.3..0.3:3"], 1);
+    let (_, message) = table.status(1).unwrap();
+    assert!(message.starts_with("link `rod` has its pins A, B at one place"), "{message}");
+    // So small a number can't be measured.
+    let tiny = sweep(SLIDER, &["link.piston.mass=1e-40..1:1"]).unwrap();
+    assert!(tiny.row(0).status(0).unwrap().1.contains("too small"));
+}
+
+#[test]
+fn a_row_does_not_depend_on_the_rows_before_it() {
+    let grid = sweep(SLIDER, &["link.crank.points.A=50 mm..400 mm:9", "link.piston.mass=0..2 kg:3"]).unwrap();
+    let all = super::rows(&grid, 1).to_csv(false).unwrap();
+    for (index, line) in all.lines().enumerate() {
+        assert_eq!(grid.row(index).to_csv(false).unwrap().trim_end(), line);
+    }
+}

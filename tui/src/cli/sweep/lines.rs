@@ -1,0 +1,124 @@
+//! Rows as lines of CSV: to standard output, to a device, or to a file.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use assur_sweep::Tally;
+
+use super::Job;
+use super::target::Unfinished;
+use crate::cli::fault::{Fault, Status};
+use crate::files;
+
+/// Rows of points none of which can be calculated are held back up to this size: if all are like that, nothing is
+/// written.
+const HELD: usize = 1 << 20;
+
+pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<Status, Fault> {
+    match path.map(|path| (path, files::open_stream(path))) {
+        None => stream(job, &mut io::stdout().lock()),
+        Some((path, Some(opened))) => {
+            let mut out = opened.map_err(|error| files::FileError::write(path, error))?;
+            stream(job, &mut out)
+        }
+        Some((path, None)) => file(job, &Unfinished::of(path, resume)?),
+    }
+}
+
+fn header(job: &Job<'_>) -> Result<String, Fault> {
+    if job.is_first {
+        job.sweep.csv_header(job.style.ascii_data).map_err(Fault::other)
+    } else {
+        Ok(String::new())
+    }
+}
+
+/// Calculates the points from `done` on and writes their rows.
+fn rows(
+    job: &Job<'_>,
+    done: usize,
+    mut write: impl FnMut(&str, Tally) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    let encode = |rows: assur_sweep::Rows| rows.to_csv(job.style.ascii_data).map_err(Fault::other);
+    job.run(done, encode, |text, tally| write(&text, tally))
+}
+
+/// Writes to a stream, which can't be taken back.
+fn stream(job: &Job<'_>, out: &mut impl Write) -> Result<Status, Fault> {
+    let mut all = Tally::default();
+    let mut held = header(job)?;
+    rows(job, 0, |text, tally| {
+        all.append(tally);
+        held.push_str(text);
+        if all.is_hopeless() && held.len() < HELD {
+            return Ok(());
+        }
+        let written = out.write_all(held.as_bytes()).and_then(|()| out.flush());
+        held.clear();
+        written.map_err(Fault::stdout)
+    })?;
+    job.refuse_hopeless(&all)?;
+    out.write_all(held.as_bytes()).and_then(|()| out.flush()).map_err(Fault::stdout)?;
+    Ok(job.tell_failures(&all))
+}
+
+fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
+    let fault = |error: io::Error| unfinished.fault(error);
+    let path = &unfinished.path;
+    let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
+    let mut out = open.map_err(fault)?;
+    let (mut all, length) = found(job, &out, unfinished)?;
+    out.set_len(length).and_then(|()| out.seek(SeekFrom::End(0))).map_err(fault)?;
+    if length == 0 {
+        out.write_all(header(job)?.as_bytes()).map_err(fault)?;
+    }
+    rows(job, all.points, |text, tally| {
+        all.append(tally);
+        out.write_all(text.as_bytes()).map_err(fault)
+    })?;
+    out.sync_all().map_err(fault)?;
+    if let Err(hopeless) = job.refuse_hopeless(&all) {
+        std::fs::remove_file(path).map_err(fault)?;
+        return Err(hopeless);
+    }
+    let status = job.tell_failures(&all);
+    unfinished.refuse_partial(status)?;
+    unfinished.put(path)?;
+    Ok(status)
+}
+
+/// The rows that an earlier run wrote, and the length of the file up to the last whole one: the file holds a beginning
+/// of what the sweep writes, because it is only ever appended to.
+fn found(job: &Job<'_>, file: &File, unfinished: &Unfinished<'_>) -> Result<(Tally, u64), Fault> {
+    let mut lines = BufReader::new(file);
+    let (mut all, mut length) = (Tally::default(), 0);
+    let (mut line, mut last) = (String::new(), String::new());
+    let mut header = header(job)?;
+    loop {
+        line.clear();
+        let read = lines.read_line(&mut line).map_err(|_| unfinished.foreign(all.points))?;
+        if !line.ends_with('\n') {
+            break;
+        }
+        length += read as u64;
+        if !header.is_empty() {
+            if line != header {
+                return Err(unfinished.foreign(0));
+            }
+            header.clear();
+            continue;
+        }
+        let point = job.points.start + all.points;
+        let status = job.sweep.status_in_csv(&line).filter(|_| point < job.points.end);
+        all.add(point, status.ok_or_else(|| unfinished.foreign(all.points + 1))?);
+        std::mem::swap(&mut line, &mut last);
+    }
+    if all.points > 0 {
+        let row = job.sweep.row(job.points.start + all.points - 1);
+        if row.to_csv(job.style.ascii_data).map_err(Fault::other)? != last {
+            return Err(unfinished.foreign(all.points));
+        }
+    }
+    Ok((all, length))
+}

@@ -1,0 +1,112 @@
+//! Rows as Parquet: in parts in a folder beside the file, which are joined when all are there.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use assur_sweep::parquet::{self, Part};
+use assur_sweep::{Rows, Tally};
+
+use super::Job;
+use super::target::Unfinished;
+use crate::cli::fault::{Fault, Status};
+
+pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fault> {
+    let unfinished = Unfinished::of(path, resume)?;
+    let folder = Folder { unfinished: &unfinished, rows: parquet::rows_of_part(job.points.len()) };
+    fs::create_dir_all(&unfinished.path).map_err(|error| unfinished.fault(error))?;
+    let mut all = folder.found(job)?;
+    let mut parts = all.points.div_ceil(folder.rows);
+    let mut collected: Option<Rows> = None;
+    let total = job.points.len();
+    job.run(all.points, Ok, |rows, tally| {
+        all.append(tally);
+        let mut group = match collected.take() {
+            Some(mut group) => {
+                group.append(rows);
+                group
+            }
+            None => rows,
+        };
+        // Blocks may reach over the end of a part.
+        while group.len() >= folder.rows || all.points == total && !group.is_empty() {
+            let rest = group.split_off(folder.rows.min(group.len()));
+            folder.write(parts, &group)?;
+            parts += 1;
+            group = rest;
+        }
+        collected = Some(group).filter(|group| !group.is_empty());
+        Ok(())
+    })?;
+    if let Err(hopeless) = job.refuse_hopeless(&all) {
+        folder.remove()?;
+        return Err(hopeless);
+    }
+    let status = job.tell_failures(&all);
+    unfinished.refuse_partial(status)?;
+    unfinished.put(&folder.joined(job, parts)?)?;
+    folder.remove()?;
+    Ok(status)
+}
+
+/// The folder of the parts.
+struct Folder<'a> {
+    unfinished: &'a Unfinished<'a>,
+    /// Rows of each part but the last.
+    rows: usize,
+}
+
+impl Folder<'_> {
+    fn part(&self, index: usize) -> PathBuf {
+        self.unfinished.path.join(format!("{index:06}.parquet"))
+    }
+
+    /// The name of a file that is not complete.
+    fn next(&self) -> PathBuf {
+        self.unfinished.path.join("next")
+    }
+
+    fn fault(&self, problem: impl ToString) -> Fault {
+        self.unfinished.fault(problem)
+    }
+
+    /// Writes a part; it has its name only when it is complete.
+    fn write(&self, index: usize, rows: &Rows) -> Result<(), Fault> {
+        let bytes = parquet::part(rows).map_err(|error| self.fault(error))?;
+        let put = fs::write(self.next(), bytes).and_then(|()| fs::rename(self.next(), self.part(index)));
+        put.map_err(|error| self.fault(error))
+    }
+
+    /// The points of the parts that an earlier run wrote.
+    fn found(&self, job: &Job<'_>) -> Result<Tally, Fault> {
+        let mut all = Tally::default();
+        for index in 0.. {
+            let file = match File::open(self.part(index)) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => break,
+                file => file.map_err(|error| self.fault(error))?,
+            };
+            let left = job.points.len().saturating_sub(all.points);
+            let part = Part::read(file, job.sweep).filter(|part| part.tally.points == left.min(self.rows));
+            let part = part.ok_or_else(|| self.unfinished.foreign(all.points + 1))?;
+            all.append(part.tally);
+            let row = job.sweep.row(job.points.start + all.points - 1);
+            if row.to_csv(false).map_err(Fault::other)?.trim_end() != part.last {
+                return Err(self.unfinished.foreign(all.points));
+            }
+        }
+        Ok(all)
+    }
+
+    /// All parts in one file.
+    fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
+        let out = File::create(self.next()).map_err(|error| self.fault(error))?;
+        let files = (0..parts).map(|index| File::open(self.part(index)));
+        parquet::join(job.sweep, files, &out).map_err(|error| self.fault(error))?;
+        out.sync_all().map_err(|error| self.fault(error))?;
+        Ok(self.next())
+    }
+
+    fn remove(&self) -> Result<(), Fault> {
+        fs::remove_dir_all(&self.unfinished.path).map_err(|error| self.fault(error))
+    }
+}
