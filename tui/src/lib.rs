@@ -9,5 +9,6 @@ pub mod screen;
 mod clock;
 mod files;
 mod locale;
-mod number;
 mod progress;
+
+use assur_figure::number;

@@ -5,6 +5,7 @@ mod args;
 mod chart;
 mod check;
 mod config;
+mod draw;
 mod explain;
 mod fault;
 mod geometry;
@@ -82,6 +83,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Geometry(args)) => geometry::run(&args, style),
         Some(Command::Shaking(args)) => shaking::run(&args, style),
+        Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),

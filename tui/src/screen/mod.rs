@@ -3,7 +3,7 @@
 //! [`run`] is the entry point. The layers, from below: `state` is everything on which a frame depends; `draw` puts
 //! figures, curves and text into cells; `view` is pure functions from the state to a frame; `command` changes the
 //! state, by a table of commands that is passed to the state, so that views can show its keys without depending on it;
-//! `session` waits for events and redraws only after an event that changed something. Nothing here calculates; reading
+//! `still` draws a view without a terminal; `session` waits for events and redraws only after an event that changed something. Nothing here calculates; reading
 //! and calculating run in a worker thread (`work`).
 
 mod command;
@@ -12,6 +12,7 @@ mod draw;
 mod input;
 mod session;
 mod state;
+pub(crate) mod still;
 mod terminal;
 mod view;
 mod work;

@@ -81,6 +81,7 @@ pub(super) fn run(state: &mut State, line: &str) {
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
         ("save", name) => whatif::save_line(state, name),
+        ("write", name) if !name.is_empty() => write::write_to(state, write::home(name)),
         ("value", rest) => {
             if !whatif::set(state, rest) {
                 unknown_name(state, word, rest.split_whitespace().next().unwrap_or_default());
@@ -206,7 +207,7 @@ fn reaction(state: &mut State, wanted: &str) -> bool {
 }
 
 /// A number is a position; a word is searched for in the columns and quantities, from the present one on.
-pub(super) fn search(state: &mut State, text: &str) {
+pub(crate) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
         return;
     }

@@ -13,13 +13,13 @@ mod write;
 
 use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
 
-#[cfg(test)]
 pub(crate) use jobs::ask;
+pub(crate) use line::search;
 pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;
 #[cfg(test)]
 pub(crate) use whatif::toggle;
-pub(crate) use write::grant;
+pub(crate) use write::{PAGE, grant, picture};
 
 use super::state::{Group, Key, Purpose, State, View};
 use super::view;
@@ -94,7 +94,7 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     if !pressed || state.view != View::Curves {
         return false;
     }
-    match view::curves::position_at(state, view::room(state), mouse.column) {
+    match view::curves::position_at(state, view::room(state), [mouse.column, mouse.row]) {
         Some(position) => std::mem::replace(&mut state.position, position) != position,
         None => false,
     }

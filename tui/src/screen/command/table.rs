@@ -130,7 +130,7 @@ pub(crate) const COMMANDS: &[Command] = &[
             "search: a number is a position, a word is a pair, column or quantity"),
     command("reload", Program, "r", SCENE, act::reload, "", "read the scene again"),
     command("write", Program, "w", SCENE, write::write, "write",
-            "write this view to a file: SVG of the drawing, CSV of the rest"),
+            "write this view: its picture (SVG), its numbers (CSV); :write FILE.png"),
     command("redraw", Program, "C-l", &[], |s| s.wishes.push(Wish::Redraw), "", "write the whole screen anew"),
     command("suspend", Program, "C-z", &[], |s| s.wishes.push(Wish::Suspend), "", "back to the shell; fg returns"),
     command("close", Program, "Esc C-g", &[], act::close, "", "close what is open; stop a calculation or measurement"),

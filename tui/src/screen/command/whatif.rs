@@ -176,8 +176,9 @@ pub(super) fn save_line(state: &mut State, name: &str) {
         let undo = state.keys.first("undo");
         return state.say(Role::Bad, format!("a change was not taken: {undo} takes it back, then save"));
     }
-    let content = state.what_if.changed_text();
-    state.wishes.push(Wish::Write(OutputFile { path: home(name), content, overwrite: false, scene: true }));
+    let content = state.what_if.changed_text().into_bytes();
+    let file = OutputFile { path: home(name), content, numbers: None, overwrite: false, scene: true };
+    state.wishes.push(Wish::Write(file));
 }
 
 /// Quits, but first warns of unsaved changes.

@@ -1,44 +1,127 @@
-//! Writing what is shown to a file: SVG of the drawing, CSV of the rest.
+//! Writing what is shown to files: the picture, and the numbers behind it.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use assur_figure::{Figure, Frame, Item, png, svg};
 use crossterm::event::KeyCode;
 
 use crate::files;
-use crate::screen::draw::svg;
 use crate::screen::state::{Key, OutputFile, Role, Scene, State, View, Wish};
+use crate::screen::view;
 
-/// Asks for the name of a file for the present view.
+/// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
+pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
+
+/// Writes the picture of the view with its numbers, or the numbers alone, to a name that says what they are.
 pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, "this view has nothing to write");
     };
-    let transfer = scene.transfers.get(state.chosen.transfer);
     let name = scene.source.name();
     let stem = Path::new(&name).file_stem().unwrap_or_default().to_string_lossy();
-    let (path, content) = match (state.view, transfer) {
-        (View::Mechanism | View::Structure, _) => {
-            (format!("{stem}-mechanism-{}.svg", state.position), Ok(svg::drawing(scene, state.position)))
-        }
-        (View::Curves, Some(transfer)) => {
-            let letters = transfer.name.chars();
-            let curve: String = letters.map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-            let columns = std::iter::once(0).chain(transfer.orders);
-            (format!("{stem}-{curve}.csv"), table(scene, columns))
-        }
-        _ => (format!("{stem}-table.csv"), table(scene, 0..scene.column_count())),
+    let of = match (state.view, scene.transfers.get(state.chosen.transfer)) {
+        (View::Curves, Some(transfer)) => transfer.name.clone(),
+        (view, _) => view.command().to_owned(),
+    };
+    let of: String = of.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    let path = match view::figure(state) {
+        Some(_) => format!("{stem}-{of}-{}.svg", state.position),
+        None => format!("{stem}-{of}.csv"),
+    };
+    write_to(state, path.into());
+}
+
+/// Writes the view to a file, in the form that its ending names.
+pub(super) fn write_to(state: &mut State, path: PathBuf) {
+    let Some(scene) = &state.scene else {
+        return state.say(Role::Plain, "this view has nothing to write");
+    };
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    let figure = view::figure(state);
+    let numbers = numbers(state, scene, figure.as_ref());
+    let content = match (&figure, ending.as_str()) {
+        (_, "csv") => numbers.map(|numbers| (numbers, None)),
+        (None, _) => Err("this view has no picture; name a file that ends in .csv".into()),
+        (Some(figure), _) => picture(figure, &path, PAGE)
+            .and_then(|picture| numbers.map(|numbers| (picture, Some(numbers)))),
     };
     match content {
-        Ok(content) => {
-            let file = OutputFile { path: path.into(), content, overwrite: false, scene: false };
+        Ok((content, numbers)) => {
+            let file = OutputFile { path, content, numbers, overwrite: false, scene: false };
             state.wishes.push(Wish::Write(file));
         }
         Err(error) => state.say(Role::Bad, error.to_string()),
     }
 }
 
+/// A figure in the form that the ending of a file names.
+///
+/// # Errors
+///
+/// Another ending than `svg` and `png`, or a page that can't be painted.
+pub(crate) fn picture(figure: &Figure, path: &Path, size: [f64; 2]) -> Result<Vec<u8>, Box<dyn Error>> {
+    match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
+        "svg" => Ok(svg::write(figure, size).into_bytes()),
+        "png" => Ok(png::write(figure, size)?),
+        _ => Err(format!("`{}` must end in .svg or .png: the ending chooses the form", path.display()).into()),
+    }
+}
+
+/// The numbers of the view: the quantities over the positions, or of another figure its points.
+fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<u8>, Box<dyn Error>> {
+    let beyond = |index: &usize| index + scene.series.len();
+    match (state.view, scene.transfers.get(state.chosen.transfer), state.found()) {
+        (View::Mechanism | View::Structure, ..) => table(scene, 0..scene.series.len()),
+        (View::Curves, Some(transfer), _) => table(scene, std::iter::once(0).chain(transfer.orders)),
+        (View::Forces, _, Some(found)) => match found.reactions.get(state.chosen.reaction) {
+            Some(reaction) => {
+                let columns = reaction.series.iter().chain(&reaction.moment).map(beyond);
+                table(scene, std::iter::once(0).chain(columns))
+            }
+            None => table(scene, 0..scene.column_count()),
+        },
+        (View::Checks, _, Some(found)) => {
+            let mut writer = csv::Writer::from_writer(Vec::new());
+            writer.write_record(["check", "residual", "limit", "where", "position", "ok"])?;
+            for check in &found.checks {
+                let at = check.at.map(|at| at.to_string()).unwrap_or_default();
+                let [residual, limit] = [check.residual, check.limit].map(|value| value.to_string());
+                let ok = (!check.failed()).to_string();
+                writer.write_record([check.name, &residual, &limit, check.place.as_str(), &at, &ok])?;
+            }
+            Ok(writer.into_inner()?)
+        }
+        (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
+            points(figure.map_or(&[][..], |figure| &figure.panels))
+        }
+        _ => table(scene, 0..scene.column_count()),
+    }
+}
+
+/// The points of every line and arrow of panels, a row each.
+fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["panel", "axes", "line", "x", "y"])?;
+    for (number, panel) in panels.iter().enumerate() {
+        let axes = match &panel.frame {
+            Frame::Plane { unit, .. } => unit.clone(),
+            Frame::Axes { x, y, .. } => format!("{}; {}", x.label, y.label),
+        };
+        let name = if panel.title.is_empty() { number.to_string() } else { panel.title.clone() };
+        let lines = panel.items.iter().filter(|item| matches!(item, Item::Line { .. } | Item::Arrow { .. }));
+        for (line, item) in lines.enumerate() {
+            for at in item.points().iter().filter(|at| at[0].is_finite() && at[1].is_finite()) {
+                let [x, y] = at.map(|value| value.to_string());
+                writer.write_record([&name, &axes, &line.to_string(), &x, &y])?;
+            }
+        }
+    }
+    Ok(writer.into_inner()?)
+}
+
 /// The position and these columns as CSV, each column with its unit in the name; a missing number is an empty field.
-fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<String, Box<dyn std::error::Error>> {
+fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>, Box<dyn Error>> {
     let columns: Vec<_> = columns.filter_map(|column| scene.column(column)).collect();
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = columns.iter().map(|series| format!("{}_{}", series.short, series.unit));
@@ -48,22 +131,25 @@ fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<String, 
         let values = values.map(|value| if value.is_finite() { value.to_string() } else { String::new() });
         writer.write_record(std::iter::once(position.to_string()).chain(values))?;
     }
-    Ok(String::from_utf8(writer.into_inner()?)?)
+    Ok(writer.into_inner()?)
 }
 
-/// Writes a file, or asks if it exists already.
+/// Writes a file and the numbers beside it, or asks if one exists already.
 pub(crate) fn grant(state: &mut State, file: OutputFile) {
     let path = std::path::absolute(&file.path).unwrap_or_else(|_| file.path.clone());
-    if path.exists() && !file.overwrite {
+    let beside = path.with_extension("csv");
+    if (path.exists() || (file.numbers.is_some() && beside.exists())) && !file.overwrite {
         state.question = Some(file);
         return;
     }
-    match files::write(&path, &file.content) {
+    let numbers = file.numbers.as_ref().map_or(Ok(()), |numbers| files::write(&beside, numbers));
+    match numbers.and_then(|()| files::write(&path, &file.content)) {
         Ok(()) => {
             if file.scene {
                 state.what_if.keep_saved();
             }
-            state.say(Role::Good, format!("written: {}", path.display()));
+            let beside = if file.numbers.is_some() { " and .csv" } else { "" };
+            state.say(Role::Good, format!("written: {}{beside}", path.display()));
         }
         Err(error) => state.say(Role::Bad, error.to_string()),
     }

@@ -5,7 +5,6 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use textwrap::Options;
 
-use super::raster::short;
 use crate::screen::state::{Look, Role};
 
 /// Indent of the continuation lines of a line that is too long, in columns.
@@ -50,10 +49,7 @@ pub(crate) fn folded(line: &str, width: usize) -> Vec<String> {
     textwrap::wrap(text, options).into_iter().map(Into::into).collect()
 }
 
-/// The beginning of a text; a sign shows that the rest is missing.
-pub(crate) fn cut(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    text.chars().take(width.saturating_sub(1)).chain(['~']).collect()
+/// A count as a screen coordinate.
+pub(crate) fn short(x: usize) -> u16 {
+    u16::try_from(x).unwrap_or(u16::MAX)
 }

@@ -29,8 +29,11 @@ pub(crate) enum Wish {
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OutputFile {
+    /// Where; the numbers behind a picture have the same name with the ending `csv`.
     pub(crate) path: PathBuf,
-    pub(crate) content: String,
+    pub(crate) content: Vec<u8>,
+    /// The numbers behind a picture, as CSV beside it; `None`: the content is all.
+    pub(crate) numbers: Option<Vec<u8>>,
     /// Whether an old file of this name may be replaced.
     pub(crate) overwrite: bool,
     /// Whether it is the open scene with its changes.

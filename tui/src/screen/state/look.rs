@@ -2,32 +2,9 @@
 
 use std::ops::RangeInclusive;
 
+use assur_figure::cells::Marker;
+
 use super::theme::Theme;
-
-/// The characters for the dots of a drawing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Marker {
-    /// 2 x 4 dots per cell.
-    Braille,
-    /// 1 x 2 dots per cell.
-    HalfBlock,
-    /// One character per cell, chosen by the direction of the stroke.
-    Ascii,
-}
-
-impl Marker {
-    /// All kinds, in the order of the key that changes them.
-    pub(crate) const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
-
-    /// Its name for `:set marker` and the configuration.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Braille => "braille",
-            Self::HalfBlock => "half-block",
-            Self::Ascii => "ascii",
-        }
-    }
-}
 
 /// How things are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,6 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
-mod bounds;
 mod compare;
 mod found;
 mod job;
@@ -18,7 +17,8 @@ mod whatif;
 
 use std::collections::BTreeMap;
 
-pub(crate) use bounds::{Bounds, Zoom};
+pub(crate) use assur_figure::cells::Marker;
+pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use compare::Compared;
 pub(crate) use found::{Found, Reaction, rates_of};
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
@@ -27,10 +27,10 @@ pub(crate) use keymap::{Command, Group, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Help, Pane, PlanKind, Prompt, PromptKind, Traces, View, following, round,
 };
-pub(crate) use look::{Look, Marker};
+pub(crate) use look::Look;
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use scene::{Scene, Source};
-pub(crate) use series::{Owner, Series, axis_range, extent, greatest, zeros};
+pub(crate) use series::{Owner, Series, greatest, zeros};
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use assur_figure::Bounds;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, Range};
 use assur_scene::edit::{Document, SceneValue};
 
-use super::bounds::Bounds;
 use super::found::Found;
 use super::series::{Owner, Series, Transfer};
 use super::transfer::{self, coordinate_unit};

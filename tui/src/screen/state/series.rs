@@ -92,26 +92,3 @@ pub(crate) fn zeros(values: &[f64], closed: bool) -> Vec<f64> {
     }
     found
 }
-
-/// Least and greatest finite value.
-pub(crate) fn extent(values: &[f64]) -> Option<[f64; 2]> {
-    values.iter().filter(|v| v.is_finite()).fold(None, |found, &v| match found {
-        None => Some([v, v]),
-        Some([low, high]) => Some([low.min(v), high.max(v)]),
-    })
-}
-
-/// Range of an axis that contains these values and is never empty; values below `floor` count as zero. A constant is
-/// drawn in the middle between zero and twice its value, to be recognizable as a constant.
-pub(crate) fn axis_range(extent: [f64; 2], floor: f64) -> [f64; 2] {
-    let [low, high] = extent;
-    let most = low.abs().max(high.abs());
-    if most <= floor || most == 0.0 {
-        return [-1.0, 1.0];
-    }
-    if high - low > 1e-9 * most {
-        return extent;
-    }
-    let twice = low + high;
-    [twice.min(0.0), twice.max(0.0)]
-}

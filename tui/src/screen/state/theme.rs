@@ -21,7 +21,8 @@ pub(crate) enum Role {
     Header,
     Tab,
     Key,
-    Link,
+    /// A moving link, by its number.
+    Link(usize),
     Ground,
     Chosen,
     Trace,
@@ -59,6 +60,17 @@ impl Theme {
     }
 }
 
+/// Colors of the links in turn; none is that of an arrow.
+const LINKS: [Color; 6] =
+    [Color::Blue, Color::Red, Color::Cyan, Color::LightBlue, Color::LightRed, Color::LightCyan];
+/// Colors of the links in Okabe and Ito's palette.
+const OKABE_ITO_LINKS: [Color; 4] = [
+    Color::Rgb(0, 114, 178),
+    Color::Rgb(213, 94, 0),
+    Color::Rgb(86, 180, 233),
+    Color::Rgb(240, 228, 66),
+];
+
 fn modifier(role: Role) -> Modifier {
     match role {
         Role::Header | Role::Key | Role::Bad => Modifier::BOLD,
@@ -75,7 +87,7 @@ fn ansi(role: Role) -> Option<Color> {
         Role::Velocity | Role::Good | Role::Second => Some(Color::Green),
         Role::Acceleration | Role::Third => Some(Color::Magenta),
         Role::Bad => Some(Color::Red),
-        Role::Link => Some(Color::Blue),
+        Role::Link(number) => Some(LINKS[number.saturating_sub(1) % LINKS.len()]),
         Role::Chosen => Some(Color::Yellow),
         _ => None,
     }
@@ -88,7 +100,7 @@ fn okabe_ito(role: Role) -> Option<Color> {
         Role::Velocity | Role::Second | Role::Good => Some(Color::Rgb(0, 158, 115)),
         Role::Acceleration | Role::Third => Some(Color::Rgb(204, 121, 167)),
         Role::Bad => Some(Color::Rgb(213, 94, 0)),
-        Role::Link => Some(Color::Rgb(0, 114, 178)),
+        Role::Link(number) => Some(OKABE_ITO_LINKS[number.saturating_sub(1) % OKABE_ITO_LINKS.len()]),
         Role::Chosen => Some(Color::Rgb(230, 159, 0)),
         _ => None,
     }

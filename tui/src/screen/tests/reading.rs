@@ -2,8 +2,8 @@
 
 use super::words::TURNS;
 use super::{opened, press, scene, settle, text, write};
-use crate::screen::draw::{Arrow, Chart, Diagram, folded};
-use crate::screen::state::{Look, Measured, Role, State, View};
+use crate::screen::draw::folded;
+use crate::screen::state::{Measured, State, View};
 
 /// The least sine of the angle between rod (350) and rocker (250) of [`TURNS`], by the law of cosines, and where it is.
 fn least_sine() -> (f64, usize) {
@@ -90,7 +90,7 @@ fn a_warning_of_the_drive_is_on_its_first_part() {
     dynamics.motor.as_mut().unwrap().warnings = vec![format!("the torque is {}", "too small ".repeat(9))];
     let frame = text(&state, 80, 24);
     let line = frame.lines().find(|line| line.starts_with(" ! the torque is too small")).unwrap();
-    assert!(line.ends_with("~  (Tab Tab: whole)"), "{line}");
+    assert!(line.ends_with("…  (Tab Tab: whole)"), "{line}");
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings.clear();
@@ -165,23 +165,6 @@ fn another_scene_does_not_drop_changes_unasked() {
 }
 
 #[test]
-fn a_plan_has_its_pole_and_names_at_the_tips() {
-    let arrow = Arrow { from: [0.0; 2], to: [1.0, 0.0], name: "a".into(), role: Role::Velocity };
-    let area = ratatui::layout::Rect::new(0, 0, 40, 9);
-    let draw = |pole| {
-        let mut buffer = ratatui::buffer::Buffer::empty(area);
-        let diagram = Diagram { arrows: vec![arrow.clone()], unit: "m/s", pole };
-        diagram.draw(Look::default(), area, &mut buffer);
-        let place = |sign: &str| buffer.content.iter().take(8 * 40).position(|cell| cell.symbol() == sign);
-        [place("a"), place("p"), place(">")].map(|at| at.map(|at| at % 40))
-    };
-    let [Some(name), Some(pole), Some(tip)] = draw(Some("p")) else { panic!("a sign is missing") };
-    assert!(name.abs_diff(tip) <= 2 && pole + 20 < tip, "{name} {pole} {tip}");
-    let [Some(name), None, Some(tip)] = draw(None) else { panic!("a polygon has no pole") };
-    assert!(name + 5 < tip, "{name} {tip}");
-}
-
-#[test]
 fn help_says_where_a_key_works_and_goes_to_its_end() {
     let mut state = opened("shaper");
     press(&mut state, "?");
@@ -227,25 +210,6 @@ fn a_long_line_hangs() {
     // A word that is wider than everything stands alone, to be cut.
     assert_eq!(folded("abcdefghij kl", 5), ["abcdefghij", "    kl"]);
     assert_eq!(folded("", 5), [""]);
-}
-
-#[test]
-fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
-    let area = ratatui::layout::Rect::new(0, 0, 40, 6);
-    let mut buffer = ratatui::buffer::Buffer::empty(area);
-    let values = [1.27e-14, 367.0, 100.0];
-    let chart = Chart {
-        title: "piston/ground on piston F  133.269 N and more".to_owned(),
-        curves: vec![(&values, ratatui::style::Style::new())],
-        marks: Vec::new(),
-        cursor: 0,
-        floor: 0.0,
-        places: None,
-    };
-    chart.draw(area, Look::default(), &mut buffer);
-    let row = |y: u16| (0..40).map(|x| buffer[(x, y)].symbol()).collect::<String>();
-    assert!(row(0).ends_with("133.269 N a~ "), "{}", row(0));
-    assert!(row(5).starts_with("         0│"), "{}", row(5));
 }
 
 #[test]

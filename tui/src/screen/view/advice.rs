@@ -61,7 +61,7 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
 }
 
 /// The advice as lines.
-pub(super) fn text(state: &State, scene: &Scene) -> String {
+pub(crate) fn text(state: &State, scene: &Scene) -> String {
     if let Some(fault) = &scene.fault {
         return format!("no analysis: {fault}");
     }

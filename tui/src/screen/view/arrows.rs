@@ -1,13 +1,18 @@
 //! Velocities and accelerations as arrows: per unit time if the positions move, else per unit speed of the coordinate.
 
-use ratatui::layout::Rect;
+use assur_figure::{Ink, Item, Key, Sample, Stroke, round_length};
+use assur_kinematics::Position;
+use assur_mechanism::GROUND;
 
 use crate::number::plain;
-use crate::screen::draw::{Pen, Stroke, arrow, round_length, whole};
-use crate::screen::state::{Arrows, Owner, Role, Scene, State, greatest, rates_of};
+use crate::screen::state::{Arrows, Owner, Scene, State, greatest, rates_of};
 
-/// Longest arrow, as part of the smaller side of the drawing.
+/// Longest arrow, as part of the size of the drawing.
 const LONGEST: f64 = 0.3;
+/// Least part of the greater side of a drawing that counts as its smaller side.
+const FLAT: f64 = 0.5;
+/// Longest arrow of the legend, as part of the longest one of the drawing.
+const TOLD: f64 = 0.5;
 
 /// The orders of derivatives to draw.
 fn orders(state: &State) -> &'static [usize] {
@@ -19,13 +24,9 @@ fn orders(state: &State) -> &'static [usize] {
     }
 }
 
-/// Velocities are full arrows, accelerations dotted ones: distinguished without color.
-fn look_of(order: usize) -> (Stroke, Role, char) {
-    if order == 1 {
-        (Stroke::Solid, Role::Velocity, '-')
-    } else {
-        (Stroke::Dotted(2), Role::Acceleration, '.')
-    }
+/// Velocities are full arrows, accelerations dashed ones: distinguished without color.
+fn look_of(order: usize) -> (Stroke, Ink) {
+    if order == 1 { (Stroke::Solid, Ink::Velocity) } else { (Stroke::Dashed, Ink::Acceleration) }
 }
 
 /// Whether the positions move.
@@ -33,40 +34,32 @@ fn moves(scene: &Scene) -> Option<[f64; 2]> {
     scene.found.as_ref().and_then(|found| found.fastest)
 }
 
-/// Draws the arrows of all points that have them.
-pub(super) fn draw(
-    state: &State,
-    scene: &Scene,
-    pose: &assur_kinematics::Position,
-    position: usize,
-    area: Rect,
-    pen: &mut Pen<'_>,
-) {
+/// The arrows of all points that have them.
+pub(super) fn items(state: &State, scene: &Scene, pose: &Position, position: usize) -> Vec<Item> {
+    let mut items = Vec::new();
     for &order in orders(state) {
-        let Some(unit) = cells(state, scene, area, order) else { continue };
-        let (stroke, role, _) = look_of(order);
-        let style = state.look.theme.style(role);
+        let Some(length) = length(scene, order) else { continue };
+        let (stroke, ink) = look_of(order);
         for (point, vector) in vectors(scene, pose, position, order) {
-            let at = scene.linkage.point_motion(point, pose).pf0;
-            arrow(pen, at, vector, unit, stroke, style);
+            let from = scene.linkage.point_motion(point, pose).pf0;
+            let to = [0, 1].map(|axis| from[axis] + length * vector[axis]);
+            items.push(Item::Arrow { from, to, stroke, ink });
         }
     }
+    items
 }
 
 /// The vector of each point in a position: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
-fn vectors(
-    scene: &Scene,
-    pose: &assur_kinematics::Position,
-    position: usize,
-    order: usize,
-) -> Vec<(usize, [f64; 2])> {
+fn vectors(scene: &Scene, pose: &Position, position: usize, order: usize) -> Vec<(usize, [f64; 2])> {
     let mechanism = &scene.linkage.mechanism;
+    let moving = |id: &usize| mechanism.points[*id].places.iter().all(|place| place.link != GROUND);
     if moves(scene).is_some() {
         let result = scene.found.as_ref().and_then(|found| found.position(position));
         let Some(rates) = result.and_then(|result| rates_of(result, order)) else { return Vec::new() };
-        return rates.points.iter().filter_map(|(name, v)| Some((mechanism.point(name)?, *v))).collect();
+        let known = rates.points.iter().filter_map(|(name, v)| Some((mechanism.point(name)?, *v)));
+        return known.filter(|(id, _)| moving(id)).collect();
     }
-    let all = 0..mechanism.points.len();
+    let all = (0..mechanism.points.len()).filter(moving);
     all.map(|id| {
         let motion = scene.linkage.point_motion(id, pose);
         (id, if order == 1 { motion.pf1 } else { motion.pf2 })
@@ -74,9 +67,9 @@ fn vectors(
     .collect()
 }
 
-/// Length in cell widths of an arrow of size 1; equal in all positions, so that lengths can be compared.
-fn cells(state: &State, scene: &Scene, area: Rect, order: usize) -> Option<f64> {
-    let most = match moves(scene) {
+/// The greatest size of a vector over all positions.
+fn most(scene: &Scene, order: usize) -> f64 {
+    match moves(scene) {
         Some(fastest) => fastest[order - 1],
         None => scene
             .transfers
@@ -84,29 +77,32 @@ fn cells(state: &State, scene: &Scene, area: Rect, order: usize) -> Option<f64> 
             .filter(|transfer| matches!(transfer.owner, Owner::Point(_)))
             .map(|transfer| greatest(&scene.series[transfer.orders[order]].values))
             .fold(0.0, f64::max),
-    };
-    let side = f64::from(area.width).min(f64::from(area.height) * state.look.ratio);
-    (most > 0.0).then(|| LONGEST * side / most)
+    }
 }
 
-/// The legend of the arrows and the length of a round value, two lines for each kind.
-pub(crate) fn legend(state: &State, scene: &Scene, drawing: Rect) -> Vec<(Role, String)> {
-    let moves = moves(scene).is_some();
+/// Length, m, of an arrow of size 1; equal in all positions, so that lengths can be compared.
+fn length(scene: &Scene, order: usize) -> Option<f64> {
+    let [width, height] = scene.bounds.size();
+    let size = width.min(height).max(FLAT * width.max(height));
+    let most = most(scene, order);
+    (most > 0.0).then(|| LONGEST * size / most)
+}
+
+/// What the arrows are, with the length of a round value.
+pub(super) fn legend(state: &State, scene: &Scene) -> Vec<Key> {
     let coordinate = if scene.linkage.angular() { "rad" } else { "m" };
-    let mut lines = Vec::new();
-    for &order in orders(state) {
-        let Some(cells) = cells(state, scene, drawing, order) else { continue };
-        let (_, role, dash) = look_of(order);
-        let (name, unit) = match (moves, order) {
+    let keys = orders(state).iter().filter_map(|&order| {
+        let length = length(scene, order)?;
+        let (stroke, ink) = look_of(order);
+        let (name, unit) = match (moves(scene).is_some(), order) {
             (true, 1) => ("velocity", "m/s".to_owned()),
             (true, _) => ("acceleration", "m/s2".to_owned()),
             (false, 1) => ("PF1: for unit speed", format!("m/{coordinate}")),
             (false, _) => ("PF2: for unit speed", format!("m/{coordinate}2")),
         };
-        let round = round_length(8.0 / cells);
-        let shaft: String = std::iter::repeat_n(dash, whole((round * cells).clamp(1.0, 12.0))).collect();
-        lines.push((role, name.to_owned()));
-        lines.push((role, format!(" {shaft}> {} {unit}", plain(round))));
-    }
-    lines
+        let round = round_length(TOLD * most(scene, order));
+        let text = format!("{name}: {} {unit}", plain(round));
+        Some(Key { sample: Sample::Arrow(round * length, stroke, ink), text })
+    });
+    keys.collect()
 }

@@ -1,12 +1,14 @@
 //! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
 
 use assur_diagram::{JointForce, Share, Split};
+use assur_figure::{Figure, Ink, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
+use super::vectors::{self, Vector};
 use super::{plans, reactions};
 use crate::number::number;
-use crate::screen::draw::{Arrow, Diagram, put, short};
+use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
 
 /// A share this small compared with the greatest one counts as zero.
@@ -39,10 +41,23 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     let [table, below] =
         Layout::vertical([Constraint::Length(rows.min(below.height)), Constraint::Min(0)]).areas(below);
     draw_table(state, found, split, reaction, &parts, table, buffer);
-    let side = (below.height * 3).min(below.width / 2);
-    let [left, right] = Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
-    reactions::draw_curves(state, scene, found, left, &[usize::MAX], buffer);
-    draw_sum(state, &parts, right, buffer);
+    let panels = figure_panels(state, scene, found, &parts);
+    paint(state, &Figure { panels, columns: 2, ..Figure::default() }, below, buffer);
+}
+
+/// The modulus of the chosen reaction, and its causes head to tail.
+pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> {
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return Vec::new() };
+    let plans = found.plans.at(state.position);
+    let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
+    let parts = split.map(|split| parts(split, reaction)).unwrap_or_default();
+    figure_panels(state, scene, found, &parts)
+}
+
+fn figure_panels(state: &State, scene: &Scene, found: &Found, parts: &[Part]) -> Vec<Panel> {
+    let mut panels = reactions::curves(state, scene, found, &[usize::MAX]);
+    panels.extend(sum_of(parts));
+    panels
 }
 
 fn parts(split: &Split, reaction: &Reaction) -> Vec<Part> {
@@ -126,18 +141,15 @@ fn row_of(name: &str, part: &Part, least: f64) -> String {
 }
 
 /// The shares head to tail, and the total from the first corner to the last one.
-fn draw_sum(state: &State, parts: &[Part], area: Rect, buffer: &mut Buffer) {
+fn sum_of(parts: &[Part]) -> Option<Panel> {
     let mut at = [0.0; 2];
-    let mut arrows = Vec::new();
+    let mut vectors = Vec::new();
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        arrows.push(Arrow { from: at, to, name: (number + 1).to_string(), role: Role::Second });
+        vectors.push(Vector { from: at, to, name: (number + 1).to_string(), ink: Ink::Second });
         at = to;
     }
-    if arrows.is_empty() {
-        return;
-    }
-    arrows.push(Arrow { from: [0.0; 2], to: at, name: "sum".to_owned(), role: Role::First });
-    Diagram { arrows, unit: "N", pole: None }.draw(state.look, area, buffer);
+    vectors.push(Vector { from: [0.0; 2], to: at, name: "sum".to_owned(), ink: Ink::First });
+    (vectors.len() > 1).then(|| vectors::panel(String::new(), &vectors, ("N", "F"), None))
 }

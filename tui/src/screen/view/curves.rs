@@ -2,99 +2,101 @@
 
 use std::fmt::Write;
 
+use assur_figure::{Figure, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use crate::number::{number, plain};
-use crate::screen::draw::{Chart, LABELS, Mark, column_of, position_of, put, short};
-use crate::screen::state::{Found, Role, Scene, State, View, zeros};
+use super::plots::{coordinate, over_positions};
+use crate::number::number;
+use crate::screen::draw::{cut, paint, put, short};
+use crate::screen::state::{Found, Role, Scene, Series, State, View, zeros};
+
+/// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
+const SIGNS: [(Sign, &str); 3] =
+    [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return };
-    let [title, charts, axis] =
-        Layout::vertical([Constraint::Length(1), Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    draw_title(state, scene, &transfer.name, title, buffer);
-    let zero = transfer.orders.map(|index| zeros(&scene.series[index].values, scene.closed()));
-    let stacked: [Rect; 3] = Layout::vertical([Constraint::Ratio(1, 3); 3]).areas(charts);
-    for (order, role) in [Role::First, Role::Second, Role::Third].into_iter().enumerate() {
-        let series = &scene.series[transfer.orders[order]];
-        let mut title = format!("PF{order}  {} {}", number(series.at(state.position)), series.unit);
-        let mut curves = vec![(series.values.as_slice(), state.look.theme.style(role))];
-        if let Some(compared) = &state.compared
-            && let Some(other) = compared.series(series)
-        {
-            curves.push((other.values.as_slice(), state.look.theme.style(Role::Plain)));
-            let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
-            let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
-        }
-        // The zeros of the first derivative mark extremes, those of the second one inflections.
-        let kinds = [Mark::Zero, Mark::Extreme, Mark::Inflection];
-        let marks =
-            zero[order..].iter().zip(kinds).flat_map(|(at, mark)| at.iter().map(move |at| (*at, mark)));
-        let (marks, cursor, floor) = (marks.collect(), state.position, series.floor);
-        Chart { title, curves, marks, cursor, floor, places: None }.draw(stacked[order], state.look, buffer);
-    }
-    coordinate_axis(state, scene, axis, buffer);
+    let [title, charts] = parts(area);
+    let figure = figure(state, scene);
+    let legend = if state.compared.is_some() { "" } else { "o extreme  x zero  + inflection" };
+    let column = title.width.saturating_sub(short(legend.len()) + 1);
+    let header = cut(&figure.title, usize::from(column.saturating_sub(2)));
+    put(buffer, title, 1, 0, &header, state.look.theme.style(Role::Header));
+    put(buffer, title, column, 0, legend, state.look.theme.style(Role::Dim));
+    paint(state, &figure, charts, buffer);
 }
 
-fn draw_title(state: &State, scene: &Scene, name: &str, area: Rect, buffer: &mut Buffer) {
-    let header = state.look.theme.style(Role::Header);
+/// The heading and the charts.
+fn parts(area: Rect) -> [Rect; 2] {
+    Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
+}
+
+/// The three curves of the chosen quantity.
+pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
+    let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Figure::default() };
+    let mut title = transfer.name.clone();
+    let mut legend: Vec<Key> = Vec::new();
     if let Some(compared) = &state.compared {
-        let own = scene.source.short_name();
-        put(buffer, area, 1, 0, &format!("{name}   1 {own} (line)  2 {} (stars)", compared.name), header);
-        return;
+        let _ = write!(title, "   1 {} (line)  2 {} (stars)", scene.source.short_name(), compared.name);
+    } else {
+        legend.extend(SIGNS.map(|(sign, text)| Key { sample: Sample::Sign(sign, Ink::Text), text: text.into() }));
     }
-    put(buffer, area, 1, 0, name, header);
-    let legend = "o extreme  x zero  + inflection";
-    let column = area.width.saturating_sub(short(legend.len()) + 1);
-    put(buffer, area, column, 0, legend, state.look.theme.style(Role::Dim));
+    let inks = [Ink::First, Ink::Second, Ink::Third];
+    let panels = inks.into_iter().enumerate().map(|(order, ink)| panel(state, scene, transfer.orders, order, ink));
+    Figure { title, panels: panels.collect(), columns: 1, legend }
 }
 
-/// Charts of these series of the analysis, and of the corresponding ones of another analyzer, over one axis.
-pub(super) fn draw_stack(
-    state: &State,
-    scene: &Scene,
-    found: &Found,
-    wanted: &[usize],
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    let count = u32::try_from(wanted.len()).unwrap_or(1);
-    let stacked = Layout::vertical(vec![Constraint::Ratio(1, count); wanted.len()]).split(charts);
-    let theme = state.look.theme;
-    for (index, place) in wanted.iter().zip(stacked.iter()) {
+fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
+    let series = &scene.series[orders[order]];
+    let mut title = format!("PF{order}  {} {}", number(series.at(state.position)), series.unit);
+    let mut curves = vec![(series, Stroke::Solid, ink)];
+    if let Some(compared) = &state.compared
+        && let Some(other) = compared.series(series)
+    {
+        curves.push((other, Stroke::Stars, Ink::Text));
+        let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
+        let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
+    }
+    let mut signs = Vec::new();
+    for (derivative, (sign, _)) in orders[order..].iter().zip(SIGNS) {
+        for at in zeros(&scene.series[*derivative].values, scene.closed()) {
+            let value = if sign == Sign::Cross { 0.0 } else { between(series, at) };
+            signs.push(Item::sign([coordinate(scene, at), value], sign, Ink::Text));
+        }
+    }
+    over_positions(state, scene, title, &curves, signs)
+}
+
+/// Value between two positions, linear.
+fn between(series: &Series, at: f64) -> f64 {
+    let count = series.values.len().max(1);
+    let before = (0..count).rev().find(|position| *position as f64 <= at).unwrap_or(0);
+    let [a, b] = [before, (before + 1) % count].map(|position| series.at(position));
+    let part = at - before as f64;
+    if part > 0.0 { a + part * (b - a) } else { a }
+}
+
+/// Curves of these series of the analysis, and of the corresponding ones of another analyzer, over one axis.
+pub(super) fn stack(state: &State, scene: &Scene, found: &Found, wanted: &[usize]) -> Vec<Panel> {
+    let other = scene.other.as_ref().filter(|_| state.view == View::Forces);
+    let panel = |index: &usize| {
         let series = &found.series[*index];
-        let other = scene.other.as_ref().filter(|_| state.view == View::Forces);
-        let other = other.and_then(|other| other.series.iter().find(|other| other.of == series.of));
-        let mut curves = vec![(series.values.as_slice(), theme.style(Role::First))];
-        curves.extend(other.map(|other| (other.values.as_slice(), theme.style(Role::Third))));
+        let same = other.and_then(|other| other.series.iter().find(|other| other.of == series.of));
+        let mut curves = vec![(series, Stroke::Solid, Ink::First)];
+        curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
         let title = format!("{}  {}", series.of, series.show(state.position));
-        Chart { title, curves, cursor: state.position, floor: series.floor, ..Chart::default() }
-            .draw(*place, state.look, buffer);
-    }
-    coordinate_axis(state, scene, axis, buffer);
+        over_positions(state, scene, title, &curves, Vec::new())
+    };
+    wanted.iter().map(panel).collect()
 }
 
-/// The common axis: the coordinate of five positions from the first to the last.
-fn coordinate_axis(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let series = &scene.series[0];
-    let (count, width) = (scene.positions(), area.width.saturating_sub(LABELS + 1));
-    for part in 0..=4_usize {
-        let position = part * count.saturating_sub(1) / 4;
-        let text = plain(series.at(position));
-        let at = LABELS + column_of(position, count, width);
-        let column = at.min(area.width.saturating_sub(short(text.len())));
-        put(buffer, area, column, 0, &text, state.look.theme.style(Role::Plain));
-    }
-    let text = format!("coordinate, {}", series.unit);
-    put(buffer, area, LABELS, 1, &text, state.look.theme.style(Role::Dim));
-}
-
-/// The position under a column of the screen.
-pub(crate) fn position_at(state: &State, area: Rect, column: u16) -> Option<usize> {
-    let left = area.x + LABELS;
-    let width = area.width.saturating_sub(LABELS + 1);
-    (column >= left && column < left + width).then(|| position_of(column - left, state.positions(), width))
+/// The position under a cell of the screen.
+pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<usize> {
+    let scene = state.scene.as_ref()?;
+    let [_, charts] = parts(area);
+    let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
+    let value = assur_figure::cells::value_at(&figure(state, scene), [charts.width, charts.height], cell)?;
+    let distance = |position: &usize| (coordinate(scene, *position as f64) - value).abs();
+    (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }

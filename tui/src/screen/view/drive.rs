@@ -2,13 +2,14 @@
 //! and other motors.
 
 use assur_analysis::results::{Dynamics, MotorReport};
+use assur_figure::Figure;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::motion::{numbers, unevenness};
 use super::regime;
 use crate::number::digits;
-use crate::screen::draw::{cut, put, put_lines, short, wrapped};
+use crate::screen::draw::{cut, paint, put, put_lines, short, wrapped};
 use crate::screen::state::{Pane, Role, Scene, State};
 
 /// Second column of the view.
@@ -36,10 +37,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             put_lines(buffer, area, RIGHT, state.look, &numbers(dynamics, angular));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-                draw_plots(state, scene, dynamics, below, true, buffer);
+                paint(state, &figure(state, scene, 2), below, buffer);
             }
         }
-        Pane::Curves => draw_plots(state, scene, dynamics, area, false, buffer),
+        Pane::Curves => paint(state, &figure(state, scene, 1), area, buffer),
         Pane::Hodograph => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
     }
 }
@@ -56,20 +57,13 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     rest
 }
 
-/// Characteristic and moments, side by side or one above the other.
-fn draw_plots(
-    state: &State,
-    scene: &Scene,
-    dynamics: &Dynamics,
-    area: Rect,
-    beside: bool,
-    buffer: &mut Buffer,
-) {
-    let halves = [Constraint::Ratio(1, 2); 2];
-    let [one, two]: [Rect; 2] =
-        if beside { Layout::horizontal(halves).areas(area) } else { Layout::vertical(halves).areas(area) };
-    regime::draw_characteristic(state, dynamics, one, buffer);
-    regime::draw_moments(state, scene, &dynamics.regime, two, buffer);
+/// Characteristic and moments, in so many columns.
+pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
+    let dynamics = scene.found.as_ref().and_then(|found| found.analysis.dynamics.as_ref());
+    let Some(dynamics) = dynamics else { return Figure::default() };
+    let moments = regime::moments(state, scene, &dynamics.regime);
+    let panels = regime::characteristic(dynamics).into_iter().chain([moments]).collect();
+    Figure { title: "drive".to_owned(), panels, columns, legend: Vec::new() }
 }
 
 fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {

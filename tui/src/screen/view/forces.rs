@@ -1,11 +1,12 @@
 //! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
 
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::causes;
-use super::reactions::{direction_text, draw_curves, table_row};
-use crate::screen::draw::{Hodograph, first_shown, put, short};
+use super::reactions::{curves, direction_text, table_row};
+use crate::screen::draw::{first_shown, paint, put, short};
 use crate::screen::state::{Found, Pane, Reaction, Role, Scene, State};
 
 /// Rows of a chart below the table.
@@ -24,16 +25,29 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let [table, below] =
                 Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
             draw_table(state, scene, found, table, buffer);
-            let side = (below.height * 3).min(below.width / 2);
-            let [left, right] =
-                Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(below);
-            draw_curves(state, scene, found, left, &[usize::MAX], buffer);
-            draw_hodograph(state, found, right, buffer);
+            paint(state, &figure(state, scene), below, buffer);
         }
         Pane::Causes => causes::draw(state, scene, found, rest, buffer),
-        Pane::Curves => draw_curves(state, scene, found, rest, &[0, 1, 2], buffer),
-        Pane::Hodograph => draw_hodograph(state, found, rest, buffer),
+        Pane::Curves | Pane::Hodograph => paint(state, &figure(state, scene), rest, buffer),
     }
+}
+
+/// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
+pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
+    let Some(found) = &scene.found else { return Figure::default() };
+    let (panels, columns) = match state.pane {
+        Pane::Table => {
+            let mut panels = curves(state, scene, found, &[usize::MAX]);
+            panels.extend(hodograph(state, found));
+            let columns = panels.len().max(1);
+            (panels, columns)
+        }
+        Pane::Causes => (causes::panels(state, scene, found), 2),
+        Pane::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
+        Pane::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
+    };
+    let name = chosen(state, found).map(Reaction::name).unwrap_or_default();
+    Figure { title: format!("{name}, {}", heading(scene, found)), panels, columns, legend: Vec::new() }
 }
 
 fn heading(scene: &Scene, found: &Found) -> String {
@@ -107,10 +121,16 @@ fn largest_difference(scene: &Scene, found: &Found, other: &Found) -> f64 {
     all.fold(0.0, f64::max)
 }
 
-fn draw_hodograph(state: &State, found: &Found, area: Rect, buffer: &mut Buffer) {
-    let Some(reaction) = chosen(state, found).filter(|reaction| reaction.series.len() == 3) else { return };
-    let values = |i: usize| found.series[reaction.series[i]].values.as_slice();
-    let title = format!("hodograph: {}", reaction.name());
-    let (projections, position) = ([values(0), values(1)], state.position);
-    Hodograph { title: &title, unit: "N", projections, position }.draw(state.look, area, buffer);
+/// The path of the tip of the force over the cycle, with the force of the position.
+fn hodograph(state: &State, found: &Found) -> Option<Panel> {
+    let reaction = chosen(state, found).filter(|reaction| reaction.series.len() == 3)?;
+    let [xs, ys] = [0, 1].map(|axis| &found.series[reaction.series[axis]]);
+    let tips: Vec<Point> = xs.values.iter().zip(&ys.values).map(|(x, y)| [*x, *y]).collect();
+    let bounds = Bounds::around(tips.iter().copied().chain([[0.0; 2]]));
+    let tip = tips.get(state.position).copied().filter(|tip| tip[0].is_finite());
+    let mut items = vec![Item::line(tips, Stroke::Dashed, Ink::Second)];
+    items.extend(tip.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
+    items.push(Item::sign([0.0; 2], Sign::Plus, Ink::Title));
+    let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
+    Some(Panel { title: format!("hodograph: {}", reaction.name()), frame, items })
 }

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::mechanism;
-use crate::screen::draw::{first_shown, put, short};
+use crate::screen::draw::{first_shown, paint, put, short};
 use crate::screen::state::{Role, State};
 
 /// Columns of the list.
@@ -32,7 +32,8 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             let [name, drawing] =
                 Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(picture);
             put(buffer, name, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
-            mechanism::picture(state, scene, scene.first_position(), drawing, &[], buffer);
+            let figure = mechanism::figure(state, scene, scene.first_position(), &[]);
+            paint(state, &figure, drawing, buffer);
         }
         Some(Err(text)) => {
             for (row, line) in text.lines().enumerate() {

@@ -17,16 +17,21 @@ mod menu;
 mod motion;
 mod panel;
 mod plans;
+mod plots;
 mod reactions;
 mod regime;
 mod structure;
 mod table;
 pub(crate) mod values;
+pub(crate) mod vectors;
 
+use assur_figure::Figure;
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
+
+pub(crate) use advice::text as advice;
 
 use crate::screen::draw::put;
 use crate::screen::state::{State, View};
@@ -75,6 +80,22 @@ fn shared(state: &State, body: Rect) -> [Rect; 2] {
 /// Where the view is drawn on the terminal.
 pub(crate) fn room(state: &State) -> Rect {
     shared(state, parts(Rect::new(0, 0, state.size.0, state.size.1))[1])[0]
+}
+
+/// The figure of the view that is shown; `None` where it has none.
+pub(crate) fn figure(state: &State) -> Option<Figure> {
+    let scene = state.scene.as_ref().filter(|_| state.has(state.view))?;
+    let figure = match state.view {
+        View::Mechanism => mechanism::figure(state, scene, state.position, &[]),
+        View::Curves => curves::figure(state, scene),
+        View::Forces => forces::figure(state, scene),
+        View::Plans => plans::figure(state, scene),
+        View::Motion => motion::figure(state, scene, usize::MAX),
+        View::Drive => drive::figure(state, scene, 1),
+        View::Structure => structure::figure(state, scene),
+        View::Menu | View::Checks | View::Accuracy | View::Table | View::Values => return None,
+    };
+    Some(figure).filter(|figure| !figure.panels.is_empty())
 }
 
 /// Draws what is between header and footer.

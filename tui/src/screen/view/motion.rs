@@ -1,12 +1,13 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Dynamics};
+use assur_analysis::results::{Analysis, Dynamics, MotionSample};
+use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, regime};
-use crate::number::{digits, number, plain};
-use crate::screen::draw::{Chart, LABELS, put, put_lines, short};
+use super::{advice, curves, plots, regime};
+use crate::number::{digits, number};
+use crate::screen::draw::{paint, put, put_lines};
 use crate::screen::state::{Found, Pane, Role, Scene, State};
 
 /// Least number of rows of a readable chart.
@@ -31,19 +32,26 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         return regime::draw_iteration(state, regime, area, buffer);
     }
     put_lines(buffer, numbers, 1, state.look, &lines);
-    if let (Some(regime), Pane::Curves) = (regime, state.pane) {
-        return regime::draw_course(state, scene, regime, charts, buffer);
-    }
+    paint(state, &figure(state, scene, usize::from(charts.height.saturating_sub(2) / LEAST_ROWS)), charts, buffer);
+}
+
+/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
+pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
+    let Some(found) = &scene.found else { return Figure::default() };
+    let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let over_time =
         matches!(state.pane, Pane::Curves | Pane::Hodograph) && !found.analysis.trajectory.is_empty();
-    if over_time || found.motion.is_empty() {
-        draw_course(state, &found.analysis, charts, buffer);
-    } else {
-        let shown = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS).clamp(1, found.motion.len());
-        let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
-        let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
-        curves::draw_stack(state, scene, found, &wanted, charts, buffer);
-    }
+    let panels = match regime {
+        Some(regime) if state.pane == Pane::Curves => regime::course(state, scene, regime),
+        _ if over_time || found.motion.is_empty() => course(state, &found.analysis),
+        _ => {
+            let shown = most.clamp(1, found.motion.len());
+            let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
+            let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
+            curves::stack(state, scene, found, &wanted)
+        }
+    };
+    Figure { title: heading(scene, found).1, panels, columns: 1, legend: Vec::new() }
 }
 
 /// The most important line: the unevenness of a regime, or why there is no speed.
@@ -73,35 +81,23 @@ fn speed_unit(angular: bool) -> &'static str {
 }
 
 /// Coordinate, speed and acceleration over time.
-fn draw_course(state: &State, analysis: &Analysis, area: Rect, buffer: &mut Buffer) {
+fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let course = &analysis.trajectory;
-    let (Some(first), Some(last)) = (course.first(), course.last()) else { return };
     let q = if analysis.input.angular { "rad" } else { "m" };
-    let [charts, axis] = Layout::vertical([Constraint::Min(0), Constraint::Length(2)]).areas(area);
-    let stacked: [Rect; 3] = Layout::vertical([Constraint::Ratio(1, 3); 3]).areas(charts);
-    let span = (last.time - first.time).max(f64::MIN_POSITIVE);
-    let times: Vec<f64> = course.iter().map(|sample| (sample.time - first.time) / span).collect();
-    let columns: [(&str, String, Vec<f64>); 3] = [
-        ("coordinate", q.to_owned(), course.iter().map(|s| s.coordinate).collect()),
-        ("speed", format!("{q}/s"), course.iter().map(|s| s.speed).collect()),
-        ("acceleration", format!("{q}/s2"), course.iter().map(|s| s.acceleration).collect()),
+    type Read = fn(&MotionSample) -> f64;
+    let all: [(&str, String, Read); 3] = [
+        ("coordinate", q.to_owned(), |sample| sample.coordinate),
+        ("speed", format!("{q}/s"), |sample| sample.speed),
+        ("acceleration", format!("{q}/s2"), |sample| sample.acceleration),
     ];
-    let cursor = state.position.min(course.len() - 1);
-    for ((name, unit, values), place) in columns.iter().zip(stacked) {
-        let chart = Chart {
-            title: format!("{name}  {} {unit}", number(values[cursor])),
-            curves: vec![(values.as_slice(), state.look.theme.style(Role::First))],
-            cursor,
-            places: Some(&times),
-            ..Chart::default()
-        };
-        chart.draw(place, state.look, buffer);
-    }
-    let style = state.look.theme.style(Role::Plain);
-    put(buffer, axis, LABELS, 0, &plain(first.time), style);
-    let end = plain(last.time);
-    put(buffer, axis, axis.width.saturating_sub(short(end.len()) + 1), 0, &end, style);
-    put(buffer, axis, LABELS, 1, "time, s", state.look.theme.style(Role::Dim));
+    let Some(cursor) = course.get(state.position.min(course.len().saturating_sub(1))) else { return Vec::new() };
+    let x = Axis::around("time, s", course.iter().map(|sample| sample.time), 0.0);
+    let panel = |(name, unit, read): (&str, String, Read)| {
+        let points = course.iter().map(|sample| [sample.time, read(sample)]).collect();
+        let title = format!("{name}  {} {unit}", number(read(cursor)));
+        plots::curves(&title, vec![(name, points)], x.clone(), Some(cursor.time))
+    };
+    all.map(panel).into()
 }
 
 /// The numbers of the regime, one a line.

@@ -1,16 +1,27 @@
 //! The numbers next to the drawing: coordinate, speed, the chosen quantity, every link and slide.
 
+use assur_figure::cells::cell_width;
+use assur_figure::{Figure, Ink, Sample};
 use assur_mechanism::Motion;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::arrows;
 use crate::number::digits;
-use crate::screen::draw::{put_lines, wrapped};
-use crate::screen::state::{Role, Scene, State};
+use crate::screen::draw::{cells, put_lines, wrapped};
+use crate::screen::state::{Owner, Role, Scene, State};
 
-/// Draws the panel; `drawing` is the area of the arrows.
-pub(super) fn draw(state: &State, scene: &Scene, drawing: Rect, area: Rect, buffer: &mut Buffer) {
+/// Longest shaft of an arrow of the legend, in columns.
+const SHAFT: f64 = 12.0;
+
+/// Draws the panel of a figure that has an area of its own.
+pub(super) fn draw(
+    state: &State,
+    scene: &Scene,
+    figure: &Figure,
+    drawing: Rect,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(plain).collect();
     lines.push(plain(String::new()));
@@ -20,11 +31,28 @@ pub(super) fn draw(state: &State, scene: &Scene, drawing: Rect, area: Rect, buff
     } else {
         lines.extend(quantities(state, scene));
         // The legend and the scale of the arrows, at the foot of the panel.
-        let legend = arrows::legend(state, scene, drawing);
+        let legend = legend(state, figure, drawing);
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
         lines.extend(legend);
     }
     put_lines(buffer, area, 1, state.look, &lines);
+}
+
+/// The legend of the arrows: what they are, then the length of a round value.
+fn legend(state: &State, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
+    let Some(panel) = figure.panels.first() else { return Vec::new() };
+    let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state)) else { return Vec::new() };
+    let mut lines = Vec::new();
+    for key in &figure.legend {
+        let Sample::Arrow(length, _, ink) = key.sample else { continue };
+        let (role, dash) =
+            if ink == Ink::Velocity { (Role::Velocity, '-') } else { (Role::Acceleration, '.') };
+        let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
+        let shaft: String = shaft.map(|_| dash).collect();
+        let (name, value) = key.text.rsplit_once(": ").unwrap_or(("", &key.text));
+        lines.extend([(role, name.to_owned()), (role, format!(" {shaft}> {value}"))]);
+    }
+    lines
 }
 
 /// Coordinate and speed of the input, and the balancing load.
@@ -53,8 +81,15 @@ fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
     let orders = transfer.orders.iter().enumerate();
     lines.extend(orders.map(|(order, index)| (Role::Plain, format!(" PF{order} {}", show(*index)))));
     lines.push((Role::Plain, String::new()));
-    let others =
-        scene.transfers.iter().filter(|other| other.name != transfer.name).map(|other| other.orders[0]);
-    lines.extend(others.map(|first| (Role::Plain, format!("{} {}", scene.series[first].short, show(first)))));
+    let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
+    lines.extend(others.map(|other| {
+        let first = other.orders[0];
+        let text = format!("{} {}", scene.series[first].short, show(first));
+        // A link has its number in the drawing.
+        match other.owner {
+            Owner::Link(number) => (Role::Link(number), format!("{number} {text}")),
+            _ => (Role::Plain, text),
+        }
+    }));
     lines
 }

@@ -1,13 +1,15 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
 use assur_diagram::{Plan, PlanVector, VectorKind};
+use assur_figure::{Figure, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, StepKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::advice;
+use super::vectors::{self, Vector};
 use crate::number::digits;
-use crate::screen::draw::{Arrow, Diagram, cut, put_lines, wrapped};
+use crate::screen::draw::{cut, paint, put_lines, wrapped};
 use crate::screen::state::{Bounds, Found, PlanKind, Plans, Role, Scene, State};
 
 /// Columns of the list beside the drawing.
@@ -21,26 +23,64 @@ const POLE: &str = "p";
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
-    let areas = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
+    let [list, drawing] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
     let plans = found.plans.at(state.position);
-    if state.plan == PlanKind::Construction {
-        return construction(state, &plans, areas, buffer);
+    match shown(state, found, &plans) {
+        Shown::Plan(plan) => list_of_plan(state, plan, list, buffer),
+        Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
+        Shown::Nothing(text) => {
+            let text = text.unwrap_or_else(|| advice::text(state, scene));
+            return say(state, &text, list, buffer);
+        }
     }
-    let plan = match &plans.sheet {
-        Err(error) => return say(state, &error.to_string(), areas[0], buffer),
-        Ok(sheet) => match state.plan {
-            PlanKind::Velocity => Some(&sheet.velocities),
-            PlanKind::Acceleration => Some(&sheet.accelerations),
-            _ if !has_forces(state, found) => None,
-            _ => sheet.polygons.get(state.chosen.polygon.min(sheet.polygons.len().saturating_sub(1))),
-        },
+    paint(state, &figure(state, scene), drawing, buffer);
+}
+
+/// What the view shows.
+enum Shown<'a> {
+    Plan(&'a Plan),
+    /// A construction up to a step.
+    Construction(&'a Construction, usize),
+    /// Why there is nothing; `None`: the advice on the scene.
+    Nothing(Option<String>),
+}
+
+fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
+    let nothing = |text: &str| Shown::Nothing(Some(text.to_owned()));
+    let sheet = match (&plans.sheet, state.plan) {
+        (_, PlanKind::Construction) => {
+            return match chosen_step(plans, state.chosen.step) {
+                Some((construction, last)) => Shown::Construction(construction, last),
+                None => nothing("no method with a construction fits here"),
+            };
+        }
+        (Err(error), _) => return nothing(&error.to_string()),
+        (Ok(sheet), _) => sheet,
+    };
+    let plan = match state.plan {
+        PlanKind::Velocity => Some(&sheet.velocities),
+        PlanKind::Acceleration => Some(&sheet.accelerations),
+        _ if !has_forces(state, found) => None,
+        _ => sheet.polygons.get(state.chosen.polygon.min(sheet.polygons.len().saturating_sub(1))),
     };
     match plan {
-        Some(plan) => draw_plan(state, plan, areas, buffer),
-        None if !found.reactions.is_empty() => {
-            say(state, "no forces are determined in this position", areas[0], buffer);
+        Some(plan) => Shown::Plan(plan),
+        None if found.reactions.is_empty() => Shown::Nothing(None),
+        None => nothing("no forces are determined in this position"),
+    }
+}
+
+/// The chosen plan, or the construction up to the chosen step.
+pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
+    let Some(found) = &scene.found else { return Figure::default() };
+    let plans = found.plans.at(state.position);
+    match shown(state, found, &plans) {
+        Shown::Plan(plan) => Figure { title: plan.title.clone(), ..Figure::of(panel_of_plan(state, plan)) },
+        Shown::Construction(construction, last) => {
+            let title = format!("{}, step {}", construction.title, last + 1);
+            Figure { title, ..Figure::of(panel_of_steps(construction, last)) }
         }
-        None => say(state, &advice::text(state, scene), areas[0], buffer),
+        Shown::Nothing(_) => Figure::default(),
     }
 }
 
@@ -60,16 +100,21 @@ fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffe
     put_lines(buffer, cut, 1, state.look, lines);
 }
 
-/// A plan: its vectors as a list, its closure error, and the drawing.
-fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mut Buffer) {
+/// The vectors of a plan that are not only rounding.
+fn vectors_of(plan: &Plan) -> Vec<&PlanVector> {
+    let least = LEAST * plan.greatest();
+    plan.items.iter().filter(|item| item.size > least).collect()
+}
+
+/// The vectors of a plan, and its closure error.
+fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
         wrapped(&plan.title, width).into_iter().map(|line| (Role::Header, line)).collect();
     if state.plan == PlanKind::Forces {
         rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
     }
-    let least = LEAST * plan.greatest();
-    let shown: Vec<&PlanVector> = plan.items.iter().filter(|item| item.size > least).collect();
+    let shown = vectors_of(plan);
     // The last rows show the closure error; a long list must not push them out.
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
     let skip = match state.plan {
@@ -88,18 +133,21 @@ fn draw_plan(state: &State, plan: &Plan, [list, drawing]: [Rect; 2], buffer: &mu
     }
     rows.push((Role::Header, format!("left open: {:.1e} of the greatest", plan.residual)));
     lines(state, &rows, list, buffer);
-    let arrows = shown.iter().enumerate().map(|(number, item)| Arrow {
-        from: item.start,
-        to: item.end,
-        name: if role(item.kind) == Role::Trace { String::new() } else { label(state, item, number) },
-        role: if state.plan == PlanKind::Acceleration && item.kind == VectorKind::Absolute {
-            Role::Acceleration
-        } else {
-            role(item.kind)
-        },
+}
+
+fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
+    let vectors = vectors_of(plan).into_iter().enumerate().map(|(number, item)| {
+        let absolute = state.plan == PlanKind::Acceleration && item.kind == VectorKind::Absolute;
+        let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
+        let name = if ink == Ink::Trace { String::new() } else { label(state, item, number) };
+        Vector { from: item.start, to: item.end, name, ink }
     });
-    let pole = matches!(state.plan, PlanKind::Velocity | PlanKind::Acceleration).then_some(POLE);
-    Diagram { arrows: arrows.collect(), unit: &plan.unit, pole }.draw(state.look, drawing, buffer);
+    let (unit, symbol, pole) = match state.plan {
+        PlanKind::Velocity => (plan.unit.as_str(), "v", Some(POLE)),
+        PlanKind::Acceleration => (plan.unit.as_str(), "a", Some(POLE)),
+        _ => (plan.unit.as_str(), "F", None),
+    };
+    vectors::panel(String::new(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
@@ -122,12 +170,12 @@ fn image(name: &str) -> String {
     }
 }
 
-fn role(kind: VectorKind) -> Role {
+fn ink(kind: VectorKind) -> Ink {
     match kind {
-        VectorKind::Load | VectorKind::Weight | VectorKind::Inertia | VectorKind::Part => Role::Second,
-        VectorKind::Reaction | VectorKind::Balancing | VectorKind::Closing => Role::First,
-        VectorKind::Absolute => Role::Velocity,
-        _ => Role::Trace,
+        VectorKind::Load | VectorKind::Weight | VectorKind::Inertia | VectorKind::Part => Ink::Second,
+        VectorKind::Reaction | VectorKind::Balancing | VectorKind::Closing => Ink::First,
+        VectorKind::Absolute => Ink::Velocity,
+        _ => Ink::Trace,
     }
 }
 
@@ -157,11 +205,8 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     None
 }
 
-/// A construction up to the chosen step, with the sentence that explains it.
-fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer: &mut Buffer) {
-    let Some((construction, last)) = chosen_step(plans, state.chosen.step) else {
-        return say(state, "no method with a construction fits here", list, buffer);
-    };
+/// The chosen step of a construction, with the sentence that explains it.
+fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
         wrapped(&construction.title, width).into_iter().map(|line| (Role::Header, line)).collect();
@@ -175,28 +220,31 @@ fn construction(state: &State, plans: &Plans, [list, drawing]: [Rect; 2], buffer
     rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind.word(), step.unit)));
     rows.extend(wrapped(&step.note, width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
-    let kind = step.drawing;
-    let shown = construction.steps.iter().take(last + 1).filter(|step| step.drawing == kind);
-    let size = force_size(construction, kind);
-    let unit = match kind {
-        Drawing::Mechanism => "m",
-        Drawing::Polygon => "N",
-        Drawing::Lever => "m/rad",
-    };
-    Diagram { arrows: shown.map(|step| step_arrow(step, size)).collect(), unit, pole: None }
-        .draw(state.look, drawing, buffer);
 }
 
-fn step_arrow(step: &Step, size: f64) -> Arrow {
+fn panel_of_steps(construction: &Construction, last: usize) -> Panel {
+    let kind = construction.steps.get(last).map_or(Drawing::Mechanism, |step| step.drawing);
+    let shown = construction.steps.iter().take(last + 1).filter(|step| step.drawing == kind);
+    let size = force_size(construction, kind);
+    let scale = match kind {
+        Drawing::Mechanism => ("m", "l"),
+        Drawing::Polygon => ("N", "F"),
+        Drawing::Lever => ("m/rad", "v"),
+    };
+    let steps: Vec<Vector> = shown.map(|step| step_vector(step, size)).collect();
+    vectors::panel(String::new(), &steps, scale, None)
+}
+
+fn step_vector(step: &Step, size: f64) -> Vector {
     let factor = if step.unit == "N" { size } else { 1.0 };
-    Arrow {
+    Vector {
         from: step.start,
         to: [0, 1].map(|axis| step.start[axis] + step.vector[axis] * factor),
         name: step.name.clone(),
-        role: match step.kind {
-            StepKind::Line | StepKind::Point => Role::Trace,
-            StepKind::Load | StepKind::Part => Role::Second,
-            _ => Role::First,
+        ink: match step.kind {
+            StepKind::Line | StepKind::Point => Ink::Trace,
+            StepKind::Load | StepKind::Part => Ink::Second,
+            _ => Ink::First,
         },
     }
 }

@@ -1,11 +1,9 @@
-//! Common parts of the panes of the forces: rows of tables, directions, charts of the chosen reaction.
+//! Common parts of the panes of the forces: rows of tables, directions, curves of the chosen reaction.
 
 use std::fmt::Write;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use assur_figure::Panel;
 
-use super::curves;
 use crate::screen::state::{Found, Scene, State};
 
 /// Columns of the table: where each ends.
@@ -34,18 +32,11 @@ fn direction(fx: f64, fy: f64) -> f64 {
     part(fy).atan2(part(fx)).to_degrees()
 }
 
-/// Charts of the chosen reaction, with the given series; for one that it does not have, the last one.
-pub(super) fn draw_curves(
-    state: &State,
-    scene: &Scene,
-    found: &Found,
-    area: Rect,
-    which: &[usize],
-    buffer: &mut Buffer,
-) {
-    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
+/// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.
+pub(super) fn curves(state: &State, scene: &Scene, found: &Found, which: &[usize]) -> Vec<Panel> {
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return Vec::new() };
     let mut wanted: Vec<usize> =
         which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
     wanted.dedup();
-    curves::draw_stack(state, scene, found, &wanted, area, buffer);
+    super::curves::stack(state, scene, found, &wanted)
 }

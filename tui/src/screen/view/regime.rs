@@ -1,11 +1,13 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
 use assur_analysis::results::{Dynamics, RegimePoint, RegimeReport};
+use assur_figure::{Axis, Panel};
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::Rect;
 
+use super::plots;
 use crate::number::digits;
-use crate::screen::draw::{Lines, put, put_lines};
+use crate::screen::draw::put_lines;
 use crate::screen::state::{Role, Scene, State, coordinate_unit};
 
 /// Points of a quantity over the cycle, the coordinate in the unit that is shown.
@@ -14,44 +16,30 @@ fn over(scene: &Scene, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64
     regime.course.iter().map(|row| [factor * row.coordinate, read(row)]).collect()
 }
 
-fn axis(state: &State, scene: &Scene) -> (String, f64) {
-    let (unit, factor) = coordinate_unit(&scene.linkage);
-    let at = factor * scene.linkage.mechanism.input.coordinate(state.position);
-    (format!("{}, {unit}", "coordinate"), at)
+/// The present coordinate in the unit that is shown.
+fn cursor(state: &State, scene: &Scene) -> Option<f64> {
+    Some(plots::coordinate(scene, state.position as f64))
 }
 
-/// Speed in the regime and in the first turn, above the moments.
-pub(crate) fn draw_course(
-    state: &State,
-    scene: &Scene,
-    regime: &RegimeReport,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let [above, below] = Layout::vertical([Constraint::Ratio(1, 2); 2]).areas(area);
-    draw_speed(state, scene, regime, above, buffer);
-    draw_moments(state, scene, regime, below, buffer);
-}
-
-fn draw_speed(state: &State, scene: &Scene, regime: &RegimeReport, area: Rect, buffer: &mut Buffer) {
-    let (axis, at) = axis(state, scene);
+/// Speed in the regime and in the first turn, then the moments.
+pub(super) fn course(state: &State, scene: &Scene, regime: &RegimeReport) -> Vec<Panel> {
     let mut lines = vec![("regime", over(scene, regime, |row| row.speed))];
     if regime.course.iter().any(|row| row.first_turn.is_some()) {
         lines.push(("first turn", over(scene, regime, |row| row.first_turn.unwrap_or(f64::NAN))));
     }
-    Lines { title: "input speed, rad/s", curves: lines, axis: &axis, cursor: Some(at) }
-        .draw(area, state.look, buffer);
+    let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), cursor(state, scene));
+    vec![speed, moments(state, scene, regime)]
+}
+
+/// The coordinate over the cycle of the regime.
+fn axis(scene: &Scene, regime: &RegimeReport) -> Axis {
+    let ends = over(scene, regime, |_| 0.0).into_iter().map(|at| at[0]);
+    let own = plots::coordinate_axis(scene);
+    Axis { kind: own.kind, ..Axis::around(own.label, ends, 0.0) }
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub(crate) fn draw_moments(
-    state: &State,
-    scene: &Scene,
-    regime: &RegimeReport,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let (axis, at) = axis(state, scene);
+pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Panel {
     // The resistance is shown against the motion, as its mean is.
     let sense = scene.linkage.mechanism.input.sign();
     let lines = vec![
@@ -59,20 +47,16 @@ pub(crate) fn draw_moments(
         ("resistance", over(scene, regime, |row| -sense * row.load)),
         ("mean", over(scene, regime, |_| regime.mean_resistance)),
     ];
-    Lines { title: "moments on the input, N m", curves: lines, axis: &axis, cursor: Some(at) }
-        .draw(area, state.look, buffer);
+    plots::curves("moments on the input, N m", lines, axis(scene, regime), cursor(state, scene))
 }
 
-/// The motor's characteristic, with its working section.
-pub(crate) fn draw_characteristic(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) {
-    let Some(work) = dynamics.motor.as_ref().map(|motor| &motor.work) else {
-        put(buffer, area, 1, 0, "this regime has no motor of a catalogue", state.look.theme.style(Role::Dim));
-        return;
-    };
+/// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
+pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
+    let work = &dynamics.motor.as_ref()?.work;
     let lines = vec![("whole", work.curve.clone()), ("working section", work.working_section.clone())];
+    let x = Axis::around("speed of the motor, rad/s", work.curve.iter().map(|at| at[0]), 0.0);
     let cursor = Some(0.5 * (work.speed[0] + work.speed[1]));
-    Lines { title: "motor characteristic, N m", curves: lines, axis: "speed of the motor, rad/s", cursor }
-        .draw(area, state.look, buffer);
+    Some(plots::curves("motor characteristic, N m", lines, x, cursor))
 }
 
 /// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.

@@ -1,11 +1,12 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
+use assur_figure::Figure;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::mechanism;
 use crate::number::{digits, plain};
-use crate::screen::draw::{cut, put, short, wrapped};
+use crate::screen::draw::{cut, paint, put, short, wrapped};
 use crate::screen::state::{Role, Scene, State};
 
 /// Indent of the text on a group, in columns.
@@ -45,8 +46,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
         put(buffer, wide, 1, short(row), text, style);
     }
-    let marked = structure.groups.get(state.chosen.group).map_or(&[][..], |group| &group.frame.links);
-    mechanism::picture(state, scene, state.position, drawing, marked, buffer);
+    paint(state, &figure(state, scene), drawing, buffer);
+}
+
+/// The mechanism with the chosen group marked.
+pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
+    let group = scene.linkage.structure.groups.get(state.chosen.group);
+    let marked = group.map_or(&[][..], |group| &group.frame.links);
+    mechanism::figure(state, scene, state.position, marked)
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is expanded.

@@ -1,17 +1,6 @@
 //! Tests of `series`.
 
-use crate::screen::state::{axis_range, extent, zeros};
-
-#[test]
-#[expect(clippy::float_cmp, reason = "bounds are taken as they are, or doubled")]
-fn an_axis_is_never_empty() {
-    assert_eq!(axis_range([-2.0, 3.0], 0.0), [-2.0, 3.0]);
-    assert_eq!(axis_range([0.1, 0.1], 0.0), [0.0, 0.2]);
-    assert_eq!(axis_range([-4.0, -4.0], 0.0), [-8.0, 0.0]);
-    assert_eq!(axis_range([0.0, 0.0], 0.0), [-1.0, 1.0]);
-    assert_eq!(axis_range([-1e-17, 2e-17], 1e-15), [-1.0, 1.0]);
-    assert_eq!(axis_range([-1e-17, 2e-17], 0.0), [-1e-17, 2e-17]);
-}
+use crate::screen::state::zeros;
 
 #[test]
 fn zeros_of_a_sine() {
@@ -29,10 +18,4 @@ fn a_zero_that_is_met_counts_once() {
     assert!(zeros(&[0.0, 0.0], true).is_empty());
     assert!(zeros(&[1.0, f64::NAN, -1.0], false).is_empty());
     assert!(zeros(&[], true).is_empty());
-}
-
-#[test]
-fn the_extent_ignores_what_is_no_number() {
-    assert_eq!(extent(&[f64::NAN, 2.0, -1.0]), Some([-1.0, 2.0]));
-    assert_eq!(extent(&[f64::NAN]), None);
 }

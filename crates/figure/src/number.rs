@@ -4,12 +4,12 @@
 mod tests;
 
 /// A number with six significant digits.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     digits(value, 6)
 }
 
 /// A number with so many significant digits; very large and very small ones with an exponent.
-pub(crate) fn digits(value: f64, significant: usize) -> String {
+pub fn digits(value: f64, significant: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -29,7 +29,7 @@ pub(crate) fn digits(value: f64, significant: usize) -> String {
 }
 
 /// A number without trailing zeros: for axes and scales.
-pub(crate) fn plain(value: f64) -> String {
+pub fn plain(value: f64) -> String {
     let text = digits(value, 4);
     match text.split_once('e') {
         None if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),

@@ -1,28 +1,26 @@
 //! A grid of dots that is converted to characters: Braille, half blocks, or ASCII strokes.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
-
-use crate::screen::state::Marker;
-
-/// The style of a stroke.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Stroke {
-    /// A line.
-    Solid,
-    /// One dot out of this many.
-    Dotted(usize),
-}
+use super::{Marker, Spot};
+use crate::model::{Ink, Stroke};
 
 /// A piece of a chain longer than this many dots is beyond any screen.
 const MOST_DOTS: f64 = 1e5;
 
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Cell {
     bits: u8,
     letter: char,
-    style: Style,
+    ink: Ink,
+}
+
+/// The distance of the dots of a stroke; 1 for a line.
+fn spacing(stroke: Stroke) -> usize {
+    match stroke {
+        Stroke::Solid | Stroke::Thick => 1,
+        Stroke::Dashed => 2,
+        Stroke::Dotted | Stroke::Stars => 3,
+        Stroke::Chain => 6,
+    }
 }
 
 /// The dots of one area. Coordinates are cells from the area's upper left corner, as real numbers.
@@ -35,13 +33,14 @@ pub(crate) struct Raster {
 }
 
 impl Raster {
-    pub(crate) fn new(area: Rect, marker: Marker) -> Self {
-        let (columns, rows) = (usize::from(area.width), usize::from(area.height));
-        Self { marker, columns, rows, cells: vec![Cell::default(); columns * rows] }
+    pub(crate) fn new([columns, rows]: [u16; 2], marker: Marker) -> Self {
+        let (columns, rows) = (usize::from(columns), usize::from(rows));
+        let blank = Cell { bits: 0, letter: ' ', ink: Ink::Text };
+        Self { marker, columns, rows, cells: vec![blank; columns * rows] }
     }
 
     /// Sets the dot at a place; outside is ignored.
-    pub(crate) fn dot(&mut self, at: [f64; 2], letter: char, style: Style) {
+    fn dot(&mut self, at: [f64; 2], letter: char, ink: Ink) {
         let (across, down) = dots(self.marker);
         let (x, y) = ((at[0] * across as f64).floor(), (at[1] * down as f64).floor());
         if !(x >= 0.0 && y >= 0.0 && x < (self.columns * across) as f64 && y < (self.rows * down) as f64) {
@@ -51,35 +50,33 @@ impl Raster {
         let cell = &mut self.cells[(y / down) * self.columns + x / across];
         cell.bits |= bit(self.marker, x % across, y % down);
         cell.letter = letter;
-        cell.style = style;
+        cell.ink = ink;
     }
 
     /// Draws a straight line.
-    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], stroke: Stroke, style: Style) {
+    fn line(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
         let Some([from, to]) = self.clipped(from, to) else { return };
         let (across, down) = dots(self.marker);
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let steps = (dx.abs() * across as f64).max(dy.abs() * down as f64).ceil().max(1.0);
-        let letter = match stroke {
-            Stroke::Solid => slope(dx, dy),
-            Stroke::Dotted(_) => '.',
-        };
-        let every = if let Stroke::Dotted(every) = stroke { every.max(1) } else { 1 };
-        for step in (0..=whole(steps)).step_by(every) {
+        let letter = slope(dx, dy);
+        for step in 0..=whole(steps) {
             let part = step as f64 / steps;
-            self.dot([from[0] + part * dx, from[1] + part * dy], letter, style);
+            self.dot([from[0] + part * dx, from[1] + part * dy], letter, ink);
         }
     }
 
-    /// Draws a chain of lines.
-    pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke, style: Style) {
-        let Stroke::Dotted(every) = stroke else {
-            points.windows(2).for_each(|two| self.line(two[0], two[1], stroke, style));
+    /// Draws straight pieces from point to point.
+    pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke, ink: Ink) {
+        let every = spacing(stroke);
+        if every == 1 {
+            points.windows(2).for_each(|two| self.line(two[0], two[1], ink));
             return;
-        };
+        }
         // Dots at equal distances along the whole chain, whatever the length of its pieces.
         let (across, down) = dots(self.marker);
         let gap = if self.marker == Marker::Braille { every as f64 } else { 1.0 };
+        let letter = if stroke == Stroke::Stars { '*' } else { '.' };
         let mut travelled = gap;
         for two in points.windows(2) {
             let [dx, dy] = [two[1][0] - two[0][0], two[1][1] - two[0][1]];
@@ -90,7 +87,7 @@ impl Raster {
             let mut part = gap - travelled;
             while part < length {
                 let t = part / length;
-                self.dot([two[0][0] + t * dx, two[0][1] + t * dy], '.', style);
+                self.dot([two[0][0] + t * dx, two[0][1] + t * dy], letter, ink);
                 part += gap;
             }
             travelled = gap - (part - length);
@@ -102,20 +99,20 @@ impl Raster {
         column < self.columns && row < self.rows && self.cells[row * self.columns + column].bits == 0
     }
 
-    /// Writes the dots into a buffer; cells without dots are unchanged.
-    pub(crate) fn paint(&self, area: Rect, buffer: &mut Buffer) {
-        for row in 0..self.rows {
-            for column in 0..self.columns {
-                let cell = &self.cells[row * self.columns + column];
-                if cell.bits == 0 {
-                    continue;
-                }
-                let (x, y) = (area.x.saturating_add(short(column)), area.y.saturating_add(short(row)));
-                if let Some(target) = buffer.cell_mut((x, y)) {
-                    target.set_char(symbol(self.marker, cell)).set_style(cell.style);
-                }
-            }
-        }
+    /// The character of a cell; `None` where nothing is drawn.
+    pub(crate) fn symbol(&self, column: usize, row: usize) -> Option<(char, Ink)> {
+        let cell = self.cells.get(row * self.columns + column).filter(|cell| cell.bits != 0)?;
+        Some((symbol(self.marker, cell), cell.ink))
+    }
+
+    /// All characters, a span for each cell in which something is drawn.
+    pub(crate) fn spots(&self) -> impl Iterator<Item = Spot> {
+        (0..self.rows).flat_map(move |row| (0..self.columns).map(move |column| (column, row))).filter_map(
+            |(column, row)| {
+                let (symbol, ink) = self.symbol(column, row)?;
+                Some(Spot { column: short(column), row: short(row), text: symbol.to_string(), ink })
+            },
+        )
     }
 
     /// The part of a line near the area: a line to a far end would take too long.

@@ -1,0 +1,113 @@
+//! The axis of a plot: its range, its scale and its ticks.
+
+#[cfg(test)]
+mod tests;
+
+use crate::number::plain;
+
+/// What is told apart on an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Equal steps, ticks at round numbers.
+    Linear,
+    /// Equal steps, ticks at parts of a turn (0, 90, 180, 270, 360).
+    Degrees,
+    /// Equal ratios, ticks at powers of ten.
+    Logarithmic,
+}
+
+/// An axis of a plot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What is drawn along it, with its unit; may be empty.
+    pub label: String,
+    /// Its ends, the lower one first.
+    pub range: [f64; 2],
+    /// How its numbers are spread.
+    pub kind: Kind,
+}
+
+/// A range this small compared with its ends is one value.
+const SAME: f64 = 1e-9;
+/// Steps of round numbers, as parts of a power of ten.
+const ROUND: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
+/// Steps of angles, degrees.
+const ANGLES: [f64; 8] = [1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
+
+/// Least and greatest finite value.
+pub fn extent(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    values.into_iter().filter(|v| v.is_finite()).fold(None, |found, v| match found {
+        None => Some([v, v]),
+        Some([low, high]) => Some([f64::min(low, v), f64::max(high, v)]),
+    })
+}
+
+impl Axis {
+    /// An axis of equal steps around values, never empty; values up to `floor` count as zero. A constant is drawn in the
+    /// middle between zero and twice its value, to be recognizable as a constant.
+    pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>, floor: f64) -> Self {
+        let [low, high] = extent(values).unwrap_or_default();
+        let most = low.abs().max(high.abs());
+        let range = if most <= floor || most == 0.0 {
+            [-1.0, 1.0]
+        } else if high - low > SAME * most {
+            [low, high]
+        } else {
+            [(low + high).min(0.0), (low + high).max(0.0)]
+        };
+        Self { label: label.into(), range, kind: Kind::Linear }
+    }
+
+    /// Place of a value on the axis: 0 at its lower end, 1 at its upper end.
+    pub fn part(&self, value: f64) -> f64 {
+        let at = |x: f64| if self.kind == Kind::Logarithmic { x.log10() } else { x };
+        let [low, high] = self.range.map(at);
+        (at(value) - low) / (high - low)
+    }
+
+    /// The value at a place of the axis.
+    pub fn value(&self, part: f64) -> f64 {
+        let between = |[low, high]: [f64; 2]| low + part * (high - low);
+        if self.kind == Kind::Logarithmic {
+            10.0_f64.powf(between(self.range.map(f64::log10)))
+        } else {
+            between(self.range)
+        }
+    }
+
+    /// At most this many round values within the range, with their texts.
+    pub fn ticks(&self, most: usize) -> Vec<(f64, String)> {
+        let [low, high] = if self.kind == Kind::Logarithmic { self.range.map(f64::log10) } else { self.range };
+        let span = high - low;
+        if !(span.is_finite() && span > 0.0) {
+            return Vec::new();
+        }
+        let step = self.step(span / most.max(1) as f64);
+        let (first, last) = ((low / step - SAME).ceil(), (high / step + SAME).floor());
+        let mut ticks = Vec::new();
+        let mut number = first;
+        while number <= last {
+            let at = number * step;
+            ticks.push(match self.kind {
+                Kind::Logarithmic => (10.0_f64.powf(at), format!("1e{at}")),
+                _ => (at, plain(if at.abs() < SAME * step { 0.0 } else { at })),
+            });
+            number += 1.0;
+        }
+        ticks
+    }
+
+    /// The least round step that is not below another one.
+    fn step(&self, least: f64) -> f64 {
+        let power = 10.0_f64.powf(least.log10().floor());
+        let round = || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
+        match self.kind {
+            Kind::Logarithmic => least.ceil().max(1.0),
+            Kind::Degrees if least <= 180.0 && least >= 1.0 => {
+                ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)
+            }
+            Kind::Degrees if least > 180.0 => 360.0 * (least / 360.0).ceil(),
+            _ => round().unwrap_or(10.0 * power),
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Tests of `axis`.
+
+use super::{Axis, Kind, extent};
+
+#[test]
+#[expect(clippy::float_cmp, reason = "bounds are taken as they are, or doubled")]
+fn an_axis_is_never_empty() {
+    let range = |values: [f64; 2], floor| Axis::around("", values, floor).range;
+    assert_eq!(range([-2.0, 3.0], 0.0), [-2.0, 3.0]);
+    assert_eq!(range([0.1, 0.1], 0.0), [0.0, 0.2]);
+    assert_eq!(range([-4.0, -4.0], 0.0), [-8.0, 0.0]);
+    assert_eq!(range([0.0, 0.0], 0.0), [-1.0, 1.0]);
+    assert_eq!(range([-1e-17, 2e-17], 1e-15), [-1.0, 1.0]);
+    assert_eq!(range([-1e-17, 2e-17], 0.0), [-1e-17, 2e-17]);
+}
+
+#[test]
+fn the_extent_ignores_what_is_no_number() {
+    assert_eq!(extent([f64::NAN, 2.0, -1.0]), Some([-1.0, 2.0]));
+    assert_eq!(extent([f64::NAN]), None);
+}
+
+fn texts(kind: Kind, range: [f64; 2], most: usize) -> Vec<String> {
+    Axis { label: String::new(), range, kind }.ticks(most).into_iter().map(|(_, text)| text).collect()
+}
+
+#[test]
+fn a_turn_has_its_quarters() {
+    assert_eq!(texts(Kind::Degrees, [0.0, 360.0], 5), ["0", "90", "180", "270", "360"]);
+    assert_eq!(texts(Kind::Degrees, [-90.0, 90.0], 2), ["-90", "0", "90"]);
+    assert_eq!(texts(Kind::Degrees, [0.0, 720.0], 4), ["0", "180", "360", "540", "720"]);
+    assert_eq!(texts(Kind::Degrees, [0.0, 0.4], 4), ["0", "0.1", "0.2", "0.3", "0.4"]);
+}
+
+#[test]
+fn other_ticks_are_round() {
+    assert_eq!(texts(Kind::Linear, [-0.13, 0.12], 5), ["-0.1", "-0.05", "0", "0.05", "0.1"]);
+    assert_eq!(texts(Kind::Linear, [3.0, 3.0], 5), Vec::<String>::new());
+    assert_eq!(texts(Kind::Logarithmic, [1e-9, 1e-3], 3), ["1e-8", "1e-6", "1e-4"]);
+}
+
+#[test]
+fn a_place_on_an_axis_leads_back_to_its_value() {
+    for kind in [Kind::Linear, Kind::Degrees, Kind::Logarithmic] {
+        let axis = Axis { label: String::new(), range: [0.5, 300.0], kind };
+        for value in [0.5, 2.0, 77.0, 300.0] {
+            assert!((axis.value(axis.part(value)) - value).abs() < 1e-12 * value, "{kind:?} {value}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! A plot in cells, with its axes.
+
+use super::raster::{short, whole};
+use super::{Look, Spot, draw_marks, heading};
+use crate::axis::{Axis, Kind};
+use crate::model::{Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use crate::number::plain;
+use crate::trace::Paper;
+
+/// Columns of the vertical axis with its labels.
+const LABELS: u16 = 11;
+/// Rows of the horizontal axis: numbers, and the name.
+pub(super) const BELOW: u16 = 2;
+/// Columns for each number of the horizontal axis.
+const TICK: u16 = 9;
+/// Most stars on a curve.
+const MOST_STARS: usize = 24;
+/// An end of the axis that is this small compared with the other is shown as zero.
+const ROUNDING: f64 = 1e-12;
+
+/// Panel to cells of its plot.
+struct Map<'a> {
+    x: &'a Axis,
+    y: &'a Axis,
+    size: [u16; 2],
+}
+
+impl Map<'_> {
+    fn column(&self, x: f64) -> f64 {
+        self.x.part(x) * f64::from(self.size[0].saturating_sub(1)) + 0.5
+    }
+
+    /// The row of a value; the ends stay a little inside.
+    fn row(&self, y: f64) -> f64 {
+        (1.0 - self.y.part(y)) * (f64::from(self.size[1]) - 0.25) + 0.1
+    }
+}
+
+/// Columns of the plot of a panel: one stays free at its right.
+fn columns(width: u16) -> u16 {
+    width.saturating_sub(LABELS + 1)
+}
+
+pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], look: Look) -> Vec<Spot> {
+    let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
+    let below = if shows_axis { BELOW } else { 0 };
+    if width <= LABELS + 2 || height < below + 2 {
+        return Vec::new();
+    }
+    let size = [columns(width), height - 1 - below];
+    let map = Map { x, y, size };
+    // Widths of a cell, as the marks want it.
+    let place = |at: Point| [map.column(at[0]), map.row(at[1]) * look.ratio];
+    let paper = Paper { place, em: look.ratio, gap: 0.4 };
+    let zero = (y.range[0] < 0.0 && y.range[1] > 0.0)
+        .then(|| Item::line(x.range.map(|at| [at, 0.0]), Stroke::Chain, Ink::Dim));
+    let stars = panel.items.iter().flat_map(stars);
+    let marks: Vec<_> = zero.iter().chain(&panel.items).flat_map(|item| paper.marks(item)).collect();
+    let stars: Vec<_> = stars.flat_map(|item| paper.marks(&item)).collect();
+    let (raster, labels) = draw_marks(&[marks, stars].concat(), size, look);
+    let mut spots: Vec<Spot> = raster.spots().collect();
+    if let Some(at) = cursor {
+        // A line where nothing else is drawn, so that it is seen without color.
+        let column = map.column(*at);
+        for row in (0..size[1]).filter(|_| column >= 0.0 && column < f64::from(size[0])) {
+            let symbol = raster.symbol(whole(column), usize::from(row)).map_or('│', |(symbol, _)| symbol);
+            let text = symbol.to_string();
+            spots.push(Spot { column: short(whole(column)), row, text, ink: Ink::Cursor });
+        }
+    }
+    spots.extend(labels.into_spots());
+    let plot = spots.into_iter().map(|spot| Spot { column: spot.column + LABELS, row: spot.row + 1, ..spot });
+    let mut spots: Vec<Spot> = plot.collect();
+    // A long title begins above the labels of the axis.
+    let title = short(panel.title.chars().count());
+    spots.push(heading(panel, LABELS.min((width - 1).saturating_sub(title)), width - 1));
+    spots.extend(vertical(&map));
+    if shows_axis {
+        spots.extend(horizontal(&map, width, height));
+    }
+    spots
+}
+
+/// Stars on a curve that is drawn in stars: dots alone are hard to distinguish from a nearby line.
+fn stars(item: &Item) -> Vec<Item> {
+    let Item::Line { points, stroke: Stroke::Stars, ink } = item else { return Vec::new() };
+    let step = points.len().div_ceil(MOST_STARS).max(1);
+    let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
+    finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
+}
+
+/// The greatest value in the first row of the plot, the least in the last one, zero between them.
+fn vertical(map: &Map<'_>) -> Vec<Spot> {
+    let rows = map.size[1];
+    let [low, high] = map.y.range;
+    let mut labels = vec![(0, high), (rows.saturating_sub(1), low)];
+    let zero = short(whole(map.row(0.0).max(0.0)));
+    if low < 0.0 && high > 0.0 && zero > 0 && zero + 1 < rows {
+        labels.push((zero, 0.0));
+    }
+    let least = ROUNDING * low.abs().max(high.abs());
+    let line = (0..rows).map(|row| Spot {
+        column: LABELS - 1,
+        row: row + 1,
+        text: "│".to_owned(),
+        ink: Ink::Text,
+    });
+    let numbers = labels.into_iter().map(|(row, value)| {
+        let text = plain(if value.abs() <= least { 0.0 } else { value });
+        let column = LABELS.saturating_sub(short(text.len()) + 1);
+        Spot { column, row: row + 1, text, ink: Ink::Text }
+    });
+    line.chain(numbers).collect()
+}
+
+/// Round values under their columns, the ends where there is no round one, and the name of the axis.
+fn horizontal(map: &Map<'_>, width: u16, height: u16) -> Vec<Spot> {
+    let mut ticks = map.x.ticks(usize::from(map.size[0] / TICK).max(1));
+    if map.x.kind == Kind::Linear && ticks.len() < 2 {
+        ticks = map.x.range.map(|at| (at, plain(at))).to_vec();
+    }
+    let mut spots = Vec::new();
+    let mut end = 0;
+    for (at, text) in ticks {
+        let column = LABELS + short(whole(map.column(at)));
+        let column = column.min(width.saturating_sub(short(text.len())));
+        if column >= end {
+            end = column + short(text.len()) + 1;
+            spots.push(Spot { column, row: height - 2, text, ink: Ink::Text });
+        }
+    }
+    spots.push(Spot { column: LABELS, row: height - 1, text: map.x.label.clone(), ink: Ink::Dim });
+    spots
+}
+
+/// The value of the horizontal axis under a column of a panel.
+pub(super) fn value_at(panel: &Panel, width: u16, column: u16) -> Option<f64> {
+    let Frame::Axes { x, .. } = &panel.frame else { return None };
+    let columns = columns(width);
+    let inside = column.checked_sub(LABELS).filter(|column| *column < columns)?;
+    Some(x.value(f64::from(inside) / f64::from(columns.saturating_sub(1).max(1))))
+}

@@ -1,0 +1,205 @@
+//! Figures in character cells: Braille dots, half blocks, or ASCII strokes.
+
+mod axes;
+mod labels;
+mod plane;
+mod raster;
+
+use unicode_width::UnicodeWidthStr;
+
+use crate::bounds::Zoom;
+use crate::model::{Figure, Frame, Ink, Panel, Sign, Stroke};
+use crate::trace::{Mark, block};
+use labels::{Labels, head};
+use raster::{Raster, short};
+
+pub use plane::cell_width;
+
+/// The characters for the dots of a drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// 2 x 4 dots per cell.
+    Braille,
+    /// 1 x 2 dots per cell.
+    HalfBlock,
+    /// One character per cell, chosen by the direction of the stroke.
+    Ascii,
+}
+
+impl Marker {
+    /// All kinds, the finest first.
+    pub const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
+
+    /// Its name in commands and in the configuration.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Braille => "braille",
+            Self::HalfBlock => "half-block",
+            Self::Ascii => "ascii",
+        }
+    }
+}
+
+/// How a figure is drawn in cells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// The characters for dots.
+    pub marker: Marker,
+    /// Ratio of a cell's height to its width.
+    pub ratio: f64,
+    /// Zoom and pan of planes.
+    pub zoom: Zoom,
+}
+
+/// A text at a cell; columns and rows are counted from the upper left corner.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Spot {
+    /// Column of its first character.
+    pub column: u16,
+    /// Its row.
+    pub row: u16,
+    /// What is written.
+    pub text: String,
+    /// What it stands for.
+    pub ink: Ink,
+}
+
+/// A figure in so many columns and rows: texts to be written in this order. Its title and its legend are left to whoever
+/// has room for them.
+pub fn draw(figure: &Figure, size: [u16; 2], look: Look) -> Vec<Spot> {
+    let mut spots = Vec::new();
+    for (index, panel) in figure.panels.iter().enumerate() {
+        let [left, top, width, height] = area(figure, index, size);
+        let drawn = match &panel.frame {
+            Frame::Plane { .. } => plane::draw(panel, [width, height], look),
+            Frame::Axes { .. } => axes::draw(panel, figure.shows_axis(index), [width, height], look),
+        };
+        spots.extend(
+            drawn.into_iter().map(|spot| Spot { column: spot.column + left, row: spot.row + top, ..spot }),
+        );
+    }
+    spots
+}
+
+/// The value of the horizontal axis under a cell of a figure; `None` where there is no plot.
+pub fn value_at(figure: &Figure, size: [u16; 2], [column, row]: [u16; 2]) -> Option<f64> {
+    figure.panels.iter().enumerate().find_map(|(index, panel)| {
+        let [left, top, width, height] = area(figure, index, size);
+        let inside = (top..top + height).contains(&row) && column >= left;
+        axes::value_at(panel, width, column.checked_sub(left)?).filter(|_| inside)
+    })
+}
+
+/// Left, top, width and height of a panel. The rows of panels are equally high apart from the rows of their axes.
+fn area(figure: &Figure, index: usize, [width, height]: [u16; 2]) -> [u16; 4] {
+    let columns = short(figure.columns.max(1));
+    let rows = short(figure.rows().max(1));
+    let (row, column) = (short(index) / columns, short(index) % columns);
+    let left = |column: u16| width / columns * column + (width % columns).min(column);
+    let below = |row: u16| {
+        let at = usize::from(row) * figure.columns.max(1);
+        let shown = figure.panels.get(at).is_some_and(|panel| matches!(panel.frame, Frame::Axes { .. }));
+        if shown && figure.shows_axis(at) { axes::BELOW } else { 0 }
+    };
+    let room = height.saturating_sub((0..rows).map(below).sum());
+    let top = |row: u16| room / rows * row + (room % rows).min(row) + (0..row).map(below).sum::<u16>();
+    [left(column), top(row), left(column + 1) - left(column), top(row + 1).min(height) - top(row).min(height)]
+}
+
+/// Draws marks, whose coordinates are widths of a cell; names and signs that may be left out come last.
+fn draw_marks(marks: &[Mark], size: [u16; 2], look: Look) -> (Raster, Labels) {
+    let (mut raster, mut labels) = (Raster::new(size, look.marker), Labels::new(size));
+    let cell = |at: [f64; 2]| [at[0], at[1] / look.ratio];
+    for mark in marks {
+        match mark {
+            Mark::Line { points, stroke, ink, closed } => {
+                let first = points.first().filter(|_| *closed);
+                let points: Vec<_> = points.iter().chain(first).map(|at| cell(*at)).collect();
+                raster.polyline(&points, *stroke, *ink);
+            }
+            Mark::Sign { at, along, sign: Sign::Block, ink } if look.marker != Marker::Ascii => {
+                let corners = block(*at, *along, look.ratio);
+                let corners: Vec<_> = corners.iter().chain(corners.first()).map(|at| cell(*at)).collect();
+                raster.polyline(&corners, Stroke::Solid, *ink);
+            }
+            Mark::Sign { at, sign: Sign::Bearing, ink, .. } => bearing(&mut raster, cell(*at), look, *ink),
+            _ => {}
+        }
+    }
+    for mark in marks {
+        if let Mark::Sign { at, along, sign, ink } = mark {
+            put_sign(&mut labels, cell(*at), *along, *sign, *ink);
+        }
+    }
+    for mark in marks {
+        if let Mark::Name { at, text, ink, needed } = mark {
+            labels.beside(&raster, cell(*at), text, *ink, *needed);
+        }
+    }
+    for mark in marks {
+        match mark {
+            Mark::Sign { at, along, sign: Sign::Hatch, ink } => {
+                let away = 0.75 * look.ratio;
+                let at = cell([at[0] + away * along[0], at[1] + away * along[1]]);
+                labels.faint(&raster, at, HATCH, *ink);
+            }
+            Mark::Sign { at, sign: Sign::Bearing, ink, .. } => {
+                let [x, y] = cell(*at);
+                for column in -2..=2 {
+                    labels.faint(&raster, [x + f64::from(column), y.floor() + 1.5], HATCH, *ink);
+                }
+            }
+            _ => {}
+        }
+    }
+    (raster, labels)
+}
+
+/// Character of hatching.
+const HATCH: &str = "╱";
+
+/// The struts below a pin on the ground.
+fn bearing(raster: &mut Raster, [x, y]: [f64; 2], look: Look, ink: Ink) {
+    if look.marker != Marker::Ascii {
+        for side in [-1.5, 1.5] {
+            raster.polyline(&[[x, y], [x + side, y.floor() + 1.0]], Stroke::Solid, ink);
+        }
+    }
+}
+
+fn put_sign(labels: &mut Labels, at: [f64; 2], along: [f64; 2], sign: Sign, ink: Ink) {
+    let text = match sign {
+        Sign::Pin | Sign::Bearing | Sign::Ring => "o",
+        Sign::Head if along != [0.0; 2] => head(along),
+        Sign::Dot | Sign::Head => return labels.fill(at, "o", ink),
+        Sign::Cross => "x",
+        Sign::Plus => "+",
+        Sign::Star => "*",
+        Sign::Block | Sign::Hatch => return,
+    };
+    labels.put(at, text, ink);
+}
+
+/// The beginning of a text; an ellipsis shows that the rest is missing.
+pub fn cut(text: &str, width: usize) -> String {
+    if text.width() <= width {
+        return text.to_owned();
+    }
+    let mut kept = String::new();
+    for letter in text.chars() {
+        if kept.width() + letter.to_string().width() + 1 > width {
+            break;
+        }
+        kept.push(letter);
+    }
+    if width > 0 {
+        kept.push('…');
+    }
+    kept
+}
+
+/// The heading of a panel in its first row.
+fn heading(panel: &Panel, column: u16, width: u16) -> Spot {
+    let text = cut(&panel.title, usize::from(width.saturating_sub(column)));
+    Spot { column, row: 0, text, ink: Ink::Title }
+}

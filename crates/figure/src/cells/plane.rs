@@ -1,0 +1,82 @@
+//! A plane in cells, with one scale for both directions.
+
+use super::raster::{short, whole};
+use super::{Look, Spot, draw_marks, heading};
+use crate::bounds::Bounds;
+use crate::model::{Frame, Ink, Panel, Point};
+use crate::number::plain;
+use crate::trace::{Paper, round_length};
+
+/// Columns left free at each side for names, and rows for hatching.
+///
+/// The eighth keeps a line on the edge from taking another cell.
+const MARGIN: [f64; 2] = [4.125, 1.125];
+/// Greatest length of the scale bar, in cell widths.
+const BAR: f64 = 12.0;
+/// Least size of a plane that is drawn.
+const LEAST: [u16; 2] = [12, 4];
+
+/// Panel to widths of a cell.
+struct Map {
+    center: Point,
+    middle: Point,
+    /// Width of a cell in the units of the plane.
+    unit: f64,
+}
+
+impl Map {
+    fn fit(bounds: &Bounds, [columns, rows]: [u16; 2], look: Look) -> Self {
+        let room = |cells: u16, margin: f64| (f64::from(cells) - 2.0 * margin).max(1.0);
+        let [width, height] = bounds.size();
+        let unit = (width / room(columns, MARGIN[0])).max(height / (room(rows, MARGIN[1]) * look.ratio));
+        let unit = if unit.is_finite() && unit > 0.0 { unit } else { 1.0 };
+        let center = bounds.center();
+        let center = [0, 1].map(|axis| center[axis] + look.zoom.shift[axis] * width.max(height));
+        let center = center.map(|x| if x.is_finite() { x } else { 0.0 });
+        let middle = [f64::from(columns) / 2.0, f64::from(rows) * look.ratio / 2.0];
+        Self { center, middle, unit: unit / look.zoom.factor }
+    }
+
+    fn place(&self, at: Point) -> Point {
+        let [x, y] = [0, 1].map(|axis| (at[axis] - self.center[axis]) / self.unit);
+        [self.middle[0] + x, self.middle[1] - y]
+    }
+}
+
+/// Rows of a panel above and below its drawing: the heading, the scale.
+fn around(panel: &Panel) -> [u16; 2] {
+    [u16::from(!panel.title.is_empty()), 1]
+}
+
+/// Width of a cell in the units of the plane, for a panel of so many columns and rows.
+pub fn cell_width(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Option<f64> {
+    let Frame::Plane { bounds, .. } = &panel.frame else { return None };
+    let rows = height.saturating_sub(around(panel).iter().sum());
+    Some(Map::fit(bounds, [width, rows], look).unit)
+}
+
+pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<Spot> {
+    let Frame::Plane { bounds, unit, factor, .. } = &panel.frame else { return Vec::new() };
+    if width < LEAST[0] || height < LEAST[1] {
+        return Vec::new();
+    }
+    let [above, below] = around(panel);
+    let size = [width, height - above - below];
+    let map = Map::fit(bounds, size, look);
+    let paper = Paper { place: |at| map.place(at), em: look.ratio, gap: 0.4 };
+    let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
+    let (raster, labels) = draw_marks(&marks, size, look);
+    let spots = raster.spots().chain(labels.into_spots());
+    let mut spots: Vec<_> = spots.map(|spot| Spot { row: spot.row + above, ..spot }).collect();
+    spots.push(heading(panel, 0, width));
+    let text = bar(map.unit, *factor, unit);
+    spots.push(Spot { column: 0, row: height - below, text, ink: Ink::Dim });
+    spots
+}
+
+/// A bar of a round length: `|----| 100 mm`.
+fn bar(width: f64, factor: f64, unit: &str) -> String {
+    let length = round_length(BAR * width);
+    let dashes = "-".repeat(usize::from(short(whole((length / width).round().clamp(2.0, 40.0)))) - 1);
+    format!("|{dashes}| {} {unit}", plain(factor * length))
+}

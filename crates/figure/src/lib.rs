@@ -1,0 +1,25 @@
+//! Figures: what is drawn, and the renderers that draw it.
+//!
+//! A [`Figure`] holds panels, a panel holds items (lines, arrows, pins, springs, names) in real units. It is drawn as
+//! character cells ([`cells`]), as SVG ([`svg`]) and as PNG ([`png`](mod@png)); all three show the same items. [`mechanism`] makes
+//! the items of a linkage in one position.
+//!
+//! A plane (a mechanism, a plan, a hodograph) has one scale for both axes; on paper it is a round one, so that a length
+//! on paper times the scale is the true length. Sizes of signs (pins, arrowheads, hatching) are parts of the text size,
+//! whatever the scale.
+
+mod axis;
+mod bounds;
+pub mod cells;
+pub mod mechanism;
+mod model;
+pub mod number;
+mod page;
+pub mod png;
+pub mod svg;
+mod trace;
+
+pub use axis::{Axis, Kind, extent};
+pub use bounds::{Bounds, Zoom};
+pub use trace::round_length;
+pub use model::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};

@@ -1,0 +1,185 @@
+//! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs.
+
+#[cfg(test)]
+mod tests;
+
+use assur_group::Body;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{GROUND, LinkId, Slide};
+
+use crate::model::{Ink, Item, Point, Sign, Stroke};
+
+/// A guide is longer than the stroke of its slider by this part, at each end.
+const BEYOND: f64 = 0.08;
+/// Least excess of a guide, as part of the size of the mechanism.
+const LEAST_BEYOND: f64 = 0.02;
+
+/// What is drawn of a linkage, apart from its position.
+#[derive(Debug, Clone, Copy)]
+pub struct Drawing<'a> {
+    /// The linkage.
+    pub linkage: &'a Linkage,
+    /// Least and greatest displacement of each slide over all positions, m.
+    pub strokes: &'a [[f64; 2]],
+    /// Links that are drawn as chosen.
+    pub marked: &'a [LinkId],
+}
+
+impl Drawing<'_> {
+    /// The mechanism in one position, with the names of its points and the numbers of its links.
+    pub fn items(&self, pose: &Position) -> Vec<Item> {
+        let bodies = &pose.bodies;
+        let mut links: Vec<LinkId> = (1..bodies.len()).collect();
+        // Chosen links lie over the others.
+        links.sort_by_key(|link| self.marked.contains(link));
+        let mut items = self.guides(bodies);
+        let mut numbers = Vec::new();
+        for link in links {
+            let outline: Vec<Point> =
+                hull(&self.features(link)).into_iter().map(|at| bodies[link].point(at)).collect();
+            numbers.extend(middle(&outline).map(|at| (at, link)));
+            items.extend(self.body(outline, link));
+        }
+        items.extend(self.springs(bodies));
+        items.extend(self.blocks(bodies));
+        items.extend(self.pins(bodies));
+        for (id, point) in self.linkage.mechanism.points.iter().enumerate() {
+            let at = self.linkage.point_motion(id, pose).pf0;
+            items.push(Item::name(at, &point.name, Ink::Title));
+        }
+        items.extend(numbers.into_iter().map(|(at, link)| Item::Name {
+            at,
+            text: link.to_string(),
+            ink: self.ink(link),
+            needed: false,
+        }));
+        items
+    }
+
+    /// The ground alone, for a position that does not exist.
+    pub fn ground(&self) -> Vec<Item> {
+        let nowhere = self.linkage.position();
+        let bearings = self.pins(&nowhere.bodies).filter(|item| {
+            matches!(item, Item::Sign { sign: Sign::Bearing, .. })
+        });
+        self.guides(&nowhere.bodies).into_iter().chain(bearings).collect()
+    }
+
+    fn ink(&self, link: LinkId) -> Ink {
+        match link {
+            GROUND => Ink::Ground,
+            _ if self.marked.contains(&link) => Ink::Marked,
+            _ => Ink::Link(link),
+        }
+    }
+
+    /// Three corners and more form a closed outline, two a bar.
+    fn body(&self, outline: Vec<Point>, link: LinkId) -> Option<Item> {
+        let ink = self.ink(link);
+        match outline.len() {
+            0 | 1 => None,
+            2 => Some(Item::line(outline, Stroke::Thick, ink)),
+            _ => Some(Item::Area { outline, ink }),
+        }
+    }
+
+    /// The ends of the guide of a slide in the frame of the link that carries it; `None` if it has no stroke.
+    fn guide(&self, slide: &Slide, [low, high]: [f64; 2]) -> Option<[Point; 2]> {
+        let beyond = (BEYOND * (high - low)).max(LEAST_BEYOND * self.linkage.structure.scale);
+        let (s, c) = slide.angle.sin_cos();
+        let at = |d: f64| [slide.through[0] + d * c, slide.through[1] + d * s];
+        (low.is_finite() && high.is_finite()).then(|| [at(low - beyond), at(high + beyond)])
+    }
+
+    /// The guides on the ground.
+    fn guides(&self, bodies: &[Body<f64>]) -> Vec<Item> {
+        let slides = self.linkage.mechanism.slides.iter().zip(self.strokes);
+        let ground = slides.filter(|(slide, _)| slide.on == GROUND);
+        let ends = ground.filter_map(|(slide, stroke)| self.guide(slide, *stroke));
+        ends.map(|ends| ends.map(|at| bodies[GROUND].point(at)))
+            .map(|[from, to]| Item::Guide { from, to })
+            .collect()
+    }
+
+    fn blocks(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
+        self.linkage.mechanism.slides.iter().map(|slide| {
+            let (s, c) = slide.angle.sin_cos();
+            let (at, along) = (bodies[slide.link].point(slide.point), bodies[slide.on].turned([c, s]));
+            Item::Sign { at, along, sign: Sign::Block, ink: self.ink(slide.link) }
+        })
+    }
+
+    fn pins(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
+        self.linkage.mechanism.points.iter().filter_map(|point| {
+            let ground = point.places.iter().find(|place| place.link == GROUND);
+            let place = ground.or(point.places.first())?;
+            let (sign, ink) = match (ground, point.is_pin()) {
+                (Some(_), true) => (Sign::Bearing, Ink::Ground),
+                (None, true) => (Sign::Pin, self.ink(place.link)),
+                (_, false) => (Sign::Dot, self.ink(place.link)),
+            };
+            Some(Item::sign(bodies[place.link].point(place.at), sign, ink))
+        })
+    }
+
+    fn springs(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
+        self.linkage.mechanism.springs.iter().flat_map(|spring| {
+            let [from, to] = spring.ends.map(|end| bodies[end.link].point(end.at));
+            let elastic = (spring.stiffness != 0.0).then_some(Item::Spring { from, to });
+            let damped = (spring.damping != 0.0).then_some(Item::Damper { from, to });
+            [elastic, damped].into_iter().flatten()
+        })
+    }
+
+    /// The places of a link that its outline joins, in its frame: its points, its sliders, the guides that it carries.
+    fn features(&self, link: LinkId) -> Vec<Point> {
+        let mechanism = &self.linkage.mechanism;
+        let named = (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));
+        let stones = mechanism.slides.iter().filter(|slide| slide.link == link).map(|slide| slide.point);
+        let carried = mechanism.slides.iter().zip(self.strokes).filter(|(slide, _)| slide.on == link);
+        let guides = carried.filter_map(|(slide, stroke)| self.guide(slide, *stroke)).flatten();
+        let springs = mechanism.springs.iter().flat_map(|spring| spring.ends);
+        let held = springs.filter(|end| end.link == link).map(|end| end.at);
+        named.chain(stones).chain(guides).chain(held).collect()
+    }
+}
+
+/// The middle of the longest side of an outline.
+fn middle(outline: &[Point]) -> Option<Point> {
+    let sides = outline.iter().zip(outline.iter().skip(1).chain(outline.first()));
+    let length = |(a, b): &(&Point, &Point)| (b[0] - a[0]).hypot(b[1] - a[1]);
+    let longest = sides.max_by(|one, other| length(one).total_cmp(&length(other)));
+    longest.map(|(a, b)| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])])
+}
+
+/// Convex hull (Andrew's monotone chain); collinear points give their two ends.
+fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-9);
+    if sorted.len() < 3 {
+        return sorted;
+    }
+    let mut lower = half_hull(sorted.iter().copied());
+    let mut upper = half_hull(sorted.iter().rev().copied());
+    lower.pop();
+    upper.pop();
+    lower.extend(upper);
+    lower
+}
+
+fn half_hull(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut chain: Vec<[f64; 2]> = Vec::new();
+    for p in points {
+        while let [.., a, b] = chain[..] {
+            let cross = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+            let size = (b[0] - a[0]).hypot(b[1] - a[1]) * (p[0] - a[0]).hypot(p[1] - a[1]);
+            if cross > 1e-9 * size {
+                break;
+            }
+            chain.pop();
+        }
+        chain.push(p);
+    }
+    chain
+}

@@ -1,0 +1,59 @@
+//! Tests of `mechanism`.
+
+use assur_all as _;
+use assur_group::Order;
+use assur_kinematics::Linkage;
+
+use super::{Drawing, hull};
+use crate::model::{Ink, Item, Point};
+
+#[test]
+fn a_hull_drops_what_lies_inside_or_on_a_line() {
+    assert_eq!(hull(&[[0.0, 0.0], [1.0, 0.0], [0.5, 0.0]]), [[0.0, 0.0], [1.0, 0.0]]);
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5]];
+    assert_eq!(hull(&square), square[..4]);
+    assert!(hull(&[]).is_empty());
+}
+
+/// The items of a shipped scene in its first position.
+fn items(name: &str) -> (Linkage, Vec<Item>) {
+    let mechanism = assur_scene::read(name, assur_fixtures::scene(name)).unwrap();
+    let linkage = Linkage::compile(mechanism).unwrap();
+    let mut position = linkage.position();
+    linkage.solve_index(0, Order::Second, &mut position).unwrap();
+    let strokes: Vec<_> = (0..linkage.mechanism.slides.len())
+        .map(|slide| linkage.slide_motion(slide, &position).pf0)
+        .map(|at| [at, at])
+        .collect();
+    let items = Drawing { linkage: &linkage, strokes: &strokes, marked: &[] }.items(&position);
+    (linkage, items)
+}
+
+fn distance(at: Point, [a, b]: [Point; 2]) -> f64 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let part = (((at[0] - a[0]) * dx + (at[1] - a[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+    (at[0] - a[0] - part * dx).hypot(at[1] - a[1] - part * dy)
+}
+
+#[test]
+fn a_link_with_one_named_point_reaches_its_pairs() {
+    let (linkage, items) = items("guide-shaper");
+    let rocker = linkage.mechanism.link("rocker").unwrap();
+    let bar = items.iter().find_map(|item| match item {
+        Item::Line { points, ink: Ink::Link(link), .. } if *link == rocker => Some([points[0], points[1]]),
+        _ => None,
+    });
+    let mut position = linkage.position();
+    linkage.solve_index(0, Order::Place, &mut position).unwrap();
+    for name in ["C", "A", "D"] {
+        let at = linkage.point_motion(linkage.mechanism.point(name).unwrap(), &position).pf0;
+        assert!(distance(at, bar.unwrap()) < 1e-9, "{name} is beside the rocker");
+    }
+}
+
+#[test]
+fn springs_are_drawn_between_their_ends() {
+    let (linkage, items) = items("andrews");
+    let springs = items.iter().filter(|item| matches!(item, Item::Spring { .. })).count();
+    assert_eq!(springs, linkage.mechanism.springs.len());
+}

@@ -1,0 +1,275 @@
+//! What is drawn: figures, panels, items.
+
+use crate::axis::Axis;
+use crate::bounds::Bounds;
+
+/// A point of a panel, in the units of its frame.
+pub type Point = [f64; 2];
+
+/// Panels that belong together, row by row.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Figure {
+    /// Heading of the whole; may be empty.
+    pub title: String,
+    /// The panels, row by row.
+    pub panels: Vec<Panel>,
+    /// Panels beside each other in a row; at least 1.
+    pub columns: usize,
+    /// Explanations of signs and strokes, for all panels.
+    pub legend: Vec<Key>,
+}
+
+impl Figure {
+    /// A figure of one panel.
+    pub fn of(panel: Panel) -> Self {
+        Self { panels: vec![panel], columns: 1, ..Self::default() }
+    }
+
+    /// Number of rows of panels.
+    pub fn rows(&self) -> usize {
+        self.panels.len().div_ceil(self.columns.max(1))
+    }
+
+    /// Whether a panel shows the numbers of its horizontal axis: not where the panel below has the same axis.
+    pub(crate) fn shows_axis(&self, index: usize) -> bool {
+        let axis = |at: usize| match self.panels.get(at).map(|panel| &panel.frame) {
+            Some(Frame::Axes { x, .. }) => Some(x),
+            _ => None,
+        };
+        axis(index).is_none_or(|own| axis(index + self.columns.max(1)) != Some(own))
+    }
+}
+
+/// One drawing with its own scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Heading; may be empty.
+    pub title: String,
+    /// What its coordinates are.
+    pub frame: Frame,
+    /// What is drawn; later items lie over earlier ones.
+    pub items: Vec<Item>,
+}
+
+/// What the coordinates of a panel are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Frame {
+    /// One scale for both directions, x to the right, y up.
+    Plane {
+        /// The part of the plane that is shown.
+        bounds: Bounds,
+        /// Unit in which lengths of the plane are told.
+        unit: String,
+        /// Number of these units in one unit of the plane.
+        factor: f64,
+        /// Symbol and unit of the scale on paper: `("l", "m")` of lengths, `("F", "N")` of forces.
+        scale: (&'static str, String),
+    },
+    /// Two axes of their own.
+    Axes {
+        /// The horizontal axis.
+        x: Axis,
+        /// The vertical axis.
+        y: Axis,
+        /// Where a vertical line marks the present position.
+        cursor: Option<f64>,
+    },
+}
+
+/// What something that is drawn stands for; each renderer has a color for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Ink {
+    /// Texts and signs.
+    Text,
+    /// Headings and names of points.
+    Title,
+    /// Axes, scales, remarks.
+    Dim,
+    /// The ground.
+    Ground,
+    /// A moving link, by its number.
+    Link(usize),
+    /// Whatever is chosen.
+    Marked,
+    /// Paths of points, lines of a construction.
+    Trace,
+    /// Velocities.
+    Velocity,
+    /// Accelerations.
+    Acceleration,
+    /// The first of several curves.
+    First,
+    /// The second of several curves.
+    Second,
+    /// The third of several curves.
+    Third,
+    /// The present position.
+    Cursor,
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// A line.
+    Solid,
+    /// A thick line, for a link.
+    Thick,
+    /// Short dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Dashes and dots in turn.
+    Chain,
+    /// Stars along a faint line.
+    Stars,
+}
+
+/// A sign of a fixed size.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// A pin between moving links.
+    Pin,
+    /// A pin on the ground, with its hatched base.
+    Bearing,
+    /// A slider.
+    Block,
+    /// One stroke of the hatching of the ground.
+    Hatch,
+    /// The head of an arrow; a point where it has no direction.
+    Head,
+    /// A point of a link that is no pin.
+    Dot,
+    /// An extreme of a curve, the pole of a plan.
+    Ring,
+    /// A zero of a curve, the tip of a vector.
+    Cross,
+    /// An inflection of a curve, an origin.
+    Plus,
+    /// A point of a curve drawn in stars.
+    Star,
+}
+
+/// One thing that is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// Straight pieces from point to point; a point that is not finite interrupts them.
+    Line {
+        /// The points.
+        points: Vec<Point>,
+        /// How it is drawn.
+        stroke: Stroke,
+        /// What it stands for.
+        ink: Ink,
+    },
+    /// The closed outline of a body.
+    Area {
+        /// Its corners.
+        outline: Vec<Point>,
+        /// What it stands for.
+        ink: Ink,
+    },
+    /// A vector with its head.
+    Arrow {
+        /// Its foot.
+        from: Point,
+        /// Its tip.
+        to: Point,
+        /// How its shaft is drawn.
+        stroke: Stroke,
+        /// What it stands for.
+        ink: Ink,
+    },
+    /// A guide of the ground along the path of a slider, hatched on its lower side (a vertical one: on its right side).
+    Guide {
+        /// One end of the path of the slider.
+        from: Point,
+        /// The other end.
+        to: Point,
+    },
+    /// A spring between two points.
+    Spring {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+    },
+    /// A damper between two points.
+    Damper {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+    },
+    /// A sign at a point.
+    Sign {
+        /// The point.
+        at: Point,
+        /// Its direction, a unit vector of the plane; only blocks have one.
+        along: Point,
+        /// Which sign.
+        sign: Sign,
+        /// What it stands for.
+        ink: Ink,
+    },
+    /// A name beside a point.
+    Name {
+        /// The point.
+        at: Point,
+        /// The name.
+        text: String,
+        /// What it stands for.
+        ink: Ink,
+        /// Whether it is written even where it covers something.
+        needed: bool,
+    },
+}
+
+impl Item {
+    /// A sign without a direction.
+    pub fn sign(at: Point, sign: Sign, ink: Ink) -> Self {
+        Self::Sign { at, along: [1.0, 0.0], sign, ink }
+    }
+
+    /// A name that is always written.
+    pub fn name(at: Point, text: impl Into<String>, ink: Ink) -> Self {
+        Self::Name { at, text: text.into(), ink, needed: true }
+    }
+
+    /// A line from point to point.
+    pub fn line(points: impl Into<Vec<Point>>, stroke: Stroke, ink: Ink) -> Self {
+        Self::Line { points: points.into(), stroke, ink }
+    }
+
+    /// The points that a drawing of it must show.
+    pub fn points(&self) -> Vec<Point> {
+        match self {
+            Self::Line { points, .. } => points.clone(),
+            Self::Area { outline, .. } => outline.clone(),
+            Self::Sign { at, .. } | Self::Name { at, .. } => vec![*at],
+            Self::Arrow { from, to, .. }
+            | Self::Guide { from, to }
+            | Self::Spring { from, to }
+            | Self::Damper { from, to } => vec![*from, *to],
+        }
+    }
+}
+
+/// An entry of a legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Key {
+    /// What is explained.
+    pub sample: Sample,
+    /// The explanation.
+    pub text: String,
+}
+
+/// What an entry of a legend explains.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sample {
+    /// A sign.
+    Sign(Sign, Ink),
+    /// A stroke.
+    Line(Stroke, Ink),
+    /// An arrow of this length in the units of the plane of the first panel, with a stroke.
+    Arrow(f64, Stroke, Ink),
+}

@@ -1,0 +1,114 @@
+//! A plot on paper, with its axes.
+
+use super::element::{Outline, fine, polygon, polyline};
+use super::names::text_width;
+use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text, width};
+use crate::axis::Axis;
+use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use crate::trace::Paper;
+
+/// Height of the numbers and the name of the horizontal axis, mm.
+pub(super) const BELOW: f64 = 2.0 * LINE;
+/// Free part of the vertical axis above and below the curves.
+const FREE: f64 = 0.06;
+/// Least distance of the numbers of an axis, mm: horizontal, vertical.
+const APART: [f64; 2] = [16.0, 8.0];
+/// Least numbers of an axis.
+const LEAST_NUMBERS: usize = 3;
+/// Most marks on a curve.
+const MOST_STARS: usize = 24;
+
+/// The elements of a panel.
+pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room) -> Vec<Element> {
+    let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
+    let below = if shows_axis { BELOW } else { 0.0 };
+    let vertical = widened(y);
+    let free = room.height - LINE - below - BORDER;
+    let ticks = vertical.ticks(count(free, APART[1]));
+    let plot = Room {
+        left: room.left + numbers + 0.5 * EM,
+        top: room.top + LINE,
+        width: room.width - numbers - 0.5 * EM - 2.0 * BORDER,
+        height: free,
+    };
+    let place = |at: Point| {
+        [plot.left + x.part(at[0]) * plot.width, plot.top + (1.0 - vertical.part(at[1])) * plot.height]
+    };
+    let [low, high] = vertical.range;
+    let upright = |at: f64| [place([at, low]), place([at, high])];
+    let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
+    for (at, number) in ticks {
+        let ends = x.range.map(|end| place([end, at]));
+        elements.push(grid(&ends, at == 0.0));
+        let corner = [plot.left - 0.4 * EM, ends[0][1] + 0.35 * EM];
+        elements.push(text(corner, &number, Ink::Text, "end"));
+    }
+    for (at, number) in x.ticks(count(plot.width, APART[0])) {
+        let ends = upright(at);
+        elements.push(grid(&ends, false));
+        if shows_axis {
+            let corner = [ends[0][0], plot.top + plot.height + 1.2 * EM];
+            elements.push(text(corner, &number, Ink::Text, "middle"));
+        }
+    }
+    let frame = Outline { ink: Ink::Text, width: width::FINE, filled: None };
+    let [left, right] = x.range.map(upright);
+    elements.push(polygon(&[left[0], left[1], right[1], right[0]], frame));
+    if shows_axis {
+        let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * EM];
+        elements.push(text(corner, &x.label, Ink::Text, "middle"));
+    }
+    if let Some(at) = cursor.filter(|at| (0.0..=1.0).contains(&x.part(*at))) {
+        elements.push(polyline(&upright(at), Stroke::Dashed, Ink::Cursor));
+    }
+    let paper = Paper { place, em: EM, gap: 0.0 };
+    let stars = panel.items.iter().flat_map(stars);
+    let marks: Vec<_> = panel.items.iter().cloned().chain(stars).flat_map(|item| paper.marks(&item)).collect();
+    elements.extend(drawn(&marks, plot));
+    elements
+}
+
+/// Width of the widest number of the vertical axes of a figure: one for all, so that plots below each other are aligned.
+pub(super) fn numbers(figure: &Figure, room: Room) -> f64 {
+    let height = room.height / figure.rows().max(1) as f64;
+    let axes = figure.panels.iter().filter_map(|panel| match &panel.frame {
+        Frame::Axes { y, .. } => Some(widened(y)),
+        Frame::Plane { .. } => None,
+    });
+    let widest = |axis: Axis| {
+        axis.ticks(count(height, APART[1])).iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max)
+    };
+    axes.map(widest).fold(0.0, f64::max)
+}
+
+/// The marks of a curve that is drawn with marks.
+fn stars(item: &Item) -> Vec<Item> {
+    let Item::Line { points, stroke: Stroke::Stars, ink } = item else { return Vec::new() };
+    let step = points.len().div_ceil(MOST_STARS).max(1);
+    let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
+    finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
+}
+
+/// How many numbers an axis has where they stand at this distance.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a page has fewer numbers than that, and a negative room has none"
+)]
+fn count(length: f64, apart: f64) -> usize {
+    ((length / apart) as usize).max(LEAST_NUMBERS)
+}
+
+/// The axis with free space at both ends.
+fn widened(axis: &Axis) -> Axis {
+    let range = [axis.value(-FREE), axis.value(1.0 + FREE)];
+    Axis { range, ..axis.clone() }
+}
+
+fn grid(ends: &[Point; 2], strong: bool) -> Element {
+    let mut line = fine(ends, if strong { Ink::Text } else { Ink::Dim });
+    if !strong {
+        line.attributes.push(("stroke-opacity", "0.35".to_owned()));
+    }
+    line
+}

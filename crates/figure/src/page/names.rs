@@ -1,0 +1,131 @@
+//! Names beside their points, where they cover least.
+
+use super::{EM, Room};
+use crate::model::Point;
+
+/// Mean width of a letter and of a digit of a proportional font, in text sizes.
+const LETTER: f64 = 0.62;
+/// Width of a narrow letter, in text sizes.
+const NARROW: f64 = 0.36;
+/// Distance of a name from its point, in text sizes.
+const APART: f64 = 0.35;
+
+/// Width of a text, mm: within a tenth for the fonts that are asked for.
+pub(super) fn text_width(text: &str) -> f64 {
+    let of = |letter: char| match letter {
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')' | '/' => NARROW,
+        'm' | 'w' | 'M' | 'W' | 'Ш' | 'Щ' | 'Ж' | 'Ю' => 1.5 * LETTER,
+        _ => LETTER,
+    };
+    text.chars().map(of).sum::<f64>() * EM
+}
+
+/// The beginning of a text that fits into this width, with an ellipsis where the rest is missing.
+pub(super) fn fitted(text: &str, width: f64) -> String {
+    if text_width(text) <= width {
+        return text.to_owned();
+    }
+    let mut kept = String::new();
+    for letter in text.chars() {
+        kept.push(letter);
+        if text_width(&kept) + EM > width {
+            kept.pop();
+            break;
+        }
+    }
+    kept + "…"
+}
+
+/// What is covered so far.
+#[derive(Debug)]
+pub(super) struct Names {
+    room: Room,
+    /// Pieces of lines.
+    lines: Vec<[Point; 2]>,
+    /// Left, top, right, bottom of texts.
+    texts: Vec<[f64; 4]>,
+}
+
+impl Names {
+    pub(super) fn new(room: Room) -> Self {
+        Self { room, lines: Vec::new(), texts: Vec::new() }
+    }
+
+    /// Remembers a line that names must not cover.
+    pub(super) fn avoid(&mut self, points: &[Point]) {
+        self.lines.extend(points.windows(2).map(|two| [two[0], two[1]]));
+    }
+
+    /// The place and the anchor of a name beside a point; `None` if it is not needed and would cover something.
+    pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> Option<(Point, &'static str)> {
+        let (width, away) = (text_width(name), APART * EM);
+        let mut best: Option<(usize, [f64; 4])> = None;
+        for ring in [1.0, 2.0, 3.0] {
+            let (right, left) = (at[0] + ring * away, at[0] - ring * away - width);
+            let (above, below) = (at[1] - ring * away - 0.75 * EM, at[1] + ring * away);
+            let middle = [at[0] - 0.5 * width, at[1] - 0.4 * EM];
+            let corners = [
+                [right, above],
+                [left, above],
+                [right, below],
+                [left, below],
+                [right, middle[1]],
+                [left, middle[1]],
+                [middle[0], above],
+                [middle[0], below],
+            ];
+            for [left, top] in corners {
+                let spot = [left, top, left + width, top + 0.8 * EM];
+                let Some(covered) = self.covered(spot) else { continue };
+                if best.is_none_or(|(least, _)| covered < least) {
+                    best = Some((covered, spot));
+                }
+            }
+            if best.is_some_and(|(least, _)| least == 0) {
+                break;
+            }
+        }
+        let (covered, spot) = best?;
+        if covered > 0 && !needed {
+            return None;
+        }
+        self.texts.push(spot);
+        Some(([spot[0], spot[3]], "start"))
+    }
+
+    /// Number of lines and texts that a text would cover; `None` outside the room.
+    fn covered(&self, spot: [f64; 4]) -> Option<usize> {
+        let [left, top, right, bottom] = spot;
+        let room = self.room;
+        let inside = left >= room.left
+            && top >= room.top
+            && right <= room.left + room.width
+            && bottom <= room.top + room.height;
+        let crossed = self.lines.iter().filter(|line| crosses(line, spot)).count();
+        let meets = |other: &&[f64; 4]| {
+            other[0] < right && left < other[2] && other[1] < bottom && top < other[3]
+        };
+        // Two names over each other are unreadable, a name over a line is not.
+        let written = self.texts.iter().filter(meets).count();
+        inside.then_some(crossed + 10 * written)
+    }
+}
+
+/// Whether a straight piece touches a rectangle.
+fn crosses([from, to]: &[Point; 2], [left, top, right, bottom]: [f64; 4]) -> bool {
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    for (axis, [least, most]) in [(0, [left, right]), (1, [top, bottom])] {
+        let along = to[axis] - from[axis];
+        let ends = [least - from[axis], most - from[axis]];
+        if along.abs() < 1e-9 {
+            if ends[0] > 0.0 || ends[1] < 0.0 {
+                return false;
+            }
+            continue;
+        }
+        let (a, b) = (ends[0] / along, ends[1] / along);
+        low = low.max(a.min(b));
+        high = high.min(a.max(b));
+    }
+    low <= high
+}

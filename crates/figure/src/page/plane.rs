@@ -1,0 +1,49 @@
+//! A plane on paper, to a round scale.
+
+use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text};
+use crate::bounds::Bounds;
+use crate::model::{Frame, Ink, Panel, Point};
+use crate::number::plain;
+use crate::trace::Paper;
+
+/// Free space around what is drawn, for names, bearings and sliders, in text sizes.
+const MARGIN: f64 = 2.2;
+/// Scales of drawings, as parts of a power of ten (ISO 5455, and the intermediate ones that GOST 2.302 adds).
+const SCALES: [f64; 7] = [1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5];
+
+/// The least round scale that is not below another one.
+pub(super) fn round_scale(least: f64) -> f64 {
+    if !(least.is_finite() && least > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(least.log10().floor());
+    let fits = |scale: &f64| *scale >= least * (1.0 - 1e-9);
+    SCALES.into_iter().map(|times| times * power).find(fits).unwrap_or(10.0 * power)
+}
+
+/// The elements of a panel, and its scale: units of the plane in a millimeter.
+pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
+    let Frame::Plane { bounds, scale: (symbol, unit), .. } = &panel.frame else { return (Vec::new(), 1.0) };
+    let above = if panel.title.is_empty() { 0.0 } else { LINE };
+    let plot = Room { top: room.top + above, height: room.height - above - LINE, ..room };
+    let scale = fit(bounds, plot);
+    let center = bounds.center().map(|x| if x.is_finite() { x } else { 0.0 });
+    let middle = [plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height];
+    let place = |at: Point| {
+        [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale]
+    };
+    let paper = Paper { place, em: EM, gap: 0.1 * EM };
+    let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
+    let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
+    elements.extend(drawn(&marks, plot));
+    let told = format!("μ_{{{symbol}}} = {} {unit}/mm", plain(scale));
+    let corner = [room.left, room.top + room.height - 0.3 * LINE];
+    elements.push(text(corner, &told, Ink::Dim, "start"));
+    (elements, scale)
+}
+
+fn fit(bounds: &Bounds, plot: Room) -> f64 {
+    let [width, height] = bounds.size();
+    let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
+    round_scale((width / free(plot.width)).max(height / free(plot.height)))
+}

@@ -1,0 +1,59 @@
+//! Figures as PNG: the SVG of the same figure, painted with a font that is built in.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Error, Options, Tree, fontdb};
+
+use crate::model::Figure;
+use crate::svg;
+
+/// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
+const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
+/// Its family.
+const FAMILY: &str = "DejaVu Sans";
+/// Pixels in a millimeter: 254 of an inch.
+pub const PIXELS: f64 = 10.0;
+/// Greatest side of a picture, pixels.
+const MOST: f64 = 20_000.0;
+
+/// Why a figure has no PNG.
+#[derive(Debug, thiserror::Error)]
+pub enum PngError {
+    /// The picture would be empty, or larger than memory should be taken for.
+    #[error("a picture of {0:.0} x {1:.0} pixels can't be painted; take a size from 1 x 1 to {max} x {max} mm", max = MOST / PIXELS)]
+    Size(f64, f64),
+    /// The painter refuses the SVG of the figure.
+    #[error("the figure can't be painted: {0}")]
+    Svg(#[from] Error),
+    /// The picture can't be compressed.
+    #[error("the picture can't be written: {0}")]
+    Write(String),
+}
+
+/// A figure on a page of this width and height, mm, with [`PIXELS`] in a millimeter.
+///
+/// # Errors
+///
+/// If the page is empty or too large.
+pub fn write(figure: &Figure, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
+    let [width, height] = size.map(|side| (side * PIXELS).round());
+    let fits = |side: f64| (1.0..=MOST).contains(&side);
+    if !(fits(width) && fits(height)) {
+        return Err(PngError::Size(width, height));
+    }
+    let mut fonts = fontdb::Database::new();
+    fonts.load_font_data(FONT.to_vec());
+    let options = Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
+    let tree = Tree::from_str(&svg::write(figure, size), &options)?;
+    let mut picture = Pixmap::new(pixels(width), pixels(height)).ok_or(PngError::Size(width, height))?;
+    let page = tree.size();
+    let (across, down) = (pixels(width) as f32 / page.width(), pixels(height) as f32 / page.height());
+    resvg::render(&tree, Transform::from_scale(across, down), &mut picture.as_mut());
+    picture.encode_png().map_err(|error| PngError::Write(error.to_string()))
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked by the caller: 1 to MOST")]
+fn pixels(side: f64) -> u32 {
+    side as u32
+}

@@ -1,0 +1,97 @@
+//! Figures as SVG: one page, its lengths in millimeters, the same bytes for the same figure.
+
+use std::fmt::Write;
+
+use crate::model::Figure;
+use crate::page::{Element, elements};
+
+/// Fonts of the texts, the first that is there; their letters have nearly one width.
+const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
+
+/// A figure on a page of this width and height, mm.
+pub fn write(figure: &Figure, size: [f64; 2]) -> String {
+    let all = elements(figure, size);
+    document(figure, size, all.iter().map(|element| markup(element, "")))
+}
+
+/// A figure that moves: its frames follow each other in equal times and repeat; `seconds` is the time of all.
+///
+/// What is equal in all frames is written once; between two frames everything moves in straight lines. A frame that does
+/// not have the elements of the first one is left out.
+pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64) -> String {
+    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements(frame, size)).collect();
+    let Some(first) = all.first().cloned() else { return String::new() };
+    let names = |frame: &[Element]| frame.iter().map(|element| element.name).collect::<Vec<_>>();
+    all.retain(|frame| names(frame) == names(&first));
+    // The last frame leads back to the first one.
+    all.push(first.clone());
+    let parts = (0..first.len()).map(|index| {
+        let of: Vec<&Element> = all.iter().map(|frame| &frame[index]).collect();
+        markup(of[0], &motion(&of, seconds))
+    });
+    document(&frames[0], size, parts)
+}
+
+/// The changes of an element over the frames.
+fn motion(frames: &[&Element], seconds: f64) -> String {
+    let mut text = String::new();
+    for (at, (name, first)) in frames[0].attributes.iter().enumerate() {
+        let values: Vec<&str> = frames.iter().filter_map(|frame| Some(frame.attributes.get(at)?.1.as_str())).collect();
+        if values.iter().any(|value| value != first) {
+            let _ = write!(
+                text,
+                "<animate attributeName=\"{name}\" dur=\"{seconds}s\" repeatCount=\"indefinite\" values=\"{}\"/>",
+                values.join(";")
+            );
+        }
+    }
+    text
+}
+
+fn document(figure: &Figure, [width, height]: [f64; 2], parts: impl Iterator<Item = String>) -> String {
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"{FONTS}\" stroke-linecap=\"round\" \
+         stroke-linejoin=\"round\">\n<title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" \
+         fill=\"#ffffff\"/>\n",
+        escaped(&figure.title)
+    );
+    for part in parts {
+        text.push_str(&part);
+        text.push('\n');
+    }
+    text.push_str("</svg>\n");
+    text
+}
+
+fn markup(element: &Element, inner: &str) -> String {
+    let mut text = format!("<{}", element.name);
+    for (name, value) in &element.attributes {
+        let _ = write!(text, " {name}=\"{value}\"");
+    }
+    if element.text.is_empty() && inner.is_empty() {
+        return text + "/>";
+    }
+    format!("{text}>{}{inner}</{}>", words(&element.text), element.name)
+}
+
+/// Height of a subscript below its line, mm.
+const BELOW: f64 = 0.8;
+
+/// The words of a text, in which `_{...}` is a subscript.
+fn words(text: &str) -> String {
+    let Some((before, rest)) = text.split_once("_{") else { return escaped(text) };
+    let (low, after) = rest.split_once('}').unwrap_or((rest, ""));
+    format!(
+        "{}<tspan dy=\"{BELOW}\" font-size=\"70%\">{}</tspan><tspan dy=\"-{BELOW}\">{}</tspan>",
+        escaped(before),
+        escaped(low),
+        words(after)
+    )
+}
+
+/// A text in which nothing is markup.
+pub fn escaped(text: &str) -> String {
+    let visible = text.chars().filter(|letter| !letter.is_control()).collect::<String>();
+    visible.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

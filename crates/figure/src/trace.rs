@@ -1,0 +1,174 @@
+//! Items as lines, signs and names on paper, before a renderer draws them.
+//!
+//! Lengths on paper have equal units in both directions: widths of a cell, or millimeters; y grows downwards.
+
+use crate::model::{Ink, Item, Point, Sign, Stroke};
+
+/// Half length and half thickness of a slider, in text sizes.
+pub(crate) const BLOCK: [f64; 2] = [1.0, 0.55];
+/// Turns of a spring.
+const TURNS: usize = 6;
+/// Half width of a spring and of a damper's cylinder, in text sizes.
+const COIL: f64 = 0.4;
+/// Length of the straight ends of a spring, as part of its length.
+const ENDS: f64 = 0.15;
+/// Distance of the strokes of a hatching, in text sizes.
+const HATCHING: f64 = 0.5;
+/// Most strokes of a hatching: no paper has more.
+const MOST_HATCHES: f64 = 2000.0;
+/// Arrows shorter than this have a head without a direction, in text sizes.
+const SHORTEST: f64 = 0.5;
+
+/// A line, a sign or a name on paper.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Mark {
+    Line { points: Vec<Point>, stroke: Stroke, ink: Ink, closed: bool },
+    Sign { at: Point, along: Point, sign: Sign, ink: Ink },
+    Name { at: Point, text: String, ink: Ink, needed: bool },
+}
+
+/// How a panel comes to paper.
+#[derive(Debug)]
+pub(crate) struct Paper<F> {
+    /// Place on paper of a point of the panel.
+    pub(crate) place: F,
+    /// Text size.
+    pub(crate) em: f64,
+    /// What must stay free between two lines that are to be told apart.
+    pub(crate) gap: f64,
+}
+
+impl<F: Fn(Point) -> Point> Paper<F> {
+    /// The marks of an item; a sign or a name without a place is left out.
+    pub(crate) fn marks(&self, item: &Item) -> Vec<Mark> {
+        let mut marks = self.all_marks(item);
+        marks.retain(|mark| match mark {
+            Mark::Sign { at, .. } | Mark::Name { at, .. } => at[0].is_finite() && at[1].is_finite(),
+            Mark::Line { .. } => true,
+        });
+        marks
+    }
+
+    fn all_marks(&self, item: &Item) -> Vec<Mark> {
+        let place = &self.place;
+        match item {
+            Item::Line { points, stroke, ink } => {
+                let points = points.iter().map(|at| place(*at)).collect();
+                vec![Mark::Line { points, stroke: *stroke, ink: *ink, closed: false }]
+            }
+            Item::Area { outline, ink } => {
+                let points = outline.iter().map(|at| place(*at)).collect();
+                vec![Mark::Line { points, stroke: Stroke::Thick, ink: *ink, closed: true }]
+            }
+            Item::Arrow { from, to, stroke, ink } => self.arrow(place(*from), place(*to), *stroke, *ink),
+            Item::Guide { from, to } => self.guide(place(*from), place(*to)),
+            Item::Spring { from, to } => vec![line(self.spring(place(*from), place(*to)))],
+            Item::Damper { from, to } => self.damper(place(*from), place(*to)),
+            Item::Sign { at, along, sign, ink } => {
+                let tip = place([at[0] + along[0], at[1] + along[1]]);
+                let at = place(*at);
+                vec![Mark::Sign { at, along: unit(at, tip).0, sign: *sign, ink: *ink }]
+            }
+            Item::Name { at, text, ink, needed } => {
+                vec![Mark::Name { at: place(*at), text: text.clone(), ink: *ink, needed: *needed }]
+            }
+        }
+    }
+
+    fn arrow(&self, from: Point, to: Point, stroke: Stroke, ink: Ink) -> Vec<Mark> {
+        let (along, length) = unit(from, to);
+        // A short arrow keeps its head, without a direction, so that all frames of an animation have the same marks.
+        let along = if length >= SHORTEST * self.em { along } else { [0.0; 2] };
+        vec![
+            Mark::Line { points: vec![from, to], stroke, ink, closed: false },
+            Mark::Sign { at: to, along, sign: Sign::Head, ink },
+        ]
+    }
+
+    fn guide(&self, from: Point, to: Point) -> Vec<Mark> {
+        let (along, length) = unit(from, to);
+        // The lower side; of a vertical guide the right one.
+        let upright = along[0].abs() <= 1e-9;
+        let side = if along[0] > 1e-9 || (upright && along[1] < 0.0) { 1.0 } else { -1.0 };
+        let out = [-side * along[1], side * along[0]];
+        let away = BLOCK[1] * self.em + self.gap;
+        let [from, to] = [from, to].map(|at| shifted(at, out, away));
+        let mut marks = vec![Mark::Line {
+            points: vec![from, to],
+            stroke: Stroke::Solid,
+            ink: Ink::Ground,
+            closed: false,
+        }];
+        let steps = (length / (HATCHING * self.em)).ceil().clamp(1.0, MOST_HATCHES);
+        let mut step = 0.0;
+        while step <= steps && length.is_finite() {
+            let at = shifted(from, along, step / steps * length);
+            marks.push(Mark::Sign { at, along: out, sign: Sign::Hatch, ink: Ink::Ground });
+            step += 1.0;
+        }
+        marks
+    }
+
+    fn spring(&self, from: Point, to: Point) -> Vec<Point> {
+        let (along, length) = unit(from, to);
+        let across = [along[1], -along[0]];
+        let coil = length * (1.0 - 2.0 * ENDS) / (2 * TURNS) as f64;
+        let mut points = vec![from, shifted(from, along, ENDS * length)];
+        for half in 0..2 * TURNS {
+            let side = if half % 2 == 0 { COIL } else { -COIL } * self.em;
+            let at = shifted(from, along, ENDS * length + (half as f64 + 0.5) * coil);
+            points.push(shifted(at, across, side));
+        }
+        points.extend([shifted(from, along, (1.0 - ENDS) * length), to]);
+        points
+    }
+
+    /// A cylinder, open towards the second end, with its piston.
+    fn damper(&self, from: Point, to: Point) -> Vec<Mark> {
+        let (along, length) = unit(from, to);
+        let across = [along[1], -along[0]];
+        let (half, [bottom, top]) = (COIL * self.em, [0.35, 0.65].map(|part| part * length));
+        let at = |far: f64, side: f64| shifted(shifted(from, along, far), across, side * half);
+        let middle = 0.5 * length;
+        vec![
+            line(vec![from, at(bottom, 0.0)]),
+            line(vec![at(top, 1.0), at(bottom, 1.0), at(bottom, -1.0), at(top, -1.0)]),
+            line(vec![at(middle, 0.8), at(middle, -0.8)]),
+            line(vec![at(middle, 0.0), to]),
+        ]
+    }
+}
+
+fn line(points: Vec<Point>) -> Mark {
+    Mark::Line { points, stroke: Stroke::Solid, ink: Ink::Text, closed: false }
+}
+
+/// Direction and distance from one point to another; to the right where they are one.
+pub(crate) fn unit(from: Point, to: Point) -> (Point, f64) {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy);
+    if length > 0.0 && length.is_finite() { ([dx / length, dy / length], length) } else { ([1.0, 0.0], length) }
+}
+
+/// A point shifted along a direction.
+pub(crate) fn shifted(at: Point, along: Point, by: f64) -> Point {
+    [at[0] + by * along[0], at[1] + by * along[1]]
+}
+
+/// The corners of a slider.
+pub(crate) fn block(at: Point, along: Point, em: f64) -> [Point; 4] {
+    let across = [-along[1], along[0]];
+    [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[u, v]| {
+        shifted(shifted(at, along, u * BLOCK[0] * em), across, v * BLOCK[1] * em)
+    })
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
+pub fn round_length(most: f64) -> f64 {
+    if !(most.is_finite() && most > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(most.log10().floor());
+    let times = [5.0, 2.0, 1.0].into_iter().find(|times| times * power <= most);
+    times.unwrap_or(1.0) * power
+}

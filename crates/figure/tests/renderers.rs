@@ -1,0 +1,164 @@
+//! What cells, SVG and PNG show of one figure.
+
+use assur_figure::cells::{self, Look, Marker, Spot};
+use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Sign, Stroke, Zoom, png, svg};
+
+const LOOK: Look = Look { marker: Marker::Braille, ratio: 2.0, zoom: Zoom::WHOLE };
+
+fn plane(items: Vec<Item>) -> Figure {
+    let bounds = Bounds::around(items.iter().flat_map(Item::points));
+    let frame = Frame::Plane { bounds, unit: "m/s".into(), factor: 1.0, scale: ("v", "m/s".into()) };
+    Figure::of(Panel { title: String::new(), frame, items })
+}
+
+fn chart(title: &str, values: &[f64], floor: f64) -> Figure {
+    let points: Vec<_> = values.iter().enumerate().map(|(at, value)| [at as f64, *value]).collect();
+    let frame = Frame::Axes {
+        x: Axis::around("time, s", points.iter().map(|at| at[0]), 0.0),
+        y: Axis::around("N", values.iter().copied(), floor),
+        cursor: Some(0.0),
+    };
+    let items = vec![Item::line(points, Stroke::Solid, Ink::First)];
+    Figure::of(Panel { title: title.to_owned(), frame, items })
+}
+
+fn place(spots: &[Spot], text: &str) -> Option<u16> {
+    spots.iter().find(|spot| spot.text == text).map(|spot| spot.column)
+}
+
+fn row(spots: &[Spot], row: u16) -> String {
+    let mut cells = [' '; 60];
+    for spot in spots.iter().filter(|spot| spot.row == row) {
+        for (ahead, letter) in spot.text.chars().enumerate() {
+            cells[usize::from(spot.column) + ahead] = letter;
+        }
+    }
+    cells.iter().collect::<String>().trim_end().to_owned()
+}
+
+#[test]
+fn an_arrow_has_its_head_at_the_tip_and_its_name_beside_it() {
+    let arrow = Item::Arrow { from: [0.0; 2], to: [1.0, 0.0], stroke: Stroke::Solid, ink: Ink::Velocity };
+    let pole = [Item::sign([0.0; 2], Sign::Ring, Ink::Title), Item::name([0.0; 2], "p", Ink::Title)];
+    let name = Item::name([1.0, 0.0], "a", Ink::Title);
+    let figure = plane([arrow, name].into_iter().chain(pole).collect());
+    let spots = cells::draw(&figure, [40, 9], LOOK);
+    let [Some(name), Some(pole), Some(tip)] = ["a", "p", ">"].map(|text| place(&spots, text)) else {
+        panic!("a sign is missing: {spots:?}")
+    };
+    assert!(name.abs_diff(tip) <= 2 && pole + 20 < tip, "{name} {pole} {tip}");
+}
+
+#[test]
+fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
+    let figure = chart("piston/ground on piston F  133.269 N and more", &[1.27e-14, 367.0, 100.0], 0.0);
+    let spots = cells::draw(&figure, [40, 8], LOOK);
+    assert!(row(&spots, 0).ends_with("133.269 N a…"), "{}", row(&spots, 0));
+    assert!(row(&spots, 5).starts_with("         0│"), "{}", row(&spots, 5));
+    assert!(spots.iter().all(|spot| spot.column + 1 < 41 && spot.row < 8));
+}
+
+#[test]
+fn a_column_of_a_chart_leads_back_to_its_value() {
+    let figure = chart("", &[0.0, 1.0, 4.0, 9.0, 16.0], 0.0);
+    let value = |column| cells::value_at(&figure, [52, 10], [column, 4]);
+    assert_eq!(value(11), Some(0.0));
+    assert_eq!(value(50), Some(4.0));
+    assert_eq!([value(3), value(51)], [None, None]);
+}
+
+/// The numbers of an attribute of the elements of a name.
+fn attributes(text: &str, element: &str, attribute: &str) -> Vec<String> {
+    let lines = text.lines().filter(|line| line.starts_with(&format!("<{element} ")));
+    let value = |line: &str| {
+        let start = line.find(&format!(" {attribute}=\""))? + attribute.len() + 3;
+        Some(line[start..].split('"').next()?.to_owned())
+    };
+    lines.filter_map(value).collect()
+}
+
+#[test]
+fn a_length_on_paper_times_the_scale_is_the_true_length() {
+    for length in [0.0137, 0.4, 3.0, 77.7, 1.2e4] {
+        let ends = [[0.0, 0.0], [0.6 * length, 0.8 * length]];
+        let text = svg::write(&plane(vec![Item::line(ends, Stroke::Solid, Ink::First)]), [160.0, 120.0]);
+        let points = &attributes(&text, "polyline", "points")[0];
+        let numbers: Vec<f64> = points.split([' ', ',']).map(|number| number.parse().unwrap()).collect();
+        let drawn = (numbers[2] - numbers[0]).hypot(numbers[3] - numbers[1]);
+        let told = text.split("</tspan> = ").nth(1).or(text.split(" = ").nth(1)).unwrap();
+        let scale: f64 = told.split(' ').next().unwrap().trim_end_matches("</tspan>").parse().unwrap();
+        // Places are written to a hundredth of a millimeter.
+        assert!((drawn * scale - length).abs() < 0.02 * scale, "{length}: {drawn} mm at {scale}");
+        assert!(drawn > 40.0, "{length} is drawn {drawn} mm long");
+    }
+}
+
+#[test]
+fn the_same_figure_has_the_same_bytes_and_its_texts_are_no_markup() {
+    let figure = Figure { title: "a < b & \"c\"".into(), ..chart("1 > 0", &[1.0, 2.0], 0.0) };
+    let text = svg::write(&figure, [100.0, 80.0]);
+    assert_eq!(text, svg::write(&figure, [100.0, 80.0]));
+    assert!(text.contains("a &lt; b &amp; &quot;c&quot;") && text.contains("1 &gt; 0"), "{text}");
+}
+
+#[test]
+fn a_picture_has_ten_pixels_a_millimeter_and_is_not_empty() {
+    let figure = chart("силы, μ", &[1.0, 2.0], 0.0);
+    let bytes = png::write(&figure, [50.0, 40.0]).unwrap();
+    let side = |at: usize| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+    assert_eq!([side(16), side(20)], [500, 400]);
+    let blank = png::write(&chart("", &[f64::NAN], 0.0), [50.0, 40.0]).unwrap();
+    assert!(bytes.len() > blank.len() + 500, "{} and {}", bytes.len(), blank.len());
+    assert!(png::write(&figure, [0.0, 40.0]).is_err() && png::write(&figure, [f64::NAN, 40.0]).is_err());
+}
+
+#[test]
+fn an_animation_moves_what_changes_and_writes_the_rest_once() {
+    let frame = |x: f64| {
+        let items = vec![
+            Item::line([[0.0, 0.0], [x, 1.0]], Stroke::Solid, Ink::First),
+            Item::line([[0.0, 0.0], [2.0, 0.0]], Stroke::Solid, Ink::Ground),
+        ];
+        let frame = Frame::Plane {
+            bounds: Bounds { low: [0.0; 2], high: [2.0, 1.0] },
+            unit: "m".into(),
+            factor: 1.0,
+            scale: ("l", "m".into()),
+        };
+        Figure::of(Panel { title: String::new(), frame, items })
+    };
+    let text = svg::animate(&[frame(0.0), frame(1.0), frame(2.0)], [100.0, 80.0], 3.0);
+    assert_eq!(text.matches("<animate ").count(), 1, "{text}");
+    assert_eq!(text.matches("<polyline").count(), 2, "{text}");
+    // Three frames, and the first one again.
+    let values = text.split("values=\"").nth(1).unwrap().split('"').next().unwrap();
+    assert_eq!(values.split(';').count(), 4);
+    assert_eq!(values.split(';').next(), values.split(';').next_back());
+}
+
+#[test]
+fn any_size_and_any_number_is_drawn_without_a_fault() {
+    let odd = [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0, 1.0];
+    for value in odd {
+        let figures = [
+            chart("title", &[value, 1.0, value], 0.0),
+            plane(vec![
+                Item::Arrow { from: [0.0; 2], to: [value, 1.0], stroke: Stroke::Dashed, ink: Ink::First },
+                Item::Spring { from: [value, 0.0], to: [1.0, 1.0] },
+                Item::Damper { from: [0.0; 2], to: [1.0, value] },
+                Item::Guide { from: [0.0; 2], to: [value, value] },
+                Item::sign([value, 0.0], Sign::Bearing, Ink::Ground),
+                Item::name([value, 0.0], "name", Ink::Title),
+            ]),
+        ];
+        for figure in figures {
+            for size in [[0, 0], [1, 1], [12, 4], [13, 2], [80, 24], [300, 2]] {
+                for marker in Marker::ALL {
+                    cells::draw(&figure, size, Look { marker, ..LOOK });
+                }
+            }
+            let text = svg::write(&figure, [100.0, 80.0]);
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{value}: {text}");
+        }
+    }
+}

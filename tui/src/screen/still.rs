@@ -1,0 +1,165 @@
+//! Pictures of the views without a terminal.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use assur_figure::{Figure, svg};
+
+use super::command::{self, COMMANDS, PAGE, picture};
+use super::state::{Keymap, Look, Pane, PlanKind, Purpose, Report, Source, State, View, Wish};
+use super::{ScreenError, view, work};
+
+/// What is drawn.
+#[derive(Debug, Clone)]
+pub(crate) struct Request {
+    /// Name of the view.
+    pub(crate) view: String,
+    /// Part of the view; `None`: its first one.
+    pub(crate) part: Option<String>,
+    /// The quantity, pair or link that is shown, as the search of the terminal UI finds it.
+    pub(crate) show: Option<String>,
+    /// Number of the position.
+    pub(crate) position: usize,
+    /// Width and height of the page, mm.
+    pub(crate) size: Option<[f64; 2]>,
+    /// Whether the drawing moves through all positions.
+    pub(crate) animate: bool,
+    pub(crate) analyzer: Option<String>,
+    pub(crate) integrator: Option<String>,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum StillError {
+    /// The scene can't be read.
+    #[error(transparent)]
+    Scene(#[from] ScreenError),
+    /// The request has no meaning for this scene.
+    #[error("error: {0}")]
+    Request(String),
+    /// The scene has nothing of this kind to show.
+    #[error("{0}")]
+    Nothing(String),
+}
+
+/// Time of one turn of an animation, s.
+const TURN: f64 = 6.0;
+
+/// The views that have a picture.
+pub(crate) fn views() -> Vec<&'static str> {
+    use View::{Curves, Drive, Forces, Mechanism, Motion, Plans, Structure};
+    [Mechanism, Curves, Forces, Plans, Motion, Drive, Structure].map(View::command).to_vec()
+}
+
+/// The picture of a view of a scene, in the form that the ending of `output` names.
+///
+/// # Errors
+///
+/// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
+pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
+    let mut state = analyzed(scene, request)?;
+    let size = request.size.unwrap_or(PAGE);
+    let wrong = |error: String| StillError::Request(error);
+    state.view = View::all().find(|view| view.command() == request.view).unwrap_or(View::Mechanism);
+    let last = state.positions() - 1;
+    if request.position > last {
+        let text = format!("there is no position {}; they are numbered 0 to {last}", request.position);
+        return Err(wrong(text));
+    }
+    state.position = request.position;
+    if let Some(part) = &request.part {
+        choose_part(&mut state, part).map_err(wrong)?;
+    }
+    if let Some(name) = &request.show {
+        command::search(&mut state, name);
+        if let Some((_, text)) = state.message.take() {
+            return Err(wrong(text));
+        }
+    }
+    if request.animate {
+        return animation(&mut state, output, size);
+    }
+    let figure = figure(&state)?;
+    picture(&figure, output, size).map_err(|error| wrong(error.to_string()))
+}
+
+/// The state of a scene with its analysis done; the checks are left out.
+fn analyzed(scene: PathBuf, request: &Request) -> Result<State, StillError> {
+    let scene = work::open(Source::File(scene)).map_err(ScreenError::Scene)?;
+    let mut state = State::new(Some(scene), Look::default(), COMMANDS, Keymap::of(COMMANDS));
+    state.analyzer.clone_from(&request.analyzer);
+    state.integrator.clone_from(&request.integrator);
+    command::ask(&mut state, Purpose::Main);
+    for wish in std::mem::take(&mut state.wishes) {
+        let Wish::Work(job) = wish else { continue };
+        let reports = RefCell::new(Vec::new());
+        let last = work::run(&job, &|report| reports.borrow_mut().push(report));
+        for report in reports.into_inner().into_iter().chain([last]) {
+            if matches!(report, Report::Analyzed { .. }) {
+                command::take(&mut state, report);
+            }
+        }
+    }
+    state.message = None;
+    Ok(state)
+}
+
+fn choose_part(state: &mut State, part: &str) -> Result<(), String> {
+    let panes = [
+        ("overview", Pane::Table),
+        ("causes", Pane::Causes),
+        ("curves", Pane::Curves),
+        ("hodograph", Pane::Hodograph),
+    ];
+    let plans = [
+        ("forces", PlanKind::Forces),
+        ("velocities", PlanKind::Velocity),
+        ("accelerations", PlanKind::Acceleration),
+        ("construction", PlanKind::Construction),
+    ];
+    let names = match state.view {
+        View::Plans => {
+            if let Some((_, plan)) = plans.iter().find(|(name, _)| *name == part) {
+                state.plan = *plan;
+                state.chosen.step = usize::MAX;
+                return Ok(());
+            }
+            plans.map(|(name, _)| name)
+        }
+        View::Forces | View::Motion | View::Drive => {
+            if let Some((_, pane)) = panes.iter().find(|(name, _)| *name == part) {
+                state.pane = *pane;
+                return Ok(());
+            }
+            panes.map(|(name, _)| name)
+        }
+        view => return Err(format!("the view `{}` has no parts", view.command())),
+    };
+    Err(format!("there is no part `{part}` of this view; its parts are {}", names.join(", ")))
+}
+
+fn figure(state: &State) -> Result<Figure, StillError> {
+    view::figure(state).ok_or_else(|| {
+        let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
+        StillError::Nothing(text)
+    })
+}
+
+/// One turn through all positions that exist.
+fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>, StillError> {
+    if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
+        return Err(StillError::Request("--animate writes SVG alone: name a file that ends in .svg".into()));
+    }
+    let mut frames = Vec::new();
+    for position in 0..state.positions() {
+        let exists = state.scene.as_ref().is_some_and(|scene| scene.poses[position].is_some());
+        state.position = position;
+        if exists {
+            frames.push(figure(state)?);
+        }
+    }
+    if let Some(first) = frames.first_mut() {
+        first.title = state.scene.as_ref().map_or_else(String::new, |scene| scene.linkage.mechanism.title.clone());
+    }
+    Ok(svg::animate(&frames, size, TURN).into_bytes())
+}

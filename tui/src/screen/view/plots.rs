@@ -1,0 +1,81 @@
+//! Curves over the positions or over time, as panels of figures.
+
+use assur_figure::{Axis, Frame, Ink, Item, Kind, Panel, Point, Stroke};
+
+use crate::screen::state::{Scene, Series, State};
+
+/// Strokes and inks of several curves, told apart without color.
+const STYLES: [(Stroke, Ink); 3] =
+    [(Stroke::Solid, Ink::First), (Stroke::Dotted, Ink::Third), (Stroke::Chain, Ink::Second)];
+
+/// A turn, degrees.
+const TURN: f64 = 360.0;
+
+/// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
+pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
+    let series = &scene.series[0];
+    let ends = [0.0, (scene.positions() - usize::from(!scene.closed())) as f64].map(|at| coordinate(scene, at));
+    let kind = if series.unit == "deg" { Kind::Degrees } else { Kind::Linear };
+    Axis { kind, ..Axis::around(format!("coordinate, {}", series.unit), ends, 0.0) }
+}
+
+/// The coordinate at a number of a position, also between two or after the last one.
+pub(super) fn coordinate(scene: &Scene, at: f64) -> f64 {
+    let values = &scene.series[0].values;
+    let first = values.first().copied().unwrap_or_default();
+    let step = values.get(1).map_or(0.0, |second| second - first);
+    first + at * step
+}
+
+/// The points of a quantity over the positions; a cycle is closed.
+pub(super) fn points(scene: &Scene, series: &Series) -> Vec<Point> {
+    let values = series.values.iter().copied();
+    let closing = scene.closed().then(|| {
+        let (first, last) = (series.at(0), series.at(series.values.len().saturating_sub(1)));
+        // A link that turns around has a turn more at the end.
+        let turns = if series.unit == "deg" { ((last - first) / TURN).round() } else { 0.0 };
+        first + TURN * turns
+    });
+    values.chain(closing).enumerate().map(|(at, value)| [coordinate(scene, at as f64), value]).collect()
+}
+
+/// The curve of a quantity over the positions, with the cursor at the present one.
+pub(super) fn over_positions(
+    state: &State,
+    scene: &Scene,
+    title: String,
+    curves: &[(&Series, Stroke, Ink)],
+    signs: Vec<Item>,
+) -> Panel {
+    let mut items: Vec<Item> = curves
+        .iter()
+        .map(|(series, stroke, ink)| Item::line(points(scene, series), *stroke, *ink))
+        .collect();
+    let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
+    let (floor, unit) = curves.first().map_or((0.0, ""), |(series, ..)| (series.floor, &series.unit));
+    items.extend(signs);
+    let frame = Frame::Axes {
+        x: coordinate_axis(scene),
+        y: Axis::around(unit, values, floor),
+        cursor: Some(coordinate(scene, state.position as f64)),
+    };
+    Panel { title, frame, items }
+}
+
+/// At most three curves given by points, each with its name; where there are several, with a number on them.
+pub(super) fn curves(title: &str, curves: Vec<(&str, Vec<Point>)>, x: Axis, cursor: Option<f64>) -> Panel {
+    let count = curves.len();
+    let names: Vec<String> = curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();
+    let title = if count > 1 { format!("{title}: {}", names.join("  ")) } else { title.to_owned() };
+    let mut items = Vec::new();
+    for (number, ((_, points), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
+        // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
+        let at = points.get((2 * number + 1) * points.len() / (2 * count)).copied();
+        items.push(Item::line(points, stroke, ink));
+        let name = at.filter(|_| count > 1).map(|at| Item::name(at, (number + 1).to_string(), Ink::Title));
+        items.extend(name);
+    }
+    let points = || items.iter().flat_map(Item::points);
+    let y = Axis::around("", points().map(|at| at[1]), 0.0);
+    Panel { title, frame: Frame::Axes { x, y, cursor }, items }
+}
