@@ -77,7 +77,8 @@ impl Axis {
 
     /// At most this many round values within the range, with their texts.
     pub fn ticks(&self, most: usize) -> Vec<(f64, String)> {
-        let [low, high] = if self.kind == Kind::Logarithmic { self.range.map(f64::log10) } else { self.range };
+        let [low, high] =
+            if self.kind == Kind::Logarithmic { self.range.map(f64::log10) } else { self.range };
         let span = high - low;
         if !(span.is_finite() && span > 0.0) {
             return Vec::new();
@@ -100,7 +101,8 @@ impl Axis {
     /// The least round step that is not below another one.
     fn step(&self, least: f64) -> f64 {
         let power = 10.0_f64.powf(least.log10().floor());
-        let round = || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
+        let round =
+            || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
         match self.kind {
             Kind::Logarithmic => least.ceil().max(1.0),
             Kind::Degrees if least <= 180.0 && least >= 1.0 => {

@@ -21,5 +21,5 @@ mod trace;
 
 pub use axis::{Axis, Kind, extent};
 pub use bounds::{Bounds, Zoom};
-pub use trace::round_length;
 pub use model::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+pub use trace::round_length;

@@ -59,9 +59,8 @@ impl Drawing<'_> {
     /// The ground alone, for a position that does not exist.
     pub fn ground(&self) -> Vec<Item> {
         let nowhere = self.linkage.position();
-        let bearings = self.pins(&nowhere.bodies).filter(|item| {
-            matches!(item, Item::Sign { sign: Sign::Bearing, .. })
-        });
+        let bearings =
+            self.pins(&nowhere.bodies).filter(|item| matches!(item, Item::Sign { sign: Sign::Bearing, .. }));
         self.guides(&nowhere.bodies).into_iter().chain(bearings).collect()
     }
 

@@ -41,12 +41,8 @@ pub(crate) struct Room {
 
 /// The elements of a figure on a page of this width and height, mm.
 pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2]) -> Vec<Element> {
-    let mut room = Room {
-        left: BORDER,
-        top: BORDER,
-        width: width - 2.0 * BORDER,
-        height: height - 2.0 * BORDER,
-    };
+    let mut room =
+        Room { left: BORDER, top: BORDER, width: width - 2.0 * BORDER, height: height - 2.0 * BORDER };
     let mut elements = Vec::new();
     if !figure.title.is_empty() {
         let title = names::fitted(&figure.title, room.width);

@@ -53,7 +53,11 @@ pub fn write(figure: &Figure, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
     picture.encode_png().map_err(|error| PngError::Write(error.to_string()))
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked by the caller: 1 to MOST")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "checked by the caller: 1 to MOST"
+)]
 fn pixels(side: f64) -> u32 {
     side as u32
 }

@@ -36,7 +36,8 @@ pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64) -> String {
 fn motion(frames: &[&Element], seconds: f64) -> String {
     let mut text = String::new();
     for (at, (name, first)) in frames[0].attributes.iter().enumerate() {
-        let values: Vec<&str> = frames.iter().filter_map(|frame| Some(frame.attributes.get(at)?.1.as_str())).collect();
+        let values: Vec<&str> =
+            frames.iter().filter_map(|frame| Some(frame.attributes.get(at)?.1.as_str())).collect();
         if values.iter().any(|value| value != first) {
             let _ = write!(
                 text,

@@ -147,7 +147,11 @@ fn line(points: Vec<Point>) -> Mark {
 pub(crate) fn unit(from: Point, to: Point) -> (Point, f64) {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy);
-    if length > 0.0 && length.is_finite() { ([dx / length, dy / length], length) } else { ([1.0, 0.0], length) }
+    if length > 0.0 && length.is_finite() {
+        ([dx / length, dy / length], length)
+    } else {
+        ([1.0, 0.0], length)
+    }
 }
 
 /// A point shifted along a direction.
@@ -158,9 +162,8 @@ pub(crate) fn shifted(at: Point, along: Point, by: f64) -> Point {
 /// The corners of a slider.
 pub(crate) fn block(at: Point, along: Point, em: f64) -> [Point; 4] {
     let across = [-along[1], along[0]];
-    [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[u, v]| {
-        shifted(shifted(at, along, u * BLOCK[0] * em), across, v * BLOCK[1] * em)
-    })
+    [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+        .map(|[u, v]| shifted(shifted(at, along, u * BLOCK[0] * em), across, v * BLOCK[1] * em))
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.

@@ -46,8 +46,11 @@ const SIDES: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
 
 fn page(text: &str) -> Result<[f64; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|side| SIDES.contains(side));
-    let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
-    sides.ok_or_else(|| format!("a size is two numbers of {} to {} mm, as in 160x120", SIDES.start(), SIDES.end()))
+    let sides =
+        text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| {
+        format!("a size is two numbers of {} to {} mm, as in 160x120", SIDES.start(), SIDES.end())
+    })
 }
 
 pub(crate) fn run(args: &DrawArgs, style: Style) -> Result<Status, Fault> {

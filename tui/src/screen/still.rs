@@ -159,7 +159,8 @@ fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>
         }
     }
     if let Some(first) = frames.first_mut() {
-        first.title = state.scene.as_ref().map_or_else(String::new, |scene| scene.linkage.mechanism.title.clone());
+        first.title =
+            state.scene.as_ref().map_or_else(String::new, |scene| scene.linkage.mechanism.title.clone());
     }
     Ok(svg::animate(&frames, size, TURN).into_bytes())
 }

@@ -99,12 +99,9 @@ fn vertical(map: &Map<'_>) -> Vec<Spot> {
         labels.push((zero, 0.0));
     }
     let least = ROUNDING * low.abs().max(high.abs());
-    let line = (0..rows).map(|row| Spot {
-        column: LABELS - 1,
-        row: row + 1,
-        text: "│".to_owned(),
-        ink: Ink::Text,
-    });
+    let line =
+        (0..rows)
+            .map(|row| Spot { column: LABELS - 1, row: row + 1, text: "│".to_owned(), ink: Ink::Text });
     let numbers = labels.into_iter().map(|(row, value)| {
         let text = plain(if value.abs() <= least { 0.0 } else { value });
         let column = LABELS.saturating_sub(short(text.len()) + 1);

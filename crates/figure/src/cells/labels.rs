@@ -63,9 +63,8 @@ impl Labels {
 
     fn is_taken(&self, spot: &Spot) -> bool {
         let end = |spot: &Spot| spot.column + short(spot.text.width());
-        let meets = |other: &Spot| {
-            other.row == spot.row && other.column < end(spot) && spot.column < end(other)
-        };
+        let meets =
+            |other: &Spot| other.row == spot.row && other.column < end(spot) && spot.column < end(other);
         self.texts.iter().any(meets)
     }
 

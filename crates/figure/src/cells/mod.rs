@@ -74,9 +74,11 @@ pub fn draw(figure: &Figure, size: [u16; 2], look: Look) -> Vec<Spot> {
             Frame::Plane { .. } => plane::draw(panel, [width, height], look),
             Frame::Axes { .. } => axes::draw(panel, figure.shows_axis(index), [width, height], look),
         };
-        spots.extend(
-            drawn.into_iter().map(|spot| Spot { column: spot.column + left, row: spot.row + top, ..spot }),
-        );
+        spots.extend(drawn.into_iter().map(|spot| Spot {
+            column: spot.column + left,
+            row: spot.row + top,
+            ..spot
+        }));
     }
     spots
 }

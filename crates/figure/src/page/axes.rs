@@ -63,7 +63,8 @@ pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room
     }
     let paper = Paper { place, em: EM, gap: 0.0 };
     let stars = panel.items.iter().flat_map(stars);
-    let marks: Vec<_> = panel.items.iter().cloned().chain(stars).flat_map(|item| paper.marks(&item)).collect();
+    let marks: Vec<_> =
+        panel.items.iter().cloned().chain(stars).flat_map(|item| paper.marks(&item)).collect();
     elements.extend(drawn(&marks, plot));
     elements
 }

@@ -103,8 +103,7 @@ pub(super) fn circle(at: Point, radius: f64, outline: Outline) -> Element {
 
 impl Outline {
     fn attributes(self) -> Vec<(&'static str, String)> {
-        let mut attributes =
-            vec![("stroke", color(self.ink).to_owned()), ("stroke-width", mm(self.width))];
+        let mut attributes = vec![("stroke", color(self.ink).to_owned()), ("stroke-width", mm(self.width))];
         attributes.push(match self.filled {
             None => ("fill", "none".to_owned()),
             Some(0.0) => ("fill", "#ffffff".to_owned()),

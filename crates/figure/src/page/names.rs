@@ -13,7 +13,8 @@ const APART: f64 = 0.35;
 /// Width of a text, mm: within a tenth for the fonts that are asked for.
 pub(super) fn text_width(text: &str) -> f64 {
     let of = |letter: char| match letter {
-        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')' | '/' => NARROW,
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')'
+        | '/' => NARROW,
         'm' | 'w' | 'M' | 'W' | 'Ш' | 'Щ' | 'Ж' | 'Ю' => 1.5 * LETTER,
         _ => LETTER,
     };
@@ -102,9 +103,8 @@ impl Names {
             && right <= room.left + room.width
             && bottom <= room.top + room.height;
         let crossed = self.lines.iter().filter(|line| crosses(line, spot)).count();
-        let meets = |other: &&[f64; 4]| {
-            other[0] < right && left < other[2] && other[1] < bottom && top < other[3]
-        };
+        let meets =
+            |other: &&[f64; 4]| other[0] < right && left < other[2] && other[1] < bottom && top < other[3];
         // Two names over each other are unreadable, a name over a line is not.
         let written = self.texts.iter().filter(meets).count();
         inside.then_some(crossed + 10 * written)

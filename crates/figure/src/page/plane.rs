@@ -29,9 +29,8 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
     let scale = fit(bounds, plot);
     let center = bounds.center().map(|x| if x.is_finite() { x } else { 0.0 });
     let middle = [plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height];
-    let place = |at: Point| {
-        [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale]
-    };
+    let place =
+        |at: Point| [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale];
     let paper = Paper { place, em: EM, gap: 0.1 * EM };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
     let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();

@@ -43,8 +43,9 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
     let content = match (&figure, ending.as_str()) {
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
         (None, _) => Err("this view has no picture; name a file that ends in .csv".into()),
-        (Some(figure), _) => picture(figure, &path, PAGE)
-            .and_then(|picture| numbers.map(|numbers| (picture, Some(numbers)))),
+        (Some(figure), _) => {
+            picture(figure, &path, PAGE).and_then(|picture| numbers.map(|numbers| (picture, Some(numbers))))
+        }
     };
     match content {
         Ok((content, numbers)) => {
@@ -64,7 +65,9 @@ pub(crate) fn picture(figure: &Figure, path: &Path, size: [f64; 2]) -> Result<Ve
     match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
         "svg" => Ok(svg::write(figure, size).into_bytes()),
         "png" => Ok(png::write(figure, size)?),
-        _ => Err(format!("`{}` must end in .svg or .png: the ending chooses the form", path.display()).into()),
+        _ => {
+            Err(format!("`{}` must end in .svg or .png: the ending chooses the form", path.display()).into())
+        }
     }
 }
 

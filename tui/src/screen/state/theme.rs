@@ -64,12 +64,8 @@ impl Theme {
 const LINKS: [Color; 6] =
     [Color::Blue, Color::Red, Color::Cyan, Color::LightBlue, Color::LightRed, Color::LightCyan];
 /// Colors of the links in Okabe and Ito's palette.
-const OKABE_ITO_LINKS: [Color; 4] = [
-    Color::Rgb(0, 114, 178),
-    Color::Rgb(213, 94, 0),
-    Color::Rgb(86, 180, 233),
-    Color::Rgb(240, 228, 66),
-];
+const OKABE_ITO_LINKS: [Color; 4] =
+    [Color::Rgb(0, 114, 178), Color::Rgb(213, 94, 0), Color::Rgb(86, 180, 233), Color::Rgb(240, 228, 66)];
 
 fn modifier(role: Role) -> Modifier {
     match role {

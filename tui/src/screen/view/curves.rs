@@ -12,8 +12,7 @@ use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Found, Role, Scene, Series, State, View, zeros};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
-const SIGNS: [(Sign, &str); 3] =
-    [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
+const SIGNS: [(Sign, &str); 3] = [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
@@ -40,10 +39,13 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     if let Some(compared) = &state.compared {
         let _ = write!(title, "   1 {} (line)  2 {} (stars)", scene.source.short_name(), compared.name);
     } else {
-        legend.extend(SIGNS.map(|(sign, text)| Key { sample: Sample::Sign(sign, Ink::Text), text: text.into() }));
+        legend.extend(
+            SIGNS.map(|(sign, text)| Key { sample: Sample::Sign(sign, Ink::Text), text: text.into() }),
+        );
     }
     let inks = [Ink::First, Ink::Second, Ink::Third];
-    let panels = inks.into_iter().enumerate().map(|(order, ink)| panel(state, scene, transfer.orders, order, ink));
+    let panels =
+        inks.into_iter().enumerate().map(|(order, ink)| panel(state, scene, transfer.orders, order, ink));
     Figure { title, panels: panels.collect(), columns: 1, legend }
 }
 

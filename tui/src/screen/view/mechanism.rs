@@ -34,7 +34,8 @@ pub(super) fn figure(state: &State, scene: &Scene, position: usize, marked: &[us
         }
         None => items.extend(drawing.ground()),
     }
-    let frame = Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+    let frame =
+        Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
     let coordinate = &scene.series[0];
     let at = format!("position {position}, {} {}", plain(coordinate.at(position)), coordinate.unit);
     let title = match scene.linkage.mechanism.title.as_str() {

@@ -32,7 +32,12 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         return regime::draw_iteration(state, regime, area, buffer);
     }
     put_lines(buffer, numbers, 1, state.look, &lines);
-    paint(state, &figure(state, scene, usize::from(charts.height.saturating_sub(2) / LEAST_ROWS)), charts, buffer);
+    paint(
+        state,
+        &figure(state, scene, usize::from(charts.height.saturating_sub(2) / LEAST_ROWS)),
+        charts,
+        buffer,
+    );
 }
 
 /// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
@@ -90,7 +95,9 @@ fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
         ("speed", format!("{q}/s"), |sample| sample.speed),
         ("acceleration", format!("{q}/s2"), |sample| sample.acceleration),
     ];
-    let Some(cursor) = course.get(state.position.min(course.len().saturating_sub(1))) else { return Vec::new() };
+    let Some(cursor) = course.get(state.position.min(course.len().saturating_sub(1))) else {
+        return Vec::new();
+    };
     let x = Axis::around("time, s", course.iter().map(|sample| sample.time), 0.0);
     let panel = |(name, unit, read): (&str, String, Read)| {
         let points = course.iter().map(|sample| [sample.time, read(sample)]).collect();

@@ -14,7 +14,8 @@ const TURN: f64 = 360.0;
 /// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
 pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
     let series = &scene.series[0];
-    let ends = [0.0, (scene.positions() - usize::from(!scene.closed())) as f64].map(|at| coordinate(scene, at));
+    let ends =
+        [0.0, (scene.positions() - usize::from(!scene.closed())) as f64].map(|at| coordinate(scene, at));
     let kind = if series.unit == "deg" { Kind::Degrees } else { Kind::Linear };
     Axis { kind, ..Axis::around(format!("coordinate, {}", series.unit), ends, 0.0) }
 }
@@ -47,10 +48,8 @@ pub(super) fn over_positions(
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,
 ) -> Panel {
-    let mut items: Vec<Item> = curves
-        .iter()
-        .map(|(series, stroke, ink)| Item::line(points(scene, series), *stroke, *ink))
-        .collect();
+    let mut items: Vec<Item> =
+        curves.iter().map(|(series, stroke, ink)| Item::line(points(scene, series), *stroke, *ink)).collect();
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, ""), |(series, ..)| (series.floor, &series.unit));
     items.extend(signs);
@@ -65,7 +64,8 @@ pub(super) fn over_positions(
 /// At most three curves given by points, each with its name; where there are several, with a number on them.
 pub(super) fn curves(title: &str, curves: Vec<(&str, Vec<Point>)>, x: Axis, cursor: Option<f64>) -> Panel {
     let count = curves.len();
-    let names: Vec<String> = curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();
+    let names: Vec<String> =
+        curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();
     let title = if count > 1 { format!("{title}: {}", names.join("  ")) } else { title.to_owned() };
     let mut items = Vec::new();
     for (number, ((_, points), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
