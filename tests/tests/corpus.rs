@@ -106,12 +106,13 @@ fn calculated(scene: &str) -> Result<(Value, Vec<&'static str>), String> {
     let found = Calculation::of(mechanism, &Options::default(), &mut unwatched);
     let found = found.map_err(|error| error.to_string())?;
     let analysis = found.analyze(&mut unwatched).map_err(|error| error.to_string())?;
-    if let Some(message) = analysis.no_motion {
+    if let Some(message) = analysis.no_motion.clone() {
         return Err(message);
     }
     let checks = found.checks(Coverage::Sample, &mut unwatched).map_err(|error| error.to_string())?;
     let failed = checks.iter().filter(|check| check.failed()).map(|check| check.name).collect();
-    Ok((serde_json::to_value(&analysis).map_err(|error| error.to_string())?, failed))
+    let text = assur_report::json::analysis::to_json(&analysis, false).map_err(|error| error.to_string())?;
+    Ok((serde_json::from_str(&text).map_err(|error| error.to_string())?, failed))
 }
 
 /// What is wrong with the answer to a scene.

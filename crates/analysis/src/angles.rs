@@ -6,48 +6,77 @@ use assur_group::Order;
 use assur_kinematics::{Linkage, Position, continuous_angle};
 use assur_mechanism::LinkId;
 
+use crate::results::{Column, Owner, Quantity, Schema, Table};
+
 /// Longest step of the coordinate, rad (or parts of the scale for a sliding input), between two angles that are joined:
 /// a link turns less than half a turn in it unless it turns sixty times as fast as the input.
 const LONGEST_STEP: f64 = 0.05;
 
-/// Follows the angles of all links along the coordinate.
-#[derive(Debug)]
+/// Follows the angles of links along the coordinate, from row to row.
+#[derive(Debug, Clone)]
 pub(crate) struct Angles {
-    /// Coordinate and angles of the last position; none before the first.
+    /// Column of the angle, and link.
+    followed: Vec<(usize, LinkId)>,
+    coordinate: Option<usize>,
+    /// Coordinate and angles of the last row; none before the first.
     last: Option<(f64, Vec<f64>)>,
-    scratch: Position,
 }
 
 impl Angles {
-    pub(crate) fn new(linkage: &Linkage) -> Self {
-        Self { last: None, scratch: linkage.position() }
+    pub(crate) fn new(schema: &Schema) -> Self {
+        let of = |column: &Column| column.quantity == Quantity::Transfer(0);
+        let followed =
+            schema.select(of).into_iter().filter_map(|index| match schema.columns()[index].owner {
+                Owner::Link(link) => Some((index, link)),
+                _ => None,
+            });
+        Self { followed: followed.collect(), coordinate: schema.find(Column::COORDINATE), last: None }
     }
 
-    /// The angles in a solved position, rad: in (-pi, pi] at first, then continuous.
+    /// Makes the angles of a table continue those of the rows before it: in (-pi, pi] in the first row of all, then the
+    /// equivalent angle that is nearest to the one before.
     ///
     /// Between distant positions the mechanism is solved at intermediate coordinates; where one can't be assembled, the
-    /// nearest angle is used. `None` where no link is requested.
-    pub(crate) fn follow(&mut self, linkage: &Linkage, position: &Position, wanted: &[LinkId]) -> &[f64] {
-        if wanted.is_empty() {
-            return &[];
-        }
-        let unit = linkage.coordinate_unit();
-        let mut angles = match self.last.take() {
-            None => position.bodies.iter().map(|body| first(body.s.atan2(body.c))).collect(),
-            Some((from, mut angles)) => {
-                let way = position.coordinate - from;
-                let steps = steps(way / unit);
-                for step in 1..steps {
-                    let between = from + way * (f64::from(step) / f64::from(steps));
-                    if linkage.solve(between, Order::Place, &mut self.scratch).is_ok() {
-                        join(&mut angles, &self.scratch);
-                    }
-                }
-                angles
+    /// nearest angle is used.
+    pub(crate) fn follow(&mut self, linkage: &Linkage, table: &mut Table) {
+        let Some(coordinate) = self.coordinate.filter(|_| !self.followed.is_empty()) else { return };
+        for row in 0..table.len() {
+            let coordinate = table.values(coordinate)[row];
+            let mut angles = self.before(linkage, coordinate, table, row);
+            for (angle, (column, _)) in angles.iter_mut().zip(&self.followed) {
+                let value = &mut table.column_mut(*column)[row];
+                *value = continuous_angle(*value, *angle);
+                *angle = *value;
             }
+            self.last = Some((coordinate, angles));
+        }
+    }
+
+    /// The angles just before a row.
+    fn before(&mut self, linkage: &Linkage, coordinate: f64, table: &Table, row: usize) -> Vec<f64> {
+        let Some((from, mut angles)) = self.last.take() else {
+            return self.followed.iter().map(|(column, _)| first(table.values(*column)[row])).collect();
         };
-        join(&mut angles, position);
-        &self.last.insert((position.coordinate, angles)).1
+        let way = coordinate - from;
+        let steps = steps(way / linkage.coordinate_unit());
+        if steps > 1 {
+            let mut position = linkage.position();
+            for step in 1..steps {
+                let between = from + way * (f64::from(step) / f64::from(steps));
+                if linkage.solve(between, Order::Place, &mut position).is_ok() {
+                    self.join(&mut angles, &position);
+                }
+            }
+        }
+        angles
+    }
+
+    /// Replaces each angle by the equivalent one of a position that is nearest to it.
+    fn join(&self, angles: &mut [f64], position: &Position) {
+        for (angle, (_, link)) in angles.iter_mut().zip(&self.followed) {
+            let body = &position.bodies[*link];
+            *angle = continuous_angle(body.s.atan2(body.c), *angle);
+        }
     }
 }
 
@@ -61,11 +90,4 @@ fn steps(way: f64) -> u32 {
 /// -pi becomes pi.
 fn first(angle: f64) -> f64 {
     if angle <= -PI { PI } else { angle }
-}
-
-/// Replaces each angle by the equivalent one that is nearest to the one before.
-fn join(angles: &mut [f64], position: &Position) {
-    for (angle, body) in angles.iter_mut().zip(&position.bodies) {
-        *angle = continuous_angle(body.s.atan2(body.c), *angle);
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::results::{Analysis, ByCause, Cycle, Named, PairReaction, PositionResult};
+use crate::results::{Analysis, Column, Cycle, Named, Owner, Part, Quantity, Schema, Table};
 use assur_diagram::{
     DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Solver, constructions, enveloping, sheet,
     sign_changes, split,
@@ -76,28 +76,31 @@ impl Calculation {
     /// [`DiagramError`] where a single cause has no reactions.
     pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), DiagramError> {
         let Some(loads) = &self.loads else { return Ok(()) };
+        let positions = &mut analysis.positions;
+        let Some(reactions) = positions.schema().select(is_force).first().copied() else { return Ok(()) };
         let instance = self.reaction_analyzer()?.instance;
         let mut solved = self.linkage.position();
-        for position in &mut analysis.positions {
-            let Some(reactions) = &position.reactions else { continue };
-            let state = self.state(position.coordinate);
-            self.linkage.solve_index(position.index, Order::Second, &mut solved)?;
-            let found = split(&self.linkage, &solved, loads, &state, instance)?;
-            position.by_cause = Some(by_cause(&found.shares, reactions));
+        let mut shares = Shares::new(positions);
+        for (row, &index) in positions.numbers().iter().enumerate() {
+            if positions.at(row, reactions).is_none() {
+                continue;
+            }
+            let state = self.state(self.linkage.mechanism.input.coordinate(index));
+            self.linkage.solve_index(index, Order::Second, &mut solved)?;
+            shares.add(row, &split(&self.linkage, &solved, loads, &state, instance)?.shares);
         }
-        analysis.cycle.hodographs = self.hodographs(&analysis.positions);
+        shares.extend(positions);
+        analysis.cycle.hodographs = self.hodographs(positions);
         Ok(())
     }
 
     /// Results from the reactions of all positions, and the geometry of the contacts.
-    pub(crate) fn cycle(&self, positions: &[PositionResult]) -> Cycle {
-        let with_forces = positions.iter().filter(|position| position.reactions.is_some());
-        let indices: Vec<usize> = with_forces.map(|position| position.index).collect();
+    pub(crate) fn cycle(&self, positions: &Table) -> Cycle {
         Cycle {
             reaction_extremes: self
                 .hodographs(positions)
                 .iter()
-                .map(|curve| curve.extreme(&indices))
+                .map(|curve| curve.extreme(&with_reactions(positions)))
                 .collect(),
             sign_changes: self.sign_changes(positions),
             enveloping: self.enveloping(),
@@ -106,27 +109,21 @@ impl Calculation {
     }
 
     /// The polar diagrams of all reactions, over the positions that have them.
-    fn hodographs(&self, positions: &[PositionResult]) -> Vec<Hodograph> {
-        let each =
-            positions.iter().filter_map(|position| Some((position.coordinate, position.reactions.as_ref()?)));
-        let all: Vec<_> = each.collect();
-        let Some((_, first)) = all.first() else { return Vec::new() };
-        let ends =
-            first.iter().flat_map(|(joint, reaction)| reaction.forces.iter().map(move |(on, _)| (joint, on)));
-        let curve = |(joint, on): (&str, &Arc<str>)| {
-            let force = |reactions: &Named<PairReaction>| {
-                let forces = &reactions.get(joint)?.forces;
-                forces.iter().find(|(link, _)| link == on).map(|(_, force)| *force)
+    fn hodographs(&self, positions: &Table) -> Vec<Hodograph> {
+        let schema = positions.schema();
+        let Some(coordinate) = schema.find(Column::COORDINATE) else { return Vec::new() };
+        let curve = |x: usize| {
+            let Owner::PairOn(pair, link) = schema.columns()[x].owner else { return None };
+            let row = |((x, y), coordinate): ((Option<f64>, Option<f64>), Option<f64>)| {
+                Some((coordinate?, [x?, y?]))
             };
-            Hodograph {
-                joint: joint.to_owned(),
-                on: on.to_string(),
-                coordinates: all.iter().map(|(coordinate, _)| *coordinate).collect(),
-                points: all.iter().map(|(_, reactions)| force(reactions).unwrap_or([f64::NAN; 2])).collect(),
-                closed: matches!(self.linkage.mechanism.input.range, Range::Cycle(_)),
-            }
+            let rows = positions.each(x).zip(positions.each(x + 1)).zip(positions.each(coordinate));
+            let (coordinates, points): (Vec<_>, Vec<_>) = rows.filter_map(row).unzip();
+            let (joint, on) = (schema.name(Owner::Pair(pair)).into_owned(), schema.link(link).to_owned());
+            let closed = matches!(self.linkage.mechanism.input.range, Range::Cycle(_));
+            (!points.is_empty()).then_some(Hodograph { joint, on, coordinates, points, closed })
         };
-        ends.map(curve).collect()
+        schema.select(is_force).into_iter().filter_map(curve).collect()
     }
 
     /// A contact whose arc has no position somewhere in its interval is left out: the failures of the positions say
@@ -142,19 +139,17 @@ impl Calculation {
     }
 
     /// Of the guides with a force; none where a position is missing, because the force is unknown there.
-    fn sign_changes(&self, positions: &[PositionResult]) -> Named<Vec<SignChange>> {
+    fn sign_changes(&self, positions: &Table) -> Named<Vec<SignChange>> {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
             return Named::default();
         };
         let state_at = |coordinate: f64| self.state(coordinate);
-        let least = LEAST_FORCE * sizes(positions, |_| true);
-        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.as_str();
+        let least = LEAST_FORCE * greatest(positions, |_| true);
         let slides = self.plan.wanted.reactions.iter().filter_map(|pair| match pair {
-            PairId::Slide(slide) => Some(*slide),
-            PairId::Pin(_) => None,
+            PairId::Slide(slide) if greatest(positions, |of| of == *pair) > least => Some(*slide),
+            _ => None,
         });
-        let slides: Vec<usize> =
-            slides.filter(|slide| sizes(positions, |pair| pair == name(*slide)) > least).collect();
+        let slides: Vec<usize> = slides.collect();
         if slides.is_empty() {
             return Named::default();
         }
@@ -166,39 +161,110 @@ impl Calculation {
             carrying: &self.plan.groups_carrying,
         };
         let changes = sign_changes(&solver, &slides, &state_at).unwrap_or_default();
-        slides.into_iter().map(|slide| Arc::from(name(slide))).zip(changes).collect()
+        let name = |slide: usize| Arc::from(self.linkage.mechanism.slides[slide].name.as_str());
+        slides.into_iter().map(name).zip(changes).collect()
     }
 }
 
-/// Greatest force in the pairs of these names, N.
-fn sizes(positions: &[PositionResult], wanted: impl Fn(&str) -> bool) -> f64 {
-    let pairs = positions.iter().flat_map(|position| &position.reactions).flat_map(Named::iter);
-    let forces = pairs.filter(|(name, _)| wanted(name)).flat_map(|(_, reaction)| &reaction.forces);
-    forces.map(|(_, [x, y])| x.hypot(*y)).fold(0.0, f64::max)
+/// Whether a column is the projection on the x axis of a force under all loads; the column after it is the other
+/// projection.
+fn is_force(column: &Column) -> bool {
+    column.quantity == Quantity::Force && column.part == Part::X && column.cause.is_none()
 }
 
-/// The shares in the order and for the pairs of the whole.
-fn by_cause(shares: &[Share], whole: &Named<PairReaction>) -> ByCause {
-    let mut found = ByCause::default();
-    for share in shares {
-        let mut cause = share.cause.clone();
-        // A load may be called `weight` too.
-        while found.balancing_by_cause.get(&cause).is_some() {
-            cause.push_str(" (load)");
+/// Numbers of the positions that have reactions.
+fn with_reactions(positions: &Table) -> Vec<usize> {
+    let Some(&force) = positions.schema().select(is_force).first() else { return Vec::new() };
+    let each = positions.numbers().iter().zip(positions.each(force));
+    each.filter_map(|(number, force)| force.map(|_| *number)).collect()
+}
+
+/// Greatest force in some pairs, N.
+fn greatest(positions: &Table, wanted: impl Fn(PairId) -> bool) -> f64 {
+    let schema = positions.schema();
+    let of =
+        |column: &Column| matches!(column.owner, Owner::PairOn(pair, _) if wanted(pair)) && is_force(column);
+    let forces =
+        schema.select(of).into_iter().flat_map(|x| positions.values(x).iter().zip(positions.values(x + 1)));
+    forces.map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max)
+}
+
+/// Columns of the shares of single causes, for the reactions of a table.
+struct Shares {
+    /// Owners of the forces and moments, in the order of the reactions.
+    wanted: Vec<(Column, String, Option<String>)>,
+    rows: usize,
+    causes: Vec<String>,
+    /// By cause, whether a row has its share.
+    present: Vec<Vec<bool>>,
+    /// By cause, its columns: the wanted ones, then the balancing load.
+    columns: Vec<Vec<Vec<f64>>>,
+}
+
+impl Shares {
+    fn new(positions: &Table) -> Self {
+        let schema = positions.schema();
+        let wanted = schema.columns().iter().filter_map(|column| {
+            let name = |owner| schema.name(owner).into_owned();
+            match (column.quantity, column.owner) {
+                (Quantity::Force, Owner::PairOn(_, link)) => {
+                    Some((*column, name(column.owner), Some(schema.link(link).to_owned())))
+                }
+                (Quantity::Moment, owner) => Some((*column, name(owner), None)),
+                _ => None,
+            }
+        });
+        let (wanted, rows) = (wanted.collect(), positions.len());
+        Self { wanted, rows, causes: Vec::new(), present: Vec::new(), columns: Vec::new() }
+    }
+
+    /// The shares of a row.
+    fn add(&mut self, row: usize, shares: &[Share]) {
+        let mut names: Vec<String> = Vec::new();
+        for share in shares {
+            let mut name = share.cause.clone();
+            // A load may be called `weight` too.
+            while names.contains(&name) {
+                name.push_str(" (load)");
+            }
+            let cause = self.cause(&name);
+            self.present[cause][row] = true;
+            let columns = &mut self.columns[cause];
+            for (values, (column, pair, on)) in columns.iter_mut().zip(&self.wanted) {
+                let mut of_pair = share.reactions.iter().filter(|reaction| reaction.joint == *pair);
+                let value = match on {
+                    Some(on) => of_pair
+                        .find(|reaction| reaction.on == *on)
+                        .map(|reaction| reaction.force[usize::from(column.part == Part::Y)]),
+                    None => of_pair.find_map(|reaction| reaction.moment),
+                };
+                values[row] = value.unwrap_or(0.0);
+            }
+            columns[self.wanted.len()][row] = share.balancing;
+            names.push(name);
         }
-        let cause: Arc<str> = cause.into();
-        let pairs = whole.0.iter().map(|(name, _)| (Arc::clone(name), pair(share, name)));
-        found.reactions_by_cause.push(Arc::clone(&cause), pairs.collect());
-        found.balancing_by_cause.push(cause, share.balancing);
     }
-    found
-}
 
-fn pair(share: &Share, name: &str) -> PairReaction {
-    let forces = || share.reactions.iter().filter(|reaction| reaction.joint == name);
-    PairReaction {
-        forces: forces().map(|reaction| (reaction.on.as_str().into(), reaction.force)).collect(),
-        moment: forces().find_map(|reaction| reaction.moment),
-        offset: None,
+    /// The index of a cause, which is added where it is new.
+    fn cause(&mut self, name: &str) -> usize {
+        self.causes.iter().position(|known| known == name).unwrap_or_else(|| {
+            self.causes.push(name.to_owned());
+            self.present.push(vec![false; self.rows]);
+            self.columns.push(vec![vec![0.0; self.rows]; self.wanted.len() + 1]);
+            self.causes.len() - 1
+        })
+    }
+
+    /// Adds the columns to the table.
+    fn extend(self, positions: &mut Table) {
+        let mut schema = Schema::clone(positions.schema());
+        schema.causes = self.causes;
+        for cause in 0..schema.causes.len() {
+            let section = schema.section();
+            let balancing = Column { cause: Some(cause), ..Column::BALANCING };
+            let forces = self.wanted.iter().map(|(column, ..)| Column { cause: Some(cause), ..*column });
+            schema.add(section, forces.chain([balancing]));
+        }
+        positions.extend(schema, self.columns.into_iter().flatten().collect(), self.present);
     }
 }

@@ -1,7 +1,8 @@
 //! The plan is obeyed, and failures are told.
 
-use crate::results::Analysis;
+use crate::results::{Analysis, Column, Owner, Part, Quantity, Table};
 use assur_all as _;
+use assur_mechanism::{LinkId, PairId};
 
 use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
@@ -21,15 +22,47 @@ fn analyzed(text: &str) -> Analysis {
     study(text).unwrap().analyze(&mut unwatched).unwrap()
 }
 
+/// A column that has a number in every row, by the name of what it belongs to.
+fn values_of(table: &Table, quantity: Quantity, name: &str, part: Part) -> Vec<f64> {
+    let schema = table.schema();
+    let owner = schema.owners(quantity).into_iter().find(|owner| schema.name(*owner) == name).unwrap();
+    let column = schema.find(Column::of(quantity, owner).part(part)).unwrap();
+    table.each(column).map(Option::unwrap).collect()
+}
+
+fn values(found: &Analysis, quantity: Quantity, name: &str) -> Vec<f64> {
+    values_of(&found.positions, quantity, name, Part::Whole)
+}
+
+/// The coordinates of the positions.
+fn coordinates(found: &Analysis) -> Vec<f64> {
+    values(found, Quantity::Transfer(0), "")
+}
+
+/// The pins and slides, with each link that they join.
+fn ends(table: &Table) -> Vec<(PairId, LinkId)> {
+    let owners = table.schema().owners(Quantity::Force).into_iter();
+    owners
+        .filter_map(|owner| if let Owner::PairOn(pair, link) = owner { Some((pair, link)) } else { None })
+        .collect()
+}
+
+fn force(table: &Table, row: usize, pair: PairId, link: LinkId) -> [f64; 2] {
+    Column::vector(Quantity::Force, Owner::PairOn(pair, link)).map(|column| table.get(row, column).unwrap())
+}
+
 #[test]
 fn a_limited_scene_tells_the_same_numbers() {
     let (whole, part) =
         (analyzed(&text("shaper")), analyzed(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n")));
     assert_eq!(part.positions.len(), whole.positions.len());
-    for (a, b) in part.positions.iter().zip(&whole.positions) {
-        assert_eq!(a.links.get("rocker"), b.links.get("rocker"));
-        assert_eq!((a.links.len(), a.points.len(), a.condition.len()), (1, 0, 1));
+    for order in 0..3 {
+        let angle = |found: &Analysis| values(found, Quantity::Transfer(order), "rocker");
+        assert_eq!(angle(&part), angle(&whole));
     }
+    let owners = |quantity| part.positions.schema().owners(quantity).len();
+    // The input and the rocker.
+    assert_eq!((owners(Quantity::Transfer(0)), owners(Quantity::Condition)), (2, 1));
 }
 
 #[test]
@@ -48,10 +81,10 @@ fn a_group_that_is_not_needed_may_be_impossible() {
     );
     let part = analyzed(&format!("{impossible}[output]\npoints = [\"B\"]\n"));
     assert_eq!((part.positions.len(), part.failures.len()), (12, 0));
-    for position in &part.positions {
+    let place = |part_of| values_of(&part.positions, Quantity::Transfer(0), "B", part_of);
+    for ((q, x), y) in coordinates(&part).into_iter().zip(place(Part::X)).zip(place(Part::Y)) {
         // |AB| = 3 and |CB| = 2 whatever the position.
-        let b = position.points.get("B").unwrap().pf0;
-        let a = [position.coordinate.cos(), position.coordinate.sin()];
+        let (a, b) = ([q.cos(), q.sin()], [x, y]);
         assert!(((b[0] - a[0]).hypot(b[1] - a[1]) - 3.0).abs() < 1e-14);
         assert!(((b[0] - 3.0).hypot(b[1]) - 2.0).abs() < 1e-14);
     }
@@ -65,48 +98,52 @@ fn angles_follow_the_links_over_far_positions() {
         [input]\nlink = \"crank\"\nfrom = 2\ncycle = \"1080 deg\"\npositions = 3\n\
         [assembly]\nB = [2.6, 0.9]\n";
     let found = analyzed(scene);
-    for (i, position) in found.positions.iter().enumerate() {
-        for link in ["crank", "rocker"] {
-            let angle = position.links.get(link).unwrap().pf0;
+    for link in ["crank", "rocker"] {
+        for (i, angle) in values(&found, Quantity::Transfer(0), link).into_iter().enumerate() {
             assert!((angle - (2.0 + i as f64 * std::f64::consts::TAU)).abs() < 1e-9, "{link} {i}: {angle}");
         }
-        assert!(position.links.get("coupler").unwrap().pf0.abs() < 1e-9);
     }
+    assert!(values(&found, Quantity::Transfer(0), "coupler").iter().all(|angle| angle.abs() < 1e-9));
 }
 
 #[test]
 fn the_first_angle_lies_in_the_first_turn() {
     let scene = text("shaper").replace("positions = 48", "positions = 48\nfrom = \"180 deg\"");
     let found = analyzed(&scene);
-    assert!((found.positions[0].links.get("crank").unwrap().pf0 - std::f64::consts::PI).abs() < 1e-15);
+    assert!((values(&found, Quantity::Transfer(0), "crank")[0] - std::f64::consts::PI).abs() < 1e-15);
     let turned = analyzed(&text("shaper").replace("positions = 48", "positions = 48\nfrom = \"200 deg\""));
-    assert!((turned.positions[0].links.get("crank").unwrap().pf0 + 160_f64.to_radians()).abs() < 1e-14);
+    assert!((values(&turned, Quantity::Transfer(0), "crank")[0] + 160_f64.to_radians()).abs() < 1e-14);
 }
 
 #[test]
 fn the_force_at_its_offset_does_what_force_and_moment_do() {
-    for position in &analyzed(&text("guide-shaper")).positions {
-        for (name, reaction) in position.reactions.as_ref().unwrap().iter() {
-            let Some(moment) = reaction.moment else { continue };
-            let force = reaction.forces[0].1;
-            let modulus = force[0].hypot(force[1]);
+    let positions = analyzed(&text("guide-shaper")).positions;
+    let mut compared = 0;
+    for (pair, link) in ends(&positions) {
+        for row in 0..positions.len() {
+            let of = |quantity| positions.get(row, Column::of(quantity, Owner::Pair(pair)));
             // A slide pushes across its guide, so the arm of the force is the offset itself.
-            if let Some(offset) = reaction.offset {
-                assert!(((offset * modulus).abs() - moment.abs()).abs() < 1e-9 * modulus, "{name}");
+            if let (Some(moment), Some(offset)) = (of(Quantity::Moment), of(Quantity::Offset)) {
+                let [x, y] = force(&positions, row, pair, link);
+                let modulus = x.hypot(y);
+                assert!(((offset * modulus).abs() - moment.abs()).abs() < 1e-9 * modulus, "{pair:?}");
+                compared += 1;
             }
         }
     }
+    assert!(compared > 48);
 }
 
 #[test]
 fn forces_of_a_pair_sum_to_zero() {
     for scene in ["shaper", "conveyor", "stephenson3"] {
-        for position in &analyzed(&text(scene)).positions {
-            for (name, reaction) in position.reactions.as_ref().unwrap().iter() {
+        let positions = analyzed(&text(scene)).positions;
+        for joint in ends(&positions).chunk_by(|a, b| a.0 == b.0) {
+            for row in 0..positions.len() {
                 for axis in 0..2 {
-                    let parts = reaction.forces.iter().map(|(_, force)| force[axis]);
+                    let parts = joint.iter().map(|(pair, link)| force(&positions, row, *pair, *link)[axis]);
                     let largest = parts.clone().fold(1.0, |a: f64, b| a.max(b.abs()));
-                    assert!(parts.sum::<f64>().abs() < 1e-12 * largest, "{scene}: {name}");
+                    assert!(parts.sum::<f64>().abs() < 1e-12 * largest, "{scene}: {joint:?}");
                 }
             }
         }
@@ -164,7 +201,8 @@ fn samples_without_forces_say_why() {
     let mechanism = assur_scene::read("test", scene).unwrap();
     let found =
         Calculation::of(mechanism, &options, &mut unwatched).unwrap().analyze(&mut unwatched).unwrap();
-    assert!(found.trajectory[0].balancing.is_none() && found.trajectory[1].balancing.is_some());
+    let balancing = |row| found.trajectory.get(row, Column::BALANCING);
+    assert!(balancing(0).is_none() && balancing(1).is_some());
     let note = found.notes.iter().find(|note| note.contains("No forces")).unwrap();
     assert!(note.starts_with("No forces at 1 sample of the motion; at the first: "), "{note}");
     assert!(!note.contains("change point"), "{note}");

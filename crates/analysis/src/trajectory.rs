@@ -3,10 +3,11 @@
 use assur_dynamics::Instant;
 use assur_force::State;
 
+use crate::angles::Angles;
+use crate::filler::{Filler, Obstacle};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
-use crate::reader::Reader;
-use crate::results::{MotionSample, Named, PointPosition};
+use crate::results::Table;
 use crate::{Calculation, InputMotion, Progress};
 
 /// Samples of a motion that have no forces.
@@ -18,6 +19,18 @@ pub(crate) struct WithoutForces {
     pub(crate) refused: usize,
     /// The error of the method at the first of them.
     pub(crate) reason: Option<String>,
+}
+
+impl WithoutForces {
+    fn add(&mut self, obstacle: Obstacle) {
+        match obstacle {
+            Obstacle::ChangePoint => self.at_change_points += 1,
+            Obstacle::Refused(why) => {
+                self.refused += 1;
+                self.reason.get_or_insert(why);
+            }
+        }
+    }
 }
 
 impl Calculation {
@@ -46,71 +59,19 @@ impl Calculation {
     }
 
     /// The samples, with forces for a transient motion, because its positions have none; and where they are missing.
-    pub(crate) fn trajectory(
-        &self,
-        watch: &mut Watch<'_>,
-    ) -> Result<(Vec<MotionSample>, WithoutForces), Stopped> {
-        let mut reader = Reader::new(self);
+    pub(crate) fn trajectory(&self, watch: &mut Watch<'_>) -> Result<(Table, WithoutForces), Stopped> {
         let transient = matches!(self.motion, InputMotion::Transient(_));
-        let (mut samples, mut without) = (Vec::new(), WithoutForces::default());
+        let mut filler = Filler::new(self, self.families_of_motion(), transient);
+        let (mut table, mut without) = (filler.table(), WithoutForces::default());
         let instants = self.instants();
         let total = instants.len();
-        for (done, Instant { state, holding }) in instants.into_iter().enumerate() {
+        for (done, instant) in instants.iter().enumerate() {
             step(watch, Progress::Samples { done, total })?;
-            if reader.solve(state.coordinate).is_err() {
-                continue;
+            if let Ok(Some(obstacle)) = filler.sample(done, instant, &mut table) {
+                without.add(obstacle);
             }
-            let mut sample = MotionSample {
-                time: state.time,
-                coordinate: state.coordinate,
-                speed: state.speed,
-                acceleration: state.acceleration,
-                holding,
-                ..MotionSample::default()
-            };
-            if transient {
-                add_motion(&mut sample, &mut reader, &state);
-                self.add_forces(&mut sample, &mut reader, &state, &mut without);
-            } else {
-                sample.links = reader.links();
-            }
-            samples.push(sample);
         }
-        Ok((samples, without))
+        Angles::new(table.schema()).follow(&self.linkage, &mut table);
+        Ok((table, without))
     }
-
-    fn add_forces(
-        &self,
-        sample: &mut MotionSample,
-        reader: &mut Reader<'_>,
-        state: &State,
-        without: &mut WithoutForces,
-    ) {
-        if self.linkage.is_at_change_point(&reader.position) {
-            without.at_change_points += usize::from(reader.has_forces());
-            sample.balancing = reader.balancing_alone(state);
-            return;
-        }
-        match reader.forces(state) {
-            Some(Ok((reactions, balancing))) => {
-                (sample.reactions, sample.balancing) = (reactions, Some(balancing));
-            }
-            Some(Err(error)) => {
-                without.refused += 1;
-                without.reason.get_or_insert(error.to_string());
-            }
-            None => {}
-        }
-    }
-}
-
-/// Links, points and slides with velocities and accelerations.
-fn add_motion(sample: &mut MotionSample, reader: &mut Reader<'_>, state: &State) {
-    let found = reader.transfers();
-    let [velocities, accelerations] = found.rates(state);
-    (sample.velocities, sample.accelerations) = (Some(velocities), Some(accelerations));
-    let positions = found.points.0.into_iter().map(|(name, point)| (name, PointPosition { pf0: point.pf0 }));
-    sample.points = Named(positions.collect());
-    sample.links = found.links;
-    sample.slides = found.slides;
 }

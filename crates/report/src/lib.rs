@@ -7,6 +7,7 @@ pub mod csv;
 mod explain;
 mod fold;
 pub mod json;
+mod template;
 pub mod text;
 
 pub use explain::explain;

@@ -3,42 +3,59 @@
 use std::sync::Arc;
 
 use crate::csv::{Cell, CsvError, to_csv, write};
-use crate::json::to_json;
+use crate::json::analysis::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
-    Analysis, InputReport, Named, PairReaction, PointMotion, PositionResult, ScalarMotion, StructureReport,
+    Analysis, Column, Cycle, InputReport, Owner, Quantity, Schema, Section, StructureReport, Table,
 };
+use assur_mechanism::{Mechanism, PairId};
 
-fn named<T>(name: &str, value: T) -> Named<T> {
-    [(Arc::from(name), value)].into_iter().collect()
+/// A link called `größe`, and a slide.
+fn mechanism() -> Mechanism {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.\"größe\"]\npoints = { O = 0, A = 1 }\n\
+        [link.rod]\npoints = { A = 0, B = 4 }\n[link.ram]\npoints = { B = 0 }\n\
+        [[slide]]\nlink = \"ram\"\non = \"ground\"\n[input]\nlink = \"größe\"\n";
+    assur_scene::read("test", scene).unwrap()
+}
+
+/// The columns of a position: coordinate, a link, a point, the forces of the slide, the balancing load, a condition.
+fn schema(mechanism: &Mechanism) -> Schema {
+    let mut schema = Schema::new(mechanism);
+    let transfer = |owner| (0..=2).map(move |order| Column::of(Quantity::Transfer(order), owner));
+    schema.add(Section::ALWAYS, [Column::COORDINATE]);
+    schema.add(Section::ALWAYS, transfer(Owner::Link(1)));
+    let point = Owner::Point(mechanism.point("A").unwrap());
+    schema.add(Section::ALWAYS, (0..=2).flat_map(|order| Column::vector(Quantity::Transfer(order), point)));
+    let (forces, offset, balancing, condition) =
+        (schema.section(), schema.section(), schema.section(), schema.section());
+    let slide = PairId::Slide(0);
+    for link in [3, 0] {
+        schema.add(forces, Column::vector(Quantity::Force, Owner::PairOn(slide, link)));
+    }
+    schema.add(forces, [Column::of(Quantity::Moment, Owner::Pair(slide))]);
+    schema.add(offset, [Column::of(Quantity::Offset, Owner::Pair(slide))]);
+    schema.add(balancing, [Column::BALANCING]);
+    schema.add(condition, [Column::of(Quantity::Condition, Owner::Group(0))]);
+    schema
 }
 
 fn analysis(angle: f64) -> Analysis {
-    let reaction = PairReaction {
-        forces: vec![(Arc::from("ram"), [1.0, -2.0]), (Arc::from("ground"), [-1.0, 2.0])],
-        moment: Some(0.5),
-        offset: Some(0.25),
-    };
-    let position = PositionResult {
-        index: 0,
-        coordinate: 0.1 + 0.2,
-        speed: None,
-        acceleration: None,
-        links: named("größe", ScalarMotion { pf0: angle, pf1: 1.0, pf2: 0.0 }),
-        points: named("A", PointMotion { pf0: [1e-300, 2.0 / 3.0], ..PointMotion::default() }),
-        slides: Named::default(),
-        velocities: None,
-        accelerations: None,
-        reduced: None,
-        reactions: Some(named("ram/ground", reaction)),
-        balancing: Some(3.0),
-        by_cause: None,
-        condition: named("0", 2.0),
-    };
+    let mechanism = mechanism();
+    let mut positions = Table::new(Arc::new(schema(&mechanism)));
+    let mut cells = positions.row(0);
+    cells.all([0.1 + 0.2, angle, 1.0, 0.0, 1e-300, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0]);
+    cells.all([1.0, -2.0, -1.0, 2.0, 0.5, 0.25, 3.0, 2.0]);
+    // A singular position without reactions.
+    let mut cells = positions.row(5);
+    cells.all([7.0; 10]);
+    cells.none(6);
+    cells.all([4.0]);
+    cells.none(1);
+    let mut motion = Schema::new(&mechanism);
+    motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
-        format: Analysis::FORMAT,
         title: "a \"title\", with Ж and 🦀".to_owned(),
-        input: InputReport { link: "crank".to_owned(), angular: true, balancing_is_moment: true },
+        input: InputReport { link: "größe".to_owned(), angular: true, balancing_is_moment: true },
         structure: StructureReport {
             mobility: 1,
             mobility_by_rank: None,
@@ -49,14 +66,14 @@ fn analysis(angle: f64) -> Analysis {
             pairs: 1,
             groups: Vec::new(),
         },
-        positions: vec![position],
+        positions,
         failures: Vec::new(),
-        trajectory: Vec::new(),
+        trajectory: Table::new(Arc::new(motion)),
         dynamics: None,
         integration: None,
         no_motion: None,
         notes: Vec::new(),
-        cycle: assur_analysis::results::Cycle::default(),
+        cycle: Cycle::default(),
         checks: Vec::new(),
     }
 }
@@ -70,6 +87,11 @@ fn json_has_the_shapes_of_the_contract_and_all_digits() {
     assert_eq!(position["points"]["A"]["pf0"], serde_json::json!([1e-300, 2.0 / 3.0]));
     let reaction = serde_json::json!({ "ram": [1.0, -2.0], "ground": [-1.0, 2.0], "moment": 0.5 });
     assert_eq!(position["reactions"]["ram/ground"], reaction);
+    assert_eq!(position["links"], serde_json::json!({ "größe": { "pf0": 1.5, "pf1": 1.0, "pf2": 0.0 } }));
+    assert_eq!((&position["slides"], &position["index"]), (&serde_json::json!({}), &serde_json::json!(0)));
+    let singular = &read["positions"][1];
+    assert_eq!((&singular["condition"], &singular["index"]), (&serde_json::json!({}), &serde_json::json!(5)));
+    assert!(singular.get("reactions").is_none() && singular["balancing"] == 4.0);
     let absent = ["speed", "acceleration", "velocities", "accelerations", "reduced"];
     assert!(absent.iter().all(|key| position.get(key).is_none()));
     assert!(["failures", "trajectory", "dynamics", "checks"].iter().all(|key| read.get(key).is_none()));
@@ -111,6 +133,28 @@ fn csv_reads_back() {
     assert_eq!(cell("A_x_m").to_bits(), 1e-300_f64.to_bits());
     assert_eq!(cell("A_y_m").to_bits(), (2.0_f64 / 3.0).to_bits());
     assert!(files[1].text.starts_with("index,coordinate_rad,balancing_Nm,ram/ground_ram_fx_N,"));
+    assert!(files[0].text.ends_with("\n5,7,7,7,7,7,7,7,7,7,7,\n"), "{}", files[0].text);
+    assert!(files[1].text.ends_with("\n5,7,4,,,,,\n"), "{}", files[1].text);
+}
+
+#[test]
+fn numbers_are_the_shortest_that_read_back() {
+    let mut bits = 0x0123_4567_89ab_cdef_u64;
+    for _ in 0..20_000 {
+        bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let small = f64::from_bits(bits >> 12 | 0x3ff0_0000_0000_0000) - 1.5;
+        for value in [f64::from_bits(bits), small, (small * 1e17).trunc(), small * 1e-5, small.trunc()] {
+            if value.is_finite() {
+                let mut text = Vec::new();
+                crate::csv::number(value, &mut text);
+                let whole = value == 0.0 || (1e-5..1e15).contains(&value.abs());
+                let known = if whole { format!("{value}") } else { format!("{value:e}") };
+                let text = String::from_utf8(text).unwrap();
+                // Of two shortest texts as near either may be taken.
+                assert_eq!((text.len(), text.parse()), (known.len(), Ok(value)), "{text} for {known}");
+            }
+        }
+    }
 }
 
 #[test]

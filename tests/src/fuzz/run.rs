@@ -93,7 +93,8 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     let Ok(mut analysis) = calculation.analyze(&mut watch) else { return Ok(Outcome::Stopped) };
     let Ok(checks) = calculation.checks(Coverage::Sample, &mut watch) else { return Ok(Outcome::Stopped) };
     analysis.checks = checks;
-    let written = writer::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
+    let written =
+        writer::analysis::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;
     let report = text::report(&analysis, &calculation.linkage.mechanism, true);
     clean("report", &report.map_err(|why| Finding::new("not finite", why))?, scene)?;

@@ -27,7 +27,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     analysis.checks = study.checks(args.checked.checks.into(), &mut line.watch()).map_err(Fault::other)?;
     drop(line);
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    if let Err(problem) = json::finite(&analysis) {
+    if let Err(problem) = json::analysis::finite(&analysis) {
         style.tell(&format!("error: {problem}"));
         return Ok(Status::Failed);
     }
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let status = if found { added } else { Status::Failed };
     let written = match args.format {
         Format::Json => {
-            output.write(json::to_json(&analysis, style.ascii_data).map_err(Fault::other)?, status)
+            output.write(json::analysis::to_json(&analysis, style.ascii_data).map_err(Fault::other)?, status)
         }
         Format::Csv => {
             output.write_folder(&csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?, status)

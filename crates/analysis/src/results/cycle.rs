@@ -3,7 +3,7 @@
 use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use serde::Serialize;
 
-use crate::results::{Named, PairReaction};
+use crate::results::Named;
 
 /// Reactions over the cycle, geometry of the contacts, plans of the requested positions. Sections that don't apply are
 /// absent.
@@ -35,13 +35,4 @@ pub struct PositionPlans {
     /// All plans.
     #[serde(flatten)]
     pub sheet: Sheet,
-}
-
-/// Reactions and balancing load of one position by cause: `weight`, `inertia`, then each load by its name. They sum to the whole.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct ByCause {
-    /// By cause, the reactions by pin or slide.
-    pub reactions_by_cause: Named<Named<PairReaction>>,
-    /// By cause, the balancing moment (N m) or force (N).
-    pub balancing_by_cause: Named<f64>,
 }

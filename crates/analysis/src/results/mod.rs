@@ -1,24 +1,42 @@
 //! The results as plain data.
 //!
-//! [`Analysis`] serializes to the JSON of the program. Everything is SI, angles in rad. Results of a stage keep that
-//! stage's types; the types here are those that only results need.
+//! Everything is SI, angles in rad. Results of a stage keep that stage's types; the types here are those that only
+//! results need.
+//!
+//! What is found in the positions, and in the samples of a motion, are tables ([`Table`]): a [`Schema`], made once for a
+//! scene, says what each column holds (quantity, owner, part; unit), and the numbers lie column by column. A position
+//! without a solution has no row; columns that only some rows have (reactions, not determined at change points; the
+//! condition of a group, infinite at singular positions) form a [`Section`] with a mark for each row.
+//!
+//! ```no_run
+//! use assur_analysis::results::{Column, Owner, Part, Quantity, Table};
+//!
+//! // Velocity of point 2 along x in the position number 7; the greatest balancing load.
+//! # fn f(positions: &Table) -> Option<()> {
+//! let row = positions.row_of(7)?;
+//! let velocity = positions.get(row, Column::of(Quantity::Velocity, Owner::Point(2)).part(Part::X))?;
+//! let loads = positions.each(positions.schema().find(Column::BALANCING)?).flatten();
+//! let greatest = loads.map(f64::abs).reduce(f64::max)?;
+//! # Some(()) }
+//! ```
 
 mod analysis;
 mod cycle;
 mod dynamics;
 mod motion;
 mod named;
-mod position;
+mod schema;
 mod structure;
+mod table;
 
 pub use analysis::{Analysis, Failure, InputReport};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
-pub use assur_integrator::{Event, Reduced, State, Statistics};
-pub use assur_kinematics::{PointMotion, ScalarMotion};
-pub use cycle::{ByCause, Cycle, PositionPlans};
+pub use assur_integrator::{Event, State, Statistics};
+pub use cycle::{Cycle, PositionPlans};
 pub use dynamics::{Dynamics, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp};
-pub use motion::{Energy, Integration, MotionSample, PointPosition};
+pub use motion::{Energy, Integration};
 pub use named::Named;
-pub use position::{PairReaction, PositionResult, Rates};
+pub use schema::{Base, Column, Owner, Part, Quantity, Schema, Section, Unit};
 pub use structure::{GroupReport, StructureReport};
+pub use table::{Cells, Table};

@@ -1,54 +1,7 @@
-//! A motion over time, and how it was found.
+//! How a motion over time was found.
 
-use assur_dynamics::Holding;
 use assur_integrator::{Event, State, Statistics};
-use assur_kinematics::ScalarMotion;
 use serde::Serialize;
-
-use crate::results::{Named, PairReaction, Rates};
-
-/// One instant of a motion.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct MotionSample {
-    /// Time, s.
-    pub time: f64,
-    /// Coordinate, rad or m.
-    pub coordinate: f64,
-    /// Its first derivative by time.
-    pub speed: f64,
-    /// Its second derivative by time.
-    pub acceleration: f64,
-    /// Angles of the links and their derivatives by the coordinate.
-    pub links: Named<ScalarMotion>,
-    /// The named points.
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    pub points: Named<PointPosition>,
-    /// Displacements of the slides and their derivatives by the coordinate.
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    pub slides: Named<ScalarMotion>,
-    /// First derivatives by time.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub velocities: Option<Rates>,
-    /// Second derivatives by time.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub accelerations: Option<Rates>,
-    /// Reactions by pin or slide.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reactions: Option<Named<PairReaction>>,
-    /// The moment (N m) or force (N) that the drive must apply.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub balancing: Option<f64>,
-    /// The load that holds the motion at rest or at its speed, if there is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub holding: Option<Holding>,
-}
-
-/// Where a point is.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct PointPosition {
-    /// Position, m, in the ground's frame.
-    pub pf0: [f64; 2],
-}
 
 /// How a transient motion was found.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -4,7 +4,8 @@ use assur_force::Loads;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Direction, Mechanism};
 
-use super::{analyzed, study};
+use super::{analyzed, coordinates, study};
+use crate::results::{Column, Quantity};
 use crate::{Coverage, unwatched};
 
 /// A slider-crank that runs down against a force over the stroke, a weight and a moment.
@@ -55,12 +56,15 @@ fn the_balancing_moment_at_a_change_point_follows_from_the_powers() {
         [link.rocker]\npoints = { C = 0, B = 1 }\nmass = 3\ncenter = \"B\"\n\
         [assembly]\nB = [3.5, 0.87]\n[input]\nlink = \"crank\"\nfrom = \"60 deg\"\npositions = 12\n";
     let found = analyzed(scene);
-    let flat = found.positions.iter().filter(|position| position.reactions.is_none());
-    assert_eq!(flat.map(|position| position.index).collect::<Vec<_>>(), [4, 10]);
-    for position in &found.positions {
-        let wanted = 5.0 * 9.81 * position.coordinate.cos();
-        let balancing = position.balancing.unwrap();
-        assert!((balancing - wanted).abs() < 1e-8, "{}: {balancing} for {wanted}", position.index);
+    let positions = &found.positions;
+    for force in positions.schema().select(|column| column.quantity == Quantity::Force) {
+        let flat = positions.numbers().iter().zip(positions.each(force)).filter(|(_, force)| force.is_none());
+        assert_eq!(flat.map(|(number, _)| *number).collect::<Vec<_>>(), [4, 10]);
+    }
+    for (row, coordinate) in coordinates(&found).into_iter().enumerate() {
+        let wanted = 5.0 * 9.81 * coordinate.cos();
+        let balancing = positions.get(row, Column::BALANCING).unwrap();
+        assert!((balancing - wanted).abs() < 1e-8, "{row}: {balancing} for {wanted}");
     }
     assert!(found.notes.iter().any(|note| note.starts_with("No reactions in positions 4, 10: ")));
 }

@@ -1,9 +1,10 @@
 //! The results of a scene as CSV: one file for the positions, one for reactions, one for the motion over time.
 
-use assur_analysis::results::{Analysis, Named, PairReaction, PositionResult, Rates, ScalarMotion};
+use assur_analysis::results::{Analysis, Base, Column, Owner, Part, Quantity, Schema, Table};
 
-use super::{Cell, CsvError, write};
-use crate::json::finite;
+use super::{CsvError, header, number};
+use crate::json::analysis::finite;
+use crate::template::{Template, Templates};
 
 /// The names of all files that [`to_csv`] may give.
 pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
@@ -24,194 +25,140 @@ pub struct CsvFile {
 /// [`CsvError`] for a number that is not finite.
 pub fn to_csv(analysis: &Analysis, ascii: bool) -> Result<Vec<CsvFile>, CsvError> {
     let analysis = finite(analysis)?;
-    let mut files = vec![CsvFile { name: FILES[0], text: positions(analysis, ascii)? }];
-    if analysis.positions.iter().any(|position| position.balancing.is_some()) {
-        files.push(CsvFile { name: FILES[1], text: reactions(analysis, ascii)? });
+    let (positions, trajectory) = (&analysis.positions, &analysis.trajectory);
+    let mut files = vec![CsvFile { name: FILES[0], text: text(positions, &places(positions), true, ascii)? }];
+    if positions.schema().find(Column::BALANCING).is_some_and(|balancing| positions.has(balancing)) {
+        files.push(CsvFile { name: FILES[1], text: text(positions, &reactions(positions), true, ascii)? });
     }
-    if !analysis.trajectory.is_empty() {
-        files.push(CsvFile { name: FILES[2], text: trajectory(analysis, ascii)? });
+    if !trajectory.is_empty() {
+        files.push(CsvFile { name: FILES[2], text: text(trajectory, &samples(trajectory), false, ascii)? });
     }
     Ok(files)
 }
 
-/// Names of the units that depend on the input.
-#[derive(Debug, Clone, Copy)]
-struct Units {
-    /// Of the coordinate.
-    coordinate: &'static str,
-    /// "per coordinate", empty where it cancels.
-    per: [&'static str; 2],
+/// Whether a column is about forces.
+fn is_reaction(column: Column) -> bool {
+    matches!(column.quantity, Quantity::Force | Quantity::Moment | Quantity::Balancing)
 }
 
-impl Units {
-    fn of(angular: bool) -> Self {
-        if angular {
-            Self { coordinate: "rad", per: ["_per_rad", "_per_rad2"] }
-        } else {
-            Self { coordinate: "m", per: ["_per_m", "_per_m2"] }
+/// Columns that CSV has, with numbers in any row, in the order of the schema.
+fn shown(table: &Table, wanted: impl Fn(Column) -> bool) -> Vec<(usize, String)> {
+    let schema = table.schema();
+    let each = schema.select(|column| wanted(*column)).into_iter().filter(|column| table.has(*column));
+    each.filter_map(|column| Some((column, name(schema, schema.columns()[column])?))).collect()
+}
+
+fn places(table: &Table) -> Vec<(usize, String)> {
+    shown(table, |column| !is_reaction(column))
+}
+
+fn reactions(table: &Table) -> Vec<(usize, String)> {
+    // The balancing load stands before the reactions.
+    let mut all =
+        shown(table, |column| column == Column::COORDINATE || column.quantity == Quantity::Balancing);
+    all.extend(shown(table, |column| is_reaction(column) && column.quantity != Quantity::Balancing));
+    all
+}
+
+fn samples(table: &Table) -> Vec<(usize, String)> {
+    let mut all = places(table);
+    // The balancing load of a motion is what the drive does.
+    let drive = shown(table, |column| column.quantity == Quantity::Balancing).into_iter();
+    all.extend(drive.map(|(column, name)| (column, name.replace("balancing", "drive"))));
+    all.extend(shown(table, |column| is_reaction(column) && column.quantity != Quantity::Balancing));
+    all
+}
+
+/// The header and the rows; `numbered`: the number of the position in front.
+fn text(table: &Table, columns: &[(usize, String)], numbered: bool, ascii: bool) -> Result<String, CsvError> {
+    let index = numbered.then_some("index");
+    let names = index.into_iter().chain(columns.iter().map(|(_, name)| name.as_str()));
+    let mut out = header(&names.collect::<Vec<_>>(), ascii)?;
+    let mut templates = Templates::new(table, columns.iter().map(|(column, _)| *column));
+    for row in 0..table.len() {
+        if numbered {
+            out.extend_from_slice(table.numbers()[row].to_string().as_bytes());
+        }
+        templates.of(table, row, |has| template(columns, numbered, has)).write(table, row, &mut out, number);
+    }
+    // Only UTF-8 was written.
+    Ok(String::from_utf8_lossy(&out).into_owned())
+}
+
+/// Commas between the numbers; a column without a number leaves its cell empty.
+fn template(columns: &[(usize, String)], numbered: bool, has: &dyn Fn(usize) -> bool) -> Template {
+    let (mut text, mut pieces) = (String::new(), Vec::new());
+    for (place, (column, _)) in columns.iter().enumerate() {
+        if numbered || place > 0 {
+            text.push(',');
+        }
+        if has(*column) {
+            pieces.push((std::mem::take(&mut text), *column));
         }
     }
+    Template { pieces, end: text + "\n" }
 }
 
-/// Cells of a row with the names of their columns.
-#[derive(Debug, Default)]
-struct Row {
-    cells: Vec<(String, f64)>,
-}
-
-impl Row {
-    fn add(&mut self, column: impl Into<String>, value: f64) {
-        self.cells.push((column.into(), value));
+/// The name of a column, with its unit; `None` where CSV does not have it.
+pub(crate) fn name(schema: &Schema, column: Column) -> Option<String> {
+    use Quantity as Q;
+    if column.cause.is_some() {
+        return None;
     }
-
-    fn vector(&mut self, name: &str, part: &str, unit: &str, value: [f64; 2]) {
-        self.add(format!("{name}_x{part}_{unit}"), value[0]);
-        self.add(format!("{name}_y{part}_{unit}"), value[1]);
-    }
-
-    /// Value and derivatives: `crank_angle_rad`, `crank_angle_pf1_rad_per_rad`, ...
-    fn derivatives(&mut self, name: &str, unit: &str, units: Units, value: &ScalarMotion) {
-        self.add(format!("{name}_{unit}"), value.pf0);
-        self.add(format!("{name}_pf1_{unit}{}", units.per[0]), value.pf1);
-        self.add(format!("{name}_pf2_{unit}{}", units.per[1]), value.pf2);
-    }
-}
-
-/// Rows under all columns that any of them has; a row without a column has an empty cell.
-fn table(rows: &[Row], ascii: bool) -> Result<String, CsvError> {
-    let header = rows.iter().max_by_key(|row| row.cells.len()).map(|row| &row.cells[..]).unwrap_or_default();
-    let names: Vec<&str> = header.iter().map(|(name, _)| name.as_str()).collect();
-    let cells = rows.iter().map(|row| {
-        let mut cells = row.cells.iter().peekable();
-        names.iter().map(move |column| {
-            cells.next_if(|(name, _)| name == column).map_or(Cell::Empty, |(_, value)| Cell::Number(*value))
-        })
-    });
-    write(&names, cells, ascii)
-}
-
-/// The columns that identify the position of a row.
-fn start(position: &PositionResult, units: Units) -> Row {
-    let mut row = Row::default();
-    row.add("index", position.index as f64);
-    row.add(format!("coordinate_{}", units.coordinate), position.coordinate);
-    row
-}
-
-fn positions(analysis: &Analysis, ascii: bool) -> Result<String, CsvError> {
-    let units = Units::of(analysis.input.angular);
-    let rows: Vec<_> = analysis.positions.iter().map(|position| position_row(position, units)).collect();
-    table(&rows, ascii)
-}
-
-fn position_row(position: &PositionResult, units: Units) -> Row {
-    let mut row = start(position, units);
-    if let (Some(speed), Some(acceleration)) = (position.speed, position.acceleration) {
-        row.add(format!("speed_{}_per_s", units.coordinate), speed);
-        row.add(format!("acceleration_{}_per_s2", units.coordinate), acceleration);
-    }
-    for (name, motion) in position.links.iter() {
-        row.derivatives(&format!("{name}_angle"), "rad", units, motion);
-    }
-    for (name, motion) in position.points.iter() {
-        row.vector(name, "", "m", motion.pf0);
-        row.vector(name, "_pf1", &format!("m{}", units.per[0]), motion.pf1);
-        row.vector(name, "_pf2", &format!("m{}", units.per[1]), motion.pf2);
-    }
-    for (name, motion) in position.slides.iter() {
-        row.derivatives(&format!("{name}_displacement"), "m", units, motion);
-    }
-    rates([&position.velocities, &position.accelerations], &mut row);
-    if let Some(reduced) = &position.reduced {
-        let (inertia, moment) = if units.coordinate == "rad" { ("kgm2", "Nm") } else { ("kg", "N") };
-        row.add(format!("reduced_inertia_{inertia}"), reduced.inertia);
-        row.add(format!("reduced_inertia_derivative_{inertia}{}", units.per[0]), reduced.inertia_derivative);
-        row.add(format!("reduced_moment_{moment}"), reduced.moment);
-    }
-    for (group, condition) in position.condition.iter() {
-        row.add(format!("condition_{group}"), *condition);
-    }
-    row
-}
-
-fn rates([velocities, accelerations]: [&Option<Rates>; 2], row: &mut Row) {
-    for (sign, per, rates) in [("v", "per_s", velocities), ("a", "per_s2", accelerations)] {
-        let Some(rates) = rates else { continue };
-        let angular = if sign == "v" { "w" } else { "e" };
-        for (name, value) in rates.links.iter() {
-            row.add(format!("{name}_{angular}_rad_{per}"), *value);
+    let unit = unit(schema, column);
+    let owner = schema.name(column.owner);
+    let part = match column.part {
+        Part::Whole => "",
+        Part::X => "x",
+        Part::Y => "y",
+    };
+    let name = match (column.quantity, column.owner) {
+        (Q::Time, _) => "time".to_owned(),
+        (Q::Transfer(_), Owner::Input) => "coordinate".to_owned(),
+        (Q::Velocity, Owner::Input) => "speed".to_owned(),
+        (Q::Acceleration, Owner::Input) => "acceleration".to_owned(),
+        (Q::Transfer(order), _) => {
+            let what = match column.owner {
+                Owner::Link(_) => "angle",
+                Owner::Slide(_) => "displacement",
+                _ => part,
+            };
+            if order == 0 { format!("{owner}_{what}") } else { format!("{owner}_{what}_pf{order}") }
         }
-        for (name, value) in rates.points.iter() {
-            row.add(format!("{name}_{sign}x_m_{per}"), value[0]);
-            row.add(format!("{name}_{sign}y_m_{per}"), value[1]);
-        }
-        for (name, value) in rates.slides.iter() {
-            row.add(format!("{name}_{sign}_m_{per}"), *value);
-        }
-    }
+        (Q::Velocity, Owner::Link(_)) => format!("{owner}_w"),
+        (Q::Acceleration, Owner::Link(_)) => format!("{owner}_e"),
+        (Q::Velocity, _) => format!("{owner}_v{part}"),
+        (Q::Acceleration, _) => format!("{owner}_a{part}"),
+        (Q::ReducedInertia, _) => "reduced_inertia".to_owned(),
+        (Q::ReducedInertiaDerivative, _) => "reduced_inertia_derivative".to_owned(),
+        (Q::ReducedMoment, _) => "reduced_moment".to_owned(),
+        (Q::Force, Owner::PairOn(_, link)) => format!("{owner}_{}_f{part}", schema.link(link)),
+        (Q::Moment, _) => format!("{owner}_moment"),
+        (Q::Balancing, _) => "balancing".to_owned(),
+        (Q::Condition, _) => format!("condition_{owner}"),
+        _ => return None,
+    };
+    Some(if unit.is_empty() { name } else { format!("{name}_{unit}") })
 }
 
-fn reactions(analysis: &Analysis, ascii: bool) -> Result<String, CsvError> {
-    let units = Units::of(analysis.input.angular);
-    let rows: Vec<_> = analysis
-        .positions
-        .iter()
-        .map(|position| {
-            let mut row = start(position, units);
-            if let Some(balancing) = position.balancing {
-                row.add(format!("balancing_{}", balancing_unit(analysis)), balancing);
-            }
-            forces(position.reactions.as_ref(), &mut row);
-            row
-        })
-        .collect();
-    table(&rows, ascii)
-}
-
-fn forces(reactions: Option<&Named<PairReaction>>, row: &mut Row) {
-    for (pair, reaction) in reactions.into_iter().flat_map(Named::iter) {
-        for (link, force) in &reaction.forces {
-            row.add(format!("{pair}_{link}_fx_N"), force[0]);
-            row.add(format!("{pair}_{link}_fy_N"), force[1]);
-        }
-        if let Some(moment) = reaction.moment {
-            row.add(format!("{pair}_moment_Nm"), moment);
-        }
-    }
-}
-
-fn balancing_unit(analysis: &Analysis) -> &'static str {
-    if analysis.input.balancing_is_moment { "Nm" } else { "N" }
-}
-
-fn trajectory(analysis: &Analysis, ascii: bool) -> Result<String, CsvError> {
-    let units = Units::of(analysis.input.angular);
-    let q = units.coordinate;
-    let rows: Vec<_> = analysis
-        .trajectory
-        .iter()
-        .map(|sample| {
-            let mut row = Row::default();
-            row.add("time_s", sample.time);
-            row.add(format!("coordinate_{q}"), sample.coordinate);
-            row.add(format!("speed_{q}_per_s"), sample.speed);
-            row.add(format!("acceleration_{q}_per_s2"), sample.acceleration);
-            for (name, motion) in sample.links.iter() {
-                row.derivatives(&format!("{name}_angle"), "rad", units, motion);
-            }
-            for (name, spot) in sample.points.iter() {
-                row.vector(name, "", "m", spot.pf0);
-            }
-            for (name, motion) in sample.slides.iter() {
-                row.derivatives(&format!("{name}_displacement"), "m", units, motion);
-            }
-            rates([&sample.velocities, &sample.accelerations], &mut row);
-            if let Some(balancing) = sample.balancing {
-                row.add(format!("drive_{}", balancing_unit(analysis)), balancing);
-            }
-            forces(sample.reactions.as_ref(), &mut row);
-            row
-        })
-        .collect();
-    table(&rows, ascii)
+/// The unit as part of a name: `m_per_rad2`, `kgm2`; empty for a plain number.
+fn unit(schema: &Schema, column: Column) -> String {
+    let unit = schema.unit(column);
+    let base = match unit.base {
+        Base::One => "",
+        Base::Second => "s",
+        Base::Radian => "rad",
+        Base::Meter => "m",
+        Base::Kilogram => "kg",
+        Base::KilogramMeter2 => "kgm2",
+        Base::Newton => "N",
+        Base::NewtonMeter => "Nm",
+    };
+    let q = if schema.angular() { "rad" } else { "m" };
+    let per = |of: &str, times: u8| match times {
+        0 => String::new(),
+        1 => format!("_per_{of}"),
+        times => format!("_per_{of}{times}"),
+    };
+    format!("{base}{}{}", per(q, unit.per_coordinate), per("s", unit.per_time))
 }

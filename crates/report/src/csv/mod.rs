@@ -60,15 +60,17 @@ pub fn write<'a, R>(
 where
     R: IntoIterator<Item = Cell<'a>>,
 {
-    let mut writer = Writer::from_writer(Vec::new());
-    if !header.is_empty() {
-        writer.write_record(unique(header.iter().map(|name| harmless(name.as_ref(), ascii).into_owned())))?;
-    }
+    let mut text = Vec::new();
+    let mut writer = Writer::from_writer(self::header(header, ascii)?);
     for (index, row) in rows.into_iter().enumerate() {
         for (cell, name) in row.into_iter().zip(header) {
             match cell {
                 Cell::Empty => writer.write_field("")?,
-                Cell::Number(value) if value.is_finite() => writer.write_field(number(value))?,
+                Cell::Number(value) if value.is_finite() => {
+                    text.clear();
+                    number(value, &mut text);
+                    writer.write_field(&text)?;
+                }
                 Cell::Number(_) => {
                     return Err(CsvError::NotFinite { column: name.as_ref().to_owned(), row: index + 1 });
                 }
@@ -98,11 +100,23 @@ fn harmless(text: &str, ascii: bool) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("_{text}").into() } else { text }
 }
 
-/// The shortest text that reads back as the same number; whole numbers without a point.
-fn number(value: f64) -> String {
-    if value != 0.0 && !(1e-5..1e15).contains(&value.abs()) {
-        format!("{value:e}")
-    } else {
-        format!("{value}")
+/// The header row; columns of one name are distinguished by numbers.
+pub(crate) fn header(names: &[impl AsRef<str>], ascii: bool) -> Result<Vec<u8>, ::csv::Error> {
+    let mut writer = Writer::from_writer(Vec::new());
+    if !names.is_empty() {
+        writer.write_record(unique(names.iter().map(|name| harmless(name.as_ref(), ascii).into_owned())))?;
     }
+    writer.into_inner().map_err(|error| error.into_error().into())
+}
+
+/// The shortest text that reads back as the same number; whole numbers without a point.
+pub(crate) fn number(value: f64, out: &mut Vec<u8>) {
+    // There is no sign before the exponent, and large whole numbers have one.
+    if value.abs() >= 1e15 {
+        out.extend_from_slice(format!("{value:e}").as_bytes());
+        return;
+    }
+    let mut buffer = zmij::Buffer::new();
+    let text = buffer.format_finite(value);
+    out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
 }

@@ -1,11 +1,12 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
 use super::Source;
-use super::forces::{modulus, shown};
+use super::forces::{force, has_reactions, shown};
 use super::layout::{Column, Page};
+use super::motion::{each, modulus};
 use super::number::{short, single};
 use super::units::SECOND;
-use assur_analysis::results::{Event, Integration, MotionSample};
+use assur_analysis::results::{Column as Values, Event, Integration, Owner, Quantity, Table};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
@@ -70,12 +71,12 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Page) {
     page.paragraph(&format!("{words}: {:.2e}", energy.change));
 }
 
-/// Every n-th sample, so that at most [`ROWS`] are shown, always including the last one.
-fn some(all: &[MotionSample]) -> Vec<&MotionSample> {
+/// The rows that are shown: every n-th, so that there are at most [`ROWS`], always with the last one.
+fn some(all: &Table) -> Vec<usize> {
     let stride = all.len().saturating_sub(1).div_ceil(ROWS - 1).max(1);
-    let mut rows: Vec<_> = all.iter().step_by(stride).collect();
-    if let Some(last) = all.last().filter(|_| all.len() % stride != 1 && stride > 1) {
-        rows.push(last);
+    let mut rows: Vec<_> = (0..all.len()).step_by(stride).collect();
+    if !all.is_empty() && all.len() % stride != 1 && stride > 1 {
+        rows.push(all.len() - 1);
     }
     rows
 }
@@ -83,18 +84,22 @@ fn some(all: &[MotionSample]) -> Vec<&MotionSample> {
 fn samples(source: &Source<'_>, page: &mut Page) {
     let all = &source.analysis.trajectory;
     let (rows, units) = (some(all), &source.units);
-    let rows = || rows.iter().copied();
-    let time = Column::of(rows(), "time", SECOND, |row| Some(row.time));
-    let input = &source.analysis.input.link;
+    let column = |head: &str, unit, values| {
+        let values = each(all, values);
+        Column::numbers(head, unit, rows.iter().map(|row| values[*row]))
+    };
+    let of = |quantity| Values::of(quantity, Owner::Input);
+    let time = column("time", SECOND, of(Quantity::Time));
     let mut columns = vec![
-        Column::of(rows(), input, units.coordinate, |row| Some(row.coordinate)),
-        Column::of(rows(), "speed", units.rates[0], |row| Some(row.speed)),
-        Column::of(rows(), "acceleration", units.rates[1], |row| Some(row.acceleration)),
+        column(&source.analysis.input.link, units.coordinate, Values::COORDINATE),
+        column("speed", units.rates[0], of(Quantity::Velocity)),
+        column("acceleration", units.rates[1], of(Quantity::Acceleration)),
     ];
-    if source.mechanism.drive.is_some() && all.iter().any(|row| row.balancing.is_some()) {
-        columns.push(Column::of(rows(), "drive", units.reduced[2], |row| row.balancing));
+    let drive = all.schema().find(Values::BALANCING).filter(|column| all.has(*column));
+    if source.mechanism.drive.is_some() && drive.is_some() {
+        columns.push(column("drive", units.reduced[2], Values::BALANCING));
     }
-    let (some, all) = (rows().count(), all.len());
+    let (some, all) = (rows.len(), all.len());
     let part = if some < all { format!(" ({some} of {all} samples)") } else { String::new() };
     page.table(&format!("Course{part}"), &[time], vec![columns]);
     holding(source, page);
@@ -104,17 +109,23 @@ fn samples(source: &Source<'_>, page: &mut Page) {
 fn holding(source: &Source<'_>, page: &mut Page) {
     let (moment, rate) = (source.units.reduced[2], source.units.rates[0]);
     let all = &source.analysis.trajectory;
-    let before = std::iter::once(None).chain(all.iter().map(|sample| sample.holding));
-    for (sample, before) in all.iter().zip(before) {
-        let (Some(held), None) = (sample.holding, before) else { continue };
+    let of = |quantity| each(all, Values::of(quantity, Owner::Input));
+    let [time, speed, held, bound] =
+        [Quantity::Time, Quantity::Velocity, Quantity::Holding, Quantity::HoldingBound].map(of);
+    for row in 0..all.len() {
+        let (Some(held), Some(bound), false) =
+            (held[row], bound[row], row.checked_sub(1).is_some_and(|before| held[before].is_some()))
+        else {
+            continue;
+        };
         page.paragraph(&format!(
             "Held at {} {} from {} s at the latest: what resists the motion takes on {} {} on the input, of {} {} at most",
-            single(sample.speed * rate.factor),
+            single(speed[row].unwrap_or_default() * rate.factor),
             rate.name,
-            single(sample.time),
-            single(held.moment * moment.factor),
+            single(time[row].unwrap_or_default()),
+            single(held * moment.factor),
             moment.name,
-            single(held.bound * moment.factor),
+            single(bound * moment.factor),
             moment.name
         ));
     }
@@ -139,15 +150,18 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
 /// The greatest reaction of each pair over the samples.
 fn greatest(source: &Source<'_>, page: &mut Page) {
     let all = &source.analysis.trajectory;
-    let Some(first) = all.iter().find_map(|row| row.reactions.as_ref()) else { return };
+    if !has_reactions(all) {
+        return;
+    }
+    let (schema, times) = (all.schema(), each(all, Values::of(Quantity::Time, Owner::Input)));
     let mut rows = Vec::new();
-    for (pair, name, links) in shown(source, first) {
-        for (link, on) in links {
-            let force = |row: &MotionSample| Some((modulus(row.reactions.as_ref()?, pair, link)?, row.time));
-            let Some((size, time)) = all.iter().filter_map(force).max_by(|a, b| a.0.total_cmp(&b.0)) else {
-                continue;
-            };
-            rows.push(vec![name.to_owned(), on.to_owned(), single(size), single(time)]);
+    for (pair, links) in shown(all) {
+        for link in links {
+            let sizes = modulus(all, force(pair, link)).into_iter().zip(&times);
+            let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
+            let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            let name = schema.name(Owner::Pair(pair)).into_owned();
+            rows.push(vec![name, schema.link(link).to_owned(), single(size), single(time)]);
         }
     }
     page.caption("Greatest reactions at the samples");

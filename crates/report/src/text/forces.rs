@@ -1,11 +1,11 @@
 //! Reduction, reactions with their causes, and the balancing load.
 
-use assur_analysis::results::{Named, PairReaction, PositionResult};
-use assur_mechanism::{Balance, Place};
+use assur_analysis::results::{Column as Values, Owner, Part, Quantity, Table};
+use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 
 use super::Source;
 use super::layout::{Column, Page};
-use super::motion::{column, keys};
+use super::motion::{column, each, keys, modulus};
 use super::number::{short, single};
 use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
 
@@ -17,15 +17,18 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
 }
 
 fn reduction(source: &Source<'_>, page: &mut Page) {
-    if !source.analysis.positions.iter().any(|position| position.reduced.is_some()) {
+    let table = &source.analysis.positions;
+    let of = |quantity| Values::of(quantity, Owner::Input);
+    let [inertia, moment] = [Quantity::ReducedInertia, Quantity::ReducedMoment].map(of);
+    if table.is_empty() || table.schema().find(inertia).is_none() {
         return;
     }
     let (units, keys) = (source.units.reduced, keys(source));
     page.section("Reduction to the input link");
     let columns = vec![
-        column(source, "J", units[0], |p| Some(p.reduced?.inertia)),
-        column(source, "dJ/dq", units[1], |p| Some(p.reduced?.inertia_derivative)),
-        column(source, "Q", units[2], |p| Some(p.reduced?.moment)),
+        column(source, "J", units[0], inertia),
+        column(source, "dJ/dq", units[1], of(Quantity::ReducedInertiaDerivative)),
+        column(source, "Q", units[2], moment),
     ];
     let caption = "Inertia J, its derivative dJ/dq, and Q of all loads but the balancing one";
     page.table(caption, &keys, vec![columns]);
@@ -38,70 +41,76 @@ fn reduction(source: &Source<'_>, page: &mut Page) {
         point.name,
         short(1e3 * radius)
     );
+    let scaled = |values, by: f64| each(table, values).into_iter().map(move |value| Some(value? / by));
     let columns = vec![
-        column(source, "m", KILOGRAM, |p| Some(p.reduced?.inertia / (radius * radius))),
-        column(source, "F", FORCE, |p| Some(p.reduced?.moment / radius)),
+        Column::numbers("m", KILOGRAM, scaled(inertia, radius * radius)),
+        Column::numbers("F", FORCE, scaled(moment, radius)),
     ];
     page.table(&caption, &keys, vec![columns]);
 }
 
-/// Force of a pair on one of its links; pairs and links by their places in the lists.
-fn force(reactions: &Named<PairReaction>, pair: usize, link: usize) -> Option<[f64; 2]> {
-    reactions.0.get(pair)?.1.forces.get(link).map(|(_, force)| *force)
-}
-
-/// Its modulus.
-pub(super) fn modulus(reactions: &Named<PairReaction>, pair: usize, link: usize) -> Option<f64> {
-    force(reactions, pair, link).map(|[x, y]| x.hypot(y))
-}
-
-/// A pair and the links on which its force is shown: indices in the lists of reactions and forces, and names.
-type Shown<'r> = (usize, &'r str, Vec<(usize, &'r str)>);
-
-/// All pairs, each with the links that are shown: of two links the first that moves (the force on the other is
-/// opposite), of more links all.
-pub(super) fn shown<'r>(source: &Source<'_>, reactions: &'r Named<PairReaction>) -> Vec<Shown<'r>> {
-    let ground = source.mechanism.links.first().map_or("", |link| link.name.as_str());
-    let links = |reaction: &'r PairReaction| match &reaction.forces[..] {
-        [(first, _), _] => {
-            let moving = usize::from(&**first == ground);
-            vec![(moving, &*reaction.forces[moving].0)]
+/// All pairs that have reactions, each with the links that are shown: of two links the first that moves (the force on
+/// the other is opposite), of more links all.
+pub(super) fn shown(table: &Table) -> Vec<(PairId, Vec<LinkId>)> {
+    let mut pairs: Vec<(PairId, Vec<LinkId>)> = Vec::new();
+    for owner in table.schema().owners(Quantity::Force) {
+        let Owner::PairOn(pair, link) = owner else { continue };
+        match pairs.last_mut() {
+            Some((last, links)) if *last == pair => links.push(link),
+            _ => pairs.push((pair, vec![link])),
         }
-        forces => forces.iter().map(|(name, _)| &**name).enumerate().collect(),
-    };
-    reactions.iter().enumerate().map(|(pair, (name, reaction))| (pair, name, links(reaction))).collect()
+    }
+    for (_, links) in &mut pairs {
+        if let [first, second] = links[..] {
+            *links = vec![if first == GROUND { second } else { first }];
+        }
+    }
+    pairs
+}
+
+/// Whether any row has reactions.
+pub(super) fn has_reactions(table: &Table) -> bool {
+    let first = table.schema().select(|column| column.quantity == Quantity::Force).first().copied();
+    first.is_some_and(|column| table.has(column))
+}
+
+/// The force of a pair on a link.
+pub(super) fn force(pair: PairId, link: LinkId) -> Values {
+    Values::of(Quantity::Force, Owner::PairOn(pair, link))
 }
 
 fn reactions(source: &Source<'_>, page: &mut Page) {
-    let first = source.analysis.positions.iter().find_map(|position| position.reactions.as_ref());
-    let Some(first) = first else { return };
-    let keys = keys(source);
+    let table = &source.analysis.positions;
+    if !has_reactions(table) {
+        return;
+    }
+    let (schema, keys) = (table.schema(), keys(source));
     page.section("Reactions");
     page.paragraph(
         "The force that the pair exerts on the named link (the other link gets the opposite): projections, modulus R, \
          direction from the x axis. Slides: M is the moment on the sliding link about its point; s is where along the guide, \
          from that point, the force alone would do the same.",
     );
-    for (pair, name, links) in shown(source, first) {
-        let slide = first.0[pair].1.moment.is_some();
-        let groups = links.iter().map(|(link, _)| of_pair(source, pair, *link, slide)).collect();
-        let links: Vec<_> = links.into_iter().map(|(_, name)| name).collect();
+    for (pair, links) in shown(table) {
+        let groups = links.iter().map(|link| of_pair(source, pair, *link)).collect();
+        let links: Vec<_> = links.into_iter().map(|link| schema.link(link)).collect();
+        let name = schema.name(Owner::Pair(pair));
         page.table(&format!("{name} on {}", links.join(", ")), &keys, groups);
     }
-    greatest(source, first, page);
+    greatest(source, page);
 }
 
-fn of_pair(source: &Source<'_>, pair: usize, link: usize, slide: bool) -> Vec<Column> {
-    let f = |p: &PositionResult| force(p.reactions.as_ref()?, pair, link);
-    let mut columns = vec![
-        column(source, "Rx", FORCE, |p| f(p).map(|f| f[0])),
-        column(source, "Ry", FORCE, |p| f(p).map(|f| f[1])),
-        column(source, "R", FORCE, |p| f(p).map(|f| f[0].hypot(f[1]))),
-        column(source, "direction", ANGLE, |p| f(p).and_then(direction)),
-    ];
-    if slide {
-        columns.push(column(source, "M", MOMENT, |p| p.reactions.as_ref()?.0.get(pair)?.1.moment));
-        columns.push(column(source, "s", LENGTH, |p| p.reactions.as_ref()?.0.get(pair)?.1.offset));
+fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Vec<Column> {
+    let table = &source.analysis.positions;
+    let values = force(pair, link);
+    let [x, y] = [Part::X, Part::Y].map(|part| each(table, values.part(part)));
+    let directions = x.into_iter().zip(y).map(|(x, y)| direction([x?, y?]));
+    let mut columns = components(source, "", values);
+    columns.push(Column::numbers("direction", ANGLE, directions));
+    if matches!(pair, PairId::Slide(_)) {
+        let of = |quantity| Values::of(quantity, Owner::Pair(pair));
+        columns.push(column(source, "M", MOMENT, of(Quantity::Moment)));
+        columns.push(column(source, "s", LENGTH, of(Quantity::Offset)));
     }
     columns
 }
@@ -113,16 +122,18 @@ fn direction(force: [f64; 2]) -> Option<f64> {
     (modulus > 1e-9).then(|| y.atan2(x))
 }
 
-fn greatest(source: &Source<'_>, first: &Named<PairReaction>, page: &mut Page) {
+fn greatest(source: &Source<'_>, page: &mut Page) {
     let unit = source.units.coordinate;
     let coordinate = format!("{}, {}", source.analysis.input.link, unit.name);
+    let schema = source.analysis.positions.schema();
     let mut rows = Vec::new();
-    for (_, name, links) in shown(source, first) {
-        for (_, on) in links {
+    for (pair, links) in shown(&source.analysis.positions) {
+        let name = schema.name(Owner::Pair(pair));
+        for on in links.into_iter().map(|link| schema.link(link)) {
             let all = &source.analysis.cycle.reaction_extremes;
             let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
             rows.push(vec![
-                name.to_owned(),
+                name.to_string(),
                 on.to_owned(),
                 single(found.greatest),
                 found.index.to_string(),
@@ -136,7 +147,8 @@ fn greatest(source: &Source<'_>, first: &Named<PairReaction>, page: &mut Page) {
 }
 
 fn balancing(source: &Source<'_>, page: &mut Page) {
-    let Some(position) = greatest_balancing(&source.analysis.positions) else { return };
+    let table = &source.analysis.positions;
+    let Some((row, greatest)) = greatest_balancing(table) else { return };
     let moment = source.analysis.input.balancing_is_moment;
     let (name, sign, unit) = if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
     page.section(&format!("Balancing {name}"));
@@ -146,67 +158,61 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
     };
     let link = &source.mechanism.links[link].name;
     let caption = format!("The {name} on `{link}` that keeps the mechanism in its motion");
-    page.table(&caption, &keys(source), vec![vec![column(source, sign, unit, |p| p.balancing)]]);
+    page.table(&caption, &keys(source), vec![vec![column(source, sign, unit, Values::BALANCING)]]);
     let coordinate = source.units.coordinate;
     page.caption(&format!(
         "Greatest: {} {} in position {} ({} {})",
-        single(position.balancing.unwrap_or_default()),
+        single(greatest),
         unit.name,
-        position.index,
-        single(position.coordinate * coordinate.factor),
+        table.numbers()[row],
+        single(table.get(row, Values::COORDINATE).unwrap_or_default() * coordinate.factor),
         coordinate.name
     ));
 }
 
-/// The position with the greatest modulus, the first of those that are equal up to rounding: a cycle often has two.
-fn greatest_balancing(positions: &[PositionResult]) -> Option<&PositionResult> {
-    let with = positions.iter().filter_map(|position| Some((position, position.balancing?.abs())));
-    let greater = |best: (_, f64), next: (_, f64)| if next.1 > best.1 * (1.0 + 1e-9) { next } else { best };
-    with.reduce(greater).map(|(position, _)| position)
+/// The row with the greatest modulus, the first of those that are equal up to rounding (a cycle often has two), and the
+/// value.
+fn greatest_balancing(table: &Table) -> Option<(usize, f64)> {
+    let with = table.each(table.schema().find(Values::BALANCING)?).enumerate();
+    let greater = |best: (usize, f64), next: (usize, f64)| {
+        if next.1.abs() > best.1.abs() * (1.0 + 1e-9) { next } else { best }
+    };
+    with.filter_map(|(row, value)| Some((row, value?))).reduce(greater)
 }
 
 /// The share of each cause.
 fn causes(source: &Source<'_>, page: &mut Page) {
-    let positions = &source.analysis.positions;
-    let found = positions.iter().find_map(|p| Some((p.reactions.as_ref()?, p.by_cause.as_ref()?)));
-    let Some((reactions, by_cause)) = found else { return };
+    let table = &source.analysis.positions;
+    let schema = table.schema();
+    if schema.causes.is_empty() {
+        return;
+    }
     page.section("Reactions by cause");
     page.paragraph(
         "What each cause alone would do in the same position: projections and modulus of the force on the named link. \
          Projections sum to those of the whole; moduli do not.",
     );
-    let causes: Vec<&str> = by_cause.reactions_by_cause.iter().map(|(name, _)| name).collect();
-    for (pair, name, links) in shown(source, reactions) {
-        for (link, on) in links {
-            let share = |cause: &&str| {
-                components(source, cause, |p| {
-                    force(p.by_cause.as_ref()?.reactions_by_cause.get(cause)?, pair, link)
-                })
+    let causes = || schema.causes.iter().enumerate().map(|(cause, name)| (Some(cause), name.as_str()));
+    let all = || causes().chain([(None, "whole")]);
+    for (pair, links) in shown(table) {
+        for link in links {
+            let share = |(cause, name): (_, &str)| {
+                components(source, &format!("{name} "), Values { cause, ..force(pair, link) })
             };
-            let mut groups: Vec<_> = causes.iter().map(share).collect();
-            groups.push(components(source, "whole", |p| force(p.reactions.as_ref()?, pair, link)));
-            page.table(&format!("{name} on {on}"), &keys(source), groups);
+            let title = format!("{} on {}", schema.name(Owner::Pair(pair)), schema.link(link));
+            page.table(&title, &keys(source), all().map(share).collect());
         }
     }
     let unit = if source.analysis.input.balancing_is_moment { MOMENT } else { FORCE };
-    let share = |cause: &&str| {
-        let load = |p: &PositionResult| p.by_cause.as_ref()?.balancing_by_cause.get(cause).copied();
-        vec![column(source, *cause, unit, load)]
-    };
-    let mut groups: Vec<_> = causes.iter().map(share).collect();
-    groups.push(vec![column(source, "whole", unit, |p| p.balancing)]);
-    page.table("Balancing load", &keys(source), groups);
+    let share = |(cause, name)| vec![column(source, name, unit, Values { cause, ..Values::BALANCING })];
+    page.table("Balancing load", &keys(source), all().map(share).collect());
 }
 
-/// Projections and modulus.
-fn components(
-    source: &Source<'_>,
-    name: &str,
-    force: impl Fn(&PositionResult) -> Option<[f64; 2]>,
-) -> Vec<Column> {
+/// Projections and modulus; `name`: in front of the first head.
+fn components(source: &Source<'_>, name: &str, force: Values) -> Vec<Column> {
     vec![
-        column(source, format!("{name} Rx"), FORCE, |p| force(p).map(|f| f[0])),
-        column(source, "Ry", FORCE, |p| force(p).map(|f| f[1])),
-        column(source, "R", FORCE, |p| force(p).map(|f| f[0].hypot(f[1]))),
+        column(source, format!("{name}Rx"), FORCE, force.part(Part::X)),
+        column(source, "Ry", FORCE, force.part(Part::Y)),
+        Column::numbers("R", FORCE, modulus(&source.analysis.positions, force)),
     ]
 }

@@ -37,7 +37,16 @@ impl Column {
         unit: Unit,
         value: impl Fn(&T) -> Option<f64>,
     ) -> Self {
-        let values = rows.into_iter().map(|row| value(row).map(|value| value * unit.factor));
+        Self::numbers(head, unit, rows.into_iter().map(value))
+    }
+
+    /// Numbers, converted from SI.
+    pub(super) fn numbers(
+        head: impl Into<String>,
+        unit: Unit,
+        values: impl IntoIterator<Item = Option<f64>>,
+    ) -> Self {
+        let values = values.into_iter().map(|value| value.map(|value| value * unit.factor));
         Self { head: head.into(), unit: unit.name, cells: Cells::Numbers(values.collect()) }
     }
 

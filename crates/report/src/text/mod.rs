@@ -19,7 +19,8 @@ use assur_mechanism::Mechanism;
 
 use assur_analysis::results::{Analysis, Check};
 
-use crate::json::{NotFinite, finite};
+use crate::json::NotFinite;
+use crate::json::analysis::finite;
 use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;

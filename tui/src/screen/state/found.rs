@@ -1,6 +1,7 @@
 //! The results of the analysis besides the transfer functions: rates, reduction, reactions, checks, motion over time.
 
-use assur_analysis::results::{Analysis, Check, PositionResult, Rates};
+use assur_analysis::results::{Analysis, Base, Check, Column, Owner, Part, Quantity, Schema, Table, Unit};
+use assur_mechanism::{GROUND, LinkId, PairId, PointId};
 
 use super::plans::Planner;
 use super::series::{Series, greatest};
@@ -58,19 +59,27 @@ const BALANCING: &str = "balancing load";
 impl Found {
     /// Gathers the series of an analysis.
     pub(crate) fn of(analyzer: String, analysis: Analysis, plans: Planner, positions: usize) -> Self {
-        let mut gather = Gather { analysis: &analysis, positions, series: Vec::new() };
+        let mut gather = Gather { table: &analysis.positions, positions, series: Vec::new() };
         let motion = gather.motion();
         gather.rates();
         let reactions = gather.reactions();
         let series = gather.series;
-        let fastest = fastest(&analysis);
+        let fastest = fastest(&analysis.positions);
         Self { analyzer, checks: Vec::new(), series, reactions, plans, fastest, motion, analysis }
     }
 
-    /// The results of a position; `None` where it does not exist.
-    pub(crate) fn position(&self, index: usize) -> Option<&PositionResult> {
-        let positions = &self.analysis.positions;
-        positions.binary_search_by_key(&index, |position| position.index).ok().map(|at| &positions[at])
+    /// Velocities (order 1) or accelerations (order 2) of the points in a position, by point.
+    pub(crate) fn rates(&self, position: usize, order: usize) -> Vec<(PointId, [f64; 2])> {
+        let table = &self.analysis.positions;
+        let (Some(row), Some(quantity)) = (table.row_of(position), RATES.get(order - 1)) else {
+            return Vec::new();
+        };
+        let rate = |owner| {
+            let Owner::Point(point) = owner else { return None };
+            let [x, y] = Column::vector(*quantity, owner).map(|column| table.get(row, column));
+            Some((point, [x?, y?]))
+        };
+        table.schema().owners(*quantity).into_iter().filter_map(rate).collect()
     }
 
     /// The balancing load over the positions.
@@ -80,100 +89,112 @@ impl Found {
     }
 }
 
+/// First and second derivative by time.
+const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
+
 /// Series that are being collected from the positions of an analysis.
 struct Gather<'a> {
-    analysis: &'a Analysis,
+    table: &'a Table,
     positions: usize,
     series: Vec<Series>,
 }
 
 impl Gather<'_> {
-    /// Adds a series if any position has it, and returns its index.
-    fn add(
+    /// Adds a column as a series if any position has it, and returns its index.
+    fn add(&mut self, of: String, short: String, column: Column) -> Option<usize> {
+        let index = self.table.schema().find(column)?;
+        self.add_values(of, short, column, self.table.each(index).collect())
+    }
+
+    /// Adds the modulus of a vector.
+    fn add_modulus(&mut self, of: String, short: String, vector: Column) -> Option<usize> {
+        let schema = self.table.schema();
+        let [x, y] = [Part::X, Part::Y].map(|part| schema.find(vector.part(part)));
+        let both = self.table.each(x?).zip(self.table.each(y?));
+        self.add_values(of, short, vector, both.map(|(x, y)| Some(x?.hypot(y?))).collect())
+    }
+
+    /// Adds the values of the rows; `column`: what they measure.
+    fn add_values(
         &mut self,
         of: String,
         short: String,
-        unit: &str,
-        read: impl Fn(&PositionResult) -> Option<f64>,
+        column: Column,
+        rows: Vec<Option<f64>>,
     ) -> Option<usize> {
         let mut values = vec![f64::NAN; self.positions];
-        for position in &self.analysis.positions {
-            if let (Some(value), Some(slot)) = (read(position), values.get_mut(position.index)) {
+        for (number, value) in self.table.numbers().iter().zip(rows) {
+            if let (Some(value), Some(slot)) = (value, values.get_mut(*number)) {
                 *slot = value;
             }
         }
         if values.iter().all(|value| value.is_nan()) {
             return None;
         }
-        self.series.push(Series { of, short, unit: unit.to_owned(), values, floor: 0.0 });
+        let schema = self.table.schema();
+        let unit = unit(schema.unit(column), schema.angular());
+        self.series.push(Series { of, short, unit, values, floor: 0.0 });
         Some(self.series.len() - 1)
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
     fn motion(&mut self) -> Vec<usize> {
-        type Read = fn(&PositionResult) -> Option<f64>;
-        let [speed, acceleration, inertia, derivative, moment] = if self.analysis.input.angular {
-            ["rad/s", "rad/s2", "kg m2", "kg m2/rad", "N m"]
-        } else {
-            ["m/s", "m/s2", "kg", "kg/m", "N"]
-        };
-        let all: [(&str, &str, &str, Read); 5] = [
-            ("input speed", "w", speed, |p| p.speed),
-            ("input acceleration", "e", acceleration, |p| p.acceleration),
-            ("reduced inertia J", "J", inertia, |p| p.reduced.map(|r| r.inertia)),
-            ("derivative J'", "J'", derivative, |p| p.reduced.map(|r| r.inertia_derivative)),
-            ("reduced moment Q", "Q", moment, |p| p.reduced.map(|r| r.moment)),
+        let all = [
+            ("input speed", "w", Quantity::Velocity),
+            ("input acceleration", "e", Quantity::Acceleration),
+            ("reduced inertia J", "J", Quantity::ReducedInertia),
+            ("derivative J'", "J'", Quantity::ReducedInertiaDerivative),
+            ("reduced moment Q", "Q", Quantity::ReducedMoment),
         ];
         all.into_iter()
-            .filter_map(|(of, short, unit, read)| self.add(of.into(), short.into(), unit, read))
+            .filter_map(|(of, short, quantity)| {
+                self.add(of.into(), short.into(), Column::of(quantity, Owner::Input))
+            })
             .collect()
     }
 
     /// Velocities and accelerations of points and links.
     fn rates(&mut self) {
-        let Some(first) = self.analysis.positions.first() else { return };
-        for (order, linear, angular) in
-            [(1, ("v", "m/s"), ("w", "rad/s")), (2, ("a", "m/s2"), ("e", "rad/s2"))]
-        {
-            let Some(rates) = rates_of(first, order) else { continue };
-            for (point, _) in rates.points.iter() {
-                for (axis, letter) in ["x", "y"].into_iter().enumerate() {
-                    let read = |p: &PositionResult| rates_of(p, order)?.points.get(point).map(|v| v[axis]);
-                    let name = format!("{}{letter}", linear.0);
-                    self.add(format!("point {point} {name}"), format!("{point}.{name}"), linear.1, read);
+        let schema = self.table.schema();
+        for (quantity, linear, angular) in [(RATES[0], "v", "w"), (RATES[1], "a", "e")] {
+            let owners = schema.owners(quantity);
+            let of = |owner| (owner, schema.name(owner).into_owned());
+            let points = owners.iter().filter(|owner| matches!(owner, Owner::Point(_)));
+            for (owner, point) in points.copied().map(of) {
+                for (part, letter) in [(Part::X, "x"), (Part::Y, "y")] {
+                    let (what, column) =
+                        (format!("{linear}{letter}"), Column::of(quantity, owner).part(part));
+                    self.add(format!("point {point} {what}"), format!("{point}.{what}"), column);
                 }
             }
-            for (link, _) in rates.links.iter() {
-                let read = |p: &PositionResult| rates_of(p, order)?.links.get(link).copied();
-                let name = angular.0;
-                self.add(format!("link {link} {name}"), format!("{link}.{name}"), angular.1, read);
+            let links = owners.iter().filter(|owner| matches!(owner, Owner::Link(_)));
+            for (owner, link) in links.copied().map(of) {
+                let column = Column::of(quantity, owner);
+                self.add(format!("link {link} {angular}"), format!("{link}.{angular}"), column);
             }
         }
     }
 
     /// Force and moment of every pair, then the balancing load.
     fn reactions(&mut self) -> Vec<Reaction> {
-        let (mut found, analysis) = (Vec::new(), self.analysis);
-        for (pair, link) in pairs(analysis) {
-            let force = |p: &PositionResult| {
-                let forces = &p.reactions.as_ref()?.get(&pair)?.forces;
-                forces.iter().find(|(name, _)| **name == *link).map(|(_, force)| *force)
-            };
+        let schema = self.table.schema();
+        let mut found = Vec::new();
+        for (id, on) in pairs(schema) {
+            let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
             let of = |what: &str| format!("{pair} on {link} {what}");
             let short = |what: &str| format!("{pair}>{link}.{what}");
+            let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
             let mut series = Vec::new();
-            series.extend(self.add(of("Fx"), short("Fx"), "N", |p| force(p).map(|f| f[0])));
-            series.extend(self.add(of("Fy"), short("Fy"), "N", |p| force(p).map(|f| f[1])));
-            series.extend(self.add(of("F"), short("F"), "N", |p| force(p).map(|f| f[0].hypot(f[1]))));
-            let moment = |p: &PositionResult| p.reactions.as_ref()?.get(&pair)?.moment;
-            let moment = self.add(of("M"), short("M"), "N m", moment);
+            series.extend(self.add(of("Fx"), short("Fx"), force.part(Part::X)));
+            series.extend(self.add(of("Fy"), short("Fy"), force.part(Part::Y)));
+            series.extend(self.add_modulus(of("F"), short("F"), force));
+            let moment = self.add(of("M"), short("M"), Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
                 found.push(Reaction { pair, link, series, moment });
             }
         }
         self.mark_rounding(&found);
-        let unit = if analysis.input.balancing_is_moment { "N m" } else { "N" };
-        if let Some(index) = self.add(BALANCING.into(), "balancing".into(), unit, |p| p.balancing) {
+        if let Some(index) = self.add(BALANCING.into(), "balancing".into(), Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
             found.push(Reaction { pair, link, series: vec![index], moment: None });
         }
@@ -188,30 +209,53 @@ impl Gather<'_> {
     }
 }
 
-/// Velocities (order 1) or accelerations (order 2) of a position.
-pub(crate) fn rates_of(position: &PositionResult, order: usize) -> Option<&Rates> {
-    if order == 1 { position.velocities.as_ref() } else { position.accelerations.as_ref() }
+/// A unit as it is shown: `kg m2/rad`.
+fn unit(unit: Unit, angular: bool) -> String {
+    let base = match unit.base {
+        Base::One => "",
+        Base::Second => "s",
+        Base::Radian => "rad",
+        Base::Meter => "m",
+        Base::Kilogram => "kg",
+        Base::KilogramMeter2 => "kg m2",
+        Base::Newton => "N",
+        Base::NewtonMeter => "N m",
+    };
+    let q = if angular { "rad" } else { "m" };
+    let per = |of: &str, times: u8| match times {
+        0 => String::new(),
+        1 => format!("/{of}"),
+        times => format!("/{of}{times}"),
+    };
+    format!("{base}{}{}", per(q, unit.per_coordinate), per("s", unit.per_time))
 }
 
 /// Greatest velocity and acceleration of a point.
-fn fastest(analysis: &Analysis) -> Option<[f64; 2]> {
-    let most = |order: usize| {
-        let rates = analysis.positions.iter().filter_map(|position| rates_of(position, order));
-        let sizes = rates.flat_map(|rates| rates.points.iter().map(|(_, v)| v[0].hypot(v[1])));
+fn fastest(table: &Table) -> Option<[f64; 2]> {
+    let most = |quantity: Quantity| {
+        let schema = table.schema();
+        let of_point = |column: &Column| {
+            column.quantity == quantity && column.part == Part::X && matches!(column.owner, Owner::Point(_))
+        };
+        // The other projection stands beside it.
+        let both = |x: usize| table.values(x).iter().zip(table.values(x + 1));
+        let sizes = schema.select(of_point).into_iter().flat_map(both).map(|(x, y)| x.hypot(*y));
         sizes.filter(|size| size.is_finite()).reduce(f64::max)
     };
-    Some([most(1)?, most(2)?])
+    Some([most(RATES[0])?, most(RATES[1])?])
 }
 
 /// Pairs and links: of a pair of two links one, because the other force is opposite; of a multiple joint all.
-fn pairs(analysis: &Analysis) -> Vec<(String, String)> {
-    let reactions = analysis.positions.iter().find_map(|position| position.reactions.as_ref());
-    let mut pairs = Vec::new();
-    for (pair, reaction) in reactions.iter().flat_map(|reactions| reactions.iter()) {
+fn pairs(schema: &Schema) -> Vec<(PairId, LinkId)> {
+    let all: Vec<(PairId, LinkId)> = schema
+        .owners(Quantity::Force)
+        .into_iter()
+        .filter_map(|owner| if let Owner::PairOn(pair, link) = owner { Some((pair, link)) } else { None })
+        .collect();
+    let of_pair = |ends: &[(PairId, LinkId)]| {
+        let count = if ends.len() > 2 { usize::MAX } else { 1 };
         // The force on a moving link is more informative than the one on the ground.
-        let moving = reaction.forces.iter().filter(|(link, _)| &**link != "ground");
-        let count = if reaction.forces.len() > 2 { usize::MAX } else { 1 };
-        pairs.extend(moving.take(count).map(|(link, _)| (pair.to_owned(), link.to_string())));
-    }
-    pairs
+        ends.iter().filter(|(_, link)| *link != GROUND).take(count).copied().collect::<Vec<_>>()
+    };
+    all.chunk_by(|a, b| a.0 == b.0).flat_map(of_pair).collect()
 }

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use compare::Compared;
-pub(crate) use found::{Found, Reaction, rates_of};
+pub(crate) use found::{Found, Reaction};
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
 pub(crate) use key::Key;
 pub(crate) use keymap::{Command, Group, Keymap};

@@ -5,7 +5,7 @@ use assur_kinematics::Position;
 use assur_mechanism::GROUND;
 
 use crate::number::plain;
-use crate::screen::state::{Arrows, Owner, Scene, State, greatest, rates_of};
+use crate::screen::state::{Arrows, Owner, Scene, State, greatest};
 
 /// Longest arrow, as part of the size of the drawing.
 const LONGEST: f64 = 0.3;
@@ -53,11 +53,8 @@ pub(super) fn items(state: &State, scene: &Scene, pose: &Position, position: usi
 fn vectors(scene: &Scene, pose: &Position, position: usize, order: usize) -> Vec<(usize, [f64; 2])> {
     let mechanism = &scene.linkage.mechanism;
     let moving = |id: &usize| mechanism.points[*id].places.iter().all(|place| place.link != GROUND);
-    if moves(scene).is_some() {
-        let result = scene.found.as_ref().and_then(|found| found.position(position));
-        let Some(rates) = result.and_then(|result| rates_of(result, order)) else { return Vec::new() };
-        let known = rates.points.iter().filter_map(|(name, v)| Some((mechanism.point(name)?, *v)));
-        return known.filter(|(id, _)| moving(id)).collect();
+    if let Some(found) = scene.found.as_ref().filter(|found| found.fastest.is_some()) {
+        return found.rates(position, order).into_iter().filter(|(id, _)| moving(id)).collect();
     }
     let all = (0..mechanism.points.len()).filter(moving);
     all.map(|id| {

@@ -1,6 +1,6 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Dynamics, MotionSample};
+use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
 use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -88,21 +88,23 @@ fn speed_unit(angular: bool) -> &'static str {
 /// Coordinate, speed and acceleration over time.
 fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let course = &analysis.trajectory;
-    let q = if analysis.input.angular { "rad" } else { "m" };
-    type Read = fn(&MotionSample) -> f64;
-    let all: [(&str, String, Read); 3] = [
-        ("coordinate", q.to_owned(), |sample| sample.coordinate),
-        ("speed", format!("{q}/s"), |sample| sample.speed),
-        ("acceleration", format!("{q}/s2"), |sample| sample.acceleration),
-    ];
-    let Some(cursor) = course.get(state.position.min(course.len().saturating_sub(1))) else {
-        return Vec::new();
+    let values = |quantity| {
+        let column = course.schema().find(Column::of(quantity, Owner::Input));
+        column.map_or(&[][..], |column| course.values(column))
     };
-    let x = Axis::around("time, s", course.iter().map(|sample| sample.time), 0.0);
-    let panel = |(name, unit, read): (&str, String, Read)| {
-        let points = course.iter().map(|sample| [sample.time, read(sample)]).collect();
-        let title = format!("{name}  {} {unit}", number(read(cursor)));
-        plots::curves(&title, vec![(name, points)], x.clone(), Some(cursor.time))
+    let (times, q) = (values(Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
+    let all = [
+        ("coordinate", q.to_owned(), values(Quantity::Transfer(0))),
+        ("speed", format!("{q}/s"), values(Quantity::Velocity)),
+        ("acceleration", format!("{q}/s2"), values(Quantity::Acceleration)),
+    ];
+    let row = state.position.min(course.len().saturating_sub(1));
+    let Some(now) = times.get(row).copied() else { return Vec::new() };
+    let x = Axis::around("time, s", times.iter().copied(), 0.0);
+    let panel = |(name, unit, values): (&str, String, &[f64])| {
+        let points = times.iter().zip(values).map(|(time, value)| [*time, *value]).collect();
+        let title = format!("{name}  {} {unit}", number(values[row]));
+        plots::curves(&title, vec![(name, points)], x.clone(), Some(now))
     };
     all.map(panel).into()
 }

@@ -86,7 +86,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 
 /// Whether forces are determined in this position.
 pub(crate) fn has_forces(state: &State, found: &Found) -> bool {
-    found.position(state.position).is_some_and(|position| position.balancing.is_some())
+    found.balancing().is_some_and(|series| series.at(state.position).is_finite())
 }
 
 fn say(state: &State, text: &str, area: Rect, buffer: &mut Buffer) {

@@ -1,5 +1,8 @@
 //! JSON: one object, numbers with all their digits.
 
+pub mod analysis;
+mod rows;
+
 use std::io::{self, Write};
 
 use serde::Serialize;
@@ -25,15 +28,15 @@ pub struct NotFinite {
     pub place: String,
 }
 
-/// The results, if all their numbers are finite.
+/// A result, if all its numbers are finite.
 ///
 /// # Errors
 ///
 /// [`NotFinite`] with the first number that is not.
 pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
     let strict = result.serialize(&mut Serializer::with_formatter(io::sink(), Strict { ascii: false }));
-    match strict.is_err().then(|| serde_json::to_value(result).ok().and_then(|value| null(&value))).flatten()
-    {
+    let place = || serde_json::to_value(result).ok().and_then(|value| null(&value));
+    match strict.is_err().then(place).flatten() {
         Some(place) => Err(NotFinite { place: place.trim_start_matches('.').to_owned() }),
         None => Ok(result),
     }
@@ -81,17 +84,24 @@ impl Formatter for Strict {
     }
 }
 
+fn serialized<T: Serialize + ?Sized>(value: &T, ascii: bool) -> Result<Vec<u8>, serde_json::Error> {
+    let mut bytes = Vec::new();
+    value.serialize(&mut Serializer::with_formatter(&mut bytes, Strict { ascii }))?;
+    Ok(bytes)
+}
+
+/// A text in quotation marks.
+fn quoted(text: &str, ascii: bool) -> String {
+    String::from_utf8_lossy(&serialized(text, ascii).unwrap_or_default()).into_owned()
+}
+
 /// Any result as one line of JSON; `ascii`: other characters are escaped.
 ///
 /// # Errors
 ///
 /// [`JsonError`] for a number that is not finite.
 pub fn to_json<T: Serialize>(result: &T, ascii: bool) -> Result<String, JsonError> {
-    let mut bytes = Vec::with_capacity(1 << 16);
-    if let Err(error) = result.serialize(&mut Serializer::with_formatter(&mut bytes, Strict { ascii })) {
-        finite(result)?;
-        return Err(error.into());
-    }
+    let mut bytes = serialized(finite(result)?, ascii)?;
     bytes.push(b'\n');
     // The serializer writes UTF-8 only.
     Ok(String::from_utf8_lossy(&bytes).into_owned())

@@ -1,0 +1,291 @@
+//! What the columns of a table hold.
+
+use std::collections::HashMap;
+
+use assur_mechanism::{LinkId, Mechanism, PairId, PointId, SlideId};
+
+/// What a number measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// Time from the start of the motion.
+    Time,
+    /// PF0, PF1, PF2: a value that depends on the input coordinate alone, and its derivatives with respect to it. Of the
+    /// input (PF0 only): the coordinate itself. Of a link: its angle, continuous from row to row. Of a point: its
+    /// projections in the frame of the ground. Of a slide: its displacement.
+    Transfer(u8),
+    /// First derivative by time of PF0 of the input, a link, a point or a slide.
+    Velocity,
+    /// Second derivative by time.
+    Acceleration,
+    /// Moment of inertia (mass) of all moving links, reduced to the input.
+    ReducedInertia,
+    /// Its derivative with respect to the coordinate.
+    ReducedInertiaDerivative,
+    /// Moment (force) of all loads, reduced to the input; no motor, no balancing load.
+    ReducedMoment,
+    /// Force that a pair exerts on a link, in the frame of the ground.
+    Force,
+    /// Moment of a slide on its sliding link about its point.
+    Moment,
+    /// Where along the guide, from the point of the sliding link, the force alone is equivalent to force and moment.
+    Offset,
+    /// Moment (force) that keeps the mechanism in its motion.
+    Balancing,
+    /// What holds the motion at rest or at a speed: moment (force) on the input.
+    Holding,
+    /// The greatest size that [`Holding`](Self::Holding) can have.
+    HoldingBound,
+    /// 1 / |dimensionless determinant| of a group: infinite at a singular position.
+    Condition,
+}
+
+/// What a number belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Owner {
+    /// The input link, to which the whole mechanism is reduced.
+    Input,
+    /// A link.
+    Link(LinkId),
+    /// A named point.
+    Point(PointId),
+    /// A slide.
+    Slide(SlideId),
+    /// A pin or slide.
+    Pair(PairId),
+    /// A pin or slide, and the link on which it acts.
+    PairOn(PairId, LinkId),
+    /// A group, by its index in solving order.
+    Group(usize),
+}
+
+/// Which part of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// All of it: a number.
+    Whole,
+    /// Projection of a vector on the x axis of the ground.
+    X,
+    /// Projection on the y axis.
+    Y,
+}
+
+/// One column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Column {
+    /// What it measures.
+    pub quantity: Quantity,
+    /// What it belongs to.
+    pub owner: Owner,
+    /// Which part of it.
+    pub part: Part,
+    /// The share of this cause alone, by its index in [`Schema::causes`]; `None`: under all loads.
+    pub cause: Option<usize>,
+}
+
+impl Column {
+    /// A number under all loads.
+    pub const fn of(quantity: Quantity, owner: Owner) -> Self {
+        Self { quantity, owner, part: Part::Whole, cause: None }
+    }
+
+    /// The coordinate of the input, rad or m.
+    pub const COORDINATE: Self = Self::of(Quantity::Transfer(0), Owner::Input);
+    /// The balancing moment (N m) or force (N).
+    pub const BALANCING: Self = Self::of(Quantity::Balancing, Owner::Input);
+
+    /// Another part of the same quantity.
+    #[must_use]
+    pub const fn part(self, part: Part) -> Self {
+        Self { part, ..self }
+    }
+
+    /// Both projections of a vector.
+    pub const fn vector(quantity: Quantity, owner: Owner) -> [Self; 2] {
+        let whole = Self::of(quantity, owner);
+        [whole.part(Part::X), whole.part(Part::Y)]
+    }
+}
+
+/// SI unit without its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Base {
+    /// A plain number.
+    One,
+    /// s
+    Second,
+    /// rad
+    Radian,
+    /// m
+    Meter,
+    /// kg
+    Kilogram,
+    /// kg m²
+    KilogramMeter2,
+    /// N
+    Newton,
+    /// N m
+    NewtonMeter,
+}
+
+/// SI unit of a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Unit {
+    /// Unit of the value.
+    pub base: Base,
+    /// How many times it is differentiated with respect to the coordinate.
+    pub per_coordinate: u8,
+    /// How many times it is differentiated by time.
+    pub per_time: u8,
+}
+
+/// Columns that have numbers in the same rows, by a number of their own; see [`Table`](super::Table).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Section(pub(crate) usize);
+
+impl Section {
+    /// The section that has numbers in all rows.
+    pub const ALWAYS: Self = Self(0);
+}
+
+/// The columns of a table, with the names of what they belong to.
+///
+/// It is made once for a scene; tables share it. Columns stand in the order of the results: motion of links, points and
+/// slides, their derivatives by time, reduction, reactions, condition.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Schema {
+    columns: Vec<Column>,
+    section_of: Vec<Section>,
+    sections: usize,
+    places: HashMap<Column, usize>,
+    links: Vec<String>,
+    points: Vec<String>,
+    slides: Vec<String>,
+    angular: bool,
+    balances_by_moment: bool,
+    /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
+    pub causes: Vec<String>,
+}
+
+impl Schema {
+    /// No columns yet.
+    pub fn new(mechanism: &Mechanism) -> Self {
+        Self {
+            columns: Vec::new(),
+            section_of: Vec::new(),
+            sections: 1,
+            places: HashMap::new(),
+            links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
+            points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
+            slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
+            angular: mechanism.input.is_angle(),
+            balances_by_moment: mechanism.balances_by_moment(),
+            causes: Vec::new(),
+        }
+    }
+
+    /// A new section for columns that some rows lack.
+    pub fn section(&mut self) -> Section {
+        self.sections += 1;
+        Section(self.sections - 1)
+    }
+
+    /// Adds columns at the end.
+    pub fn add(&mut self, section: Section, columns: impl IntoIterator<Item = Column>) {
+        for column in columns {
+            self.places.insert(column, self.columns.len());
+            self.columns.push(column);
+            self.section_of.push(section);
+        }
+    }
+
+    /// All columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The index of a column; `None` where the results don't have it.
+    pub fn find(&self, column: Column) -> Option<usize> {
+        self.places.get(&column).copied()
+    }
+
+    /// The indices of columns that a condition selects, in order.
+    pub fn select(&self, wanted: impl Fn(&Column) -> bool) -> Vec<usize> {
+        let each = self.columns.iter().enumerate().filter(|(_, column)| wanted(column));
+        each.map(|(index, _)| index).collect()
+    }
+
+    /// The owners of the columns of a quantity, each once, in order.
+    pub fn owners(&self, quantity: Quantity) -> Vec<Owner> {
+        let each = self.columns.iter().filter(|column| column.quantity == quantity && column.cause.is_none());
+        let mut owners: Vec<_> = each.map(|column| column.owner).collect();
+        owners.dedup();
+        owners
+    }
+
+    /// The section of a column.
+    pub fn section_of(&self, column: usize) -> Section {
+        self.section_of[column]
+    }
+
+    /// How many sections there are.
+    pub(crate) fn sections(&self) -> usize {
+        self.sections
+    }
+
+    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
+    pub fn angular(&self) -> bool {
+        self.angular
+    }
+
+    /// The name of the owner of a column; of a force the name of the pair, of a group its index.
+    pub fn name(&self, owner: Owner) -> std::borrow::Cow<'_, str> {
+        match owner {
+            Owner::Input => "".into(),
+            Owner::Link(link) => self.link(link).into(),
+            Owner::Point(point) | Owner::Pair(PairId::Pin(point)) | Owner::PairOn(PairId::Pin(point), _) => {
+                self.points[point].as_str().into()
+            }
+            Owner::Slide(slide)
+            | Owner::Pair(PairId::Slide(slide))
+            | Owner::PairOn(PairId::Slide(slide), _) => self.slides[slide].as_str().into(),
+            Owner::Group(group) => group.to_string().into(),
+        }
+    }
+
+    /// The name of a link.
+    pub fn link(&self, link: LinkId) -> &str {
+        &self.links[link]
+    }
+
+    /// The SI unit of a column.
+    pub fn unit(&self, column: Column) -> Unit {
+        let (moment, inertia) = if self.angular {
+            (Base::NewtonMeter, Base::KilogramMeter2)
+        } else {
+            (Base::Newton, Base::Kilogram)
+        };
+        let plain = |base| Unit { base, per_coordinate: 0, per_time: 0 };
+        let place = match column.owner {
+            Owner::Link(_) => Base::Radian,
+            Owner::Input if self.angular => Base::Radian,
+            _ => Base::Meter,
+        };
+        match column.quantity {
+            Quantity::Time => plain(Base::Second),
+            Quantity::Transfer(order) => Unit { per_coordinate: order, ..plain(place) },
+            Quantity::Velocity => Unit { per_time: 1, ..plain(place) },
+            Quantity::Acceleration => Unit { per_time: 2, ..plain(place) },
+            Quantity::ReducedInertia => plain(inertia),
+            Quantity::ReducedInertiaDerivative => Unit { per_coordinate: 1, ..plain(inertia) },
+            Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => plain(moment),
+            Quantity::Force => plain(Base::Newton),
+            Quantity::Moment => plain(Base::NewtonMeter),
+            Quantity::Offset => plain(Base::Meter),
+            Quantity::Balancing if self.balances_by_moment => plain(Base::NewtonMeter),
+            Quantity::Balancing => plain(Base::Newton),
+            Quantity::Condition => plain(Base::One),
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Rows of numbers under a schema.
+
+use std::sync::Arc;
+
+use super::{Column, Schema, Section};
+
+/// Rows of numbers, column by column.
+///
+/// A row without a number in a column is marked, not filled with NaN: the columns of a [`Section`] have numbers in the
+/// same rows. A position without a solution has no row. A block of a long calculation is a table of some of its rows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    schema: Arc<Schema>,
+    /// Number of the position or sample of each row, increasing.
+    numbers: Vec<usize>,
+    columns: Vec<Vec<f64>>,
+    /// By section, whether a row has its numbers; 0 stands where it has none.
+    present: Vec<Vec<bool>>,
+}
+
+impl Table {
+    /// No rows yet.
+    pub fn new(schema: Arc<Schema>) -> Self {
+        let (columns, sections) = (schema.columns().len(), schema.sections());
+        Self {
+            schema,
+            numbers: Vec::new(),
+            columns: vec![Vec::new(); columns],
+            present: vec![Vec::new(); sections],
+        }
+    }
+
+    /// Starts a row; its cells follow in the order of the columns.
+    pub fn row(&mut self, number: usize) -> Cells<'_> {
+        self.numbers.push(number);
+        for (section, present) in self.present.iter_mut().enumerate() {
+            present.push(Section(section) == Section::ALWAYS);
+        }
+        Cells { table: self, column: 0 }
+    }
+
+    /// Adds the rows of another table of the same schema at the end.
+    pub(crate) fn append(&mut self, rows: &Self) {
+        self.numbers.extend_from_slice(&rows.numbers);
+        self.columns.iter_mut().zip(&rows.columns).for_each(|(own, more)| own.extend_from_slice(more));
+        self.present.iter_mut().zip(&rows.present).for_each(|(own, more)| own.extend_from_slice(more));
+    }
+
+    /// Replaces the numbers of a column; each row keeps whether it has one.
+    pub(crate) fn column_mut(&mut self, column: usize) -> &mut [f64] {
+        &mut self.columns[column]
+    }
+
+    /// Adds columns with their numbers under an extended schema, which has the present columns in front.
+    pub(crate) fn extend(&mut self, schema: Schema, columns: Vec<Vec<f64>>, present: Vec<Vec<bool>>) {
+        self.columns.extend(columns);
+        self.present.extend(present);
+        self.schema = Arc::new(schema);
+    }
+
+    /// The columns.
+    pub fn schema(&self) -> &Arc<Schema> {
+        &self.schema
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.numbers.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.numbers.is_empty()
+    }
+
+    /// Number of the position or sample of each row, increasing.
+    pub fn numbers(&self) -> &[usize] {
+        &self.numbers
+    }
+
+    /// The row of a position or sample by its number; `None` where it has no solution.
+    pub fn row_of(&self, number: usize) -> Option<usize> {
+        self.numbers.binary_search(&number).ok()
+    }
+
+    /// The numbers of a column with 0 where a row has none: see [`present`](Self::present).
+    pub fn values(&self, column: usize) -> &[f64] {
+        &self.columns[column]
+    }
+
+    /// By row, whether it has numbers in this section.
+    pub fn present(&self, section: Section) -> &[bool] {
+        &self.present[section.0]
+    }
+
+    /// The number of a row in a column, by its index.
+    pub fn at(&self, row: usize, column: usize) -> Option<f64> {
+        let has = *self.present(self.schema.section_of(column)).get(row)?;
+        has.then(|| self.columns[column][row])
+    }
+
+    /// The number of a row in a column.
+    pub fn get(&self, row: usize, column: Column) -> Option<f64> {
+        self.at(row, self.schema.find(column)?)
+    }
+
+    /// The number of each row in a column; `None` where it has none.
+    pub fn each(&self, column: usize) -> impl ExactSizeIterator<Item = Option<f64>> {
+        let present = self.present(self.schema.section_of(column));
+        self.columns[column].iter().zip(present).map(|(value, has)| has.then_some(*value))
+    }
+
+    /// Whether any row has a number in this column.
+    pub fn has(&self, column: usize) -> bool {
+        self.present(self.schema.section_of(column)).contains(&true)
+    }
+
+    /// The first number, row by row, that is not finite: its row and its column.
+    pub fn not_finite(&self) -> Option<(usize, usize)> {
+        let first = |(column, values): (usize, &Vec<f64>)| {
+            // Rows without a number hold 0.
+            values.iter().position(|value| !value.is_finite()).map(|row| (row, column))
+        };
+        self.columns.iter().enumerate().filter_map(first).min()
+    }
+}
+
+/// The cells of the last row of a table, which are filled in the order of the columns.
+#[derive(Debug)]
+pub struct Cells<'a> {
+    table: &'a mut Table,
+    column: usize,
+}
+
+impl Cells<'_> {
+    /// A number, or none; all columns of a section have one or none.
+    pub fn put(&mut self, value: Option<f64>) {
+        let Table { schema, columns, present, .. } = &mut *self.table;
+        if let Some(present) = present[schema.section_of(self.column).0].last_mut() {
+            *present = value.is_some();
+        }
+        columns[self.column].push(value.unwrap_or(0.0));
+        self.column += 1;
+    }
+
+    /// Numbers.
+    pub fn all(&mut self, values: impl IntoIterator<Item = f64>) {
+        values.into_iter().for_each(|value| self.put(Some(value)));
+    }
+
+    /// No numbers in this many columns.
+    pub fn none(&mut self, columns: usize) {
+        (0..columns).for_each(|_| self.put(None));
+    }
+}
