@@ -50,7 +50,7 @@ impl UnitBalance {
     }
 
     /// The load about the origin of the link's frame.
-    #[inline]
+    #[inline(always)]
     pub fn wrench<T: Real>(&self, bodies: &[Body<T>]) -> Wrench<T> {
         let mut wrench = Wrench::ZERO;
         match self.load {
@@ -63,7 +63,7 @@ impl UnitBalance {
     }
 
     /// Virtual power of the load for dq = 1.
-    #[inline]
+    #[inline(always)]
     pub fn power<T: Real>(&self, bodies: &[Body<T>]) -> T {
         power(&self.wrench(bodies), &bodies[self.link])
     }

@@ -64,10 +64,25 @@ impl Loads {
 }
 
 fn masses(mechanism: &Mechanism) -> Vec<Mass> {
+    let mut ground_pins = vec![None; mechanism.links.len()];
+    for point in &mechanism.points {
+        if point.places.iter().any(|place| place.link == GROUND) {
+            point.places.iter().for_each(|place| ground_pins[place.link] = Some(place.at));
+        }
+    }
     let moving = mechanism.links.iter().enumerate().skip(1);
     let heavy = moving.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0);
-    let compiled =
-        heavy.map(|(id, link)| Mass { link: id, m: link.mass, center: link.center, inertia: link.inertia });
+    let compiled = heavy.map(|(id, link)| Mass {
+        link: id,
+        m: link.mass,
+        center: link.center,
+        inertia: link.inertia,
+        at_origin: link.center == [0.0, 0.0],
+        about_pin: ground_pins[id].map(|[x, y]: [f64; 2]| {
+            let arm = [link.center[0] - x, link.center[1] - y];
+            link.inertia + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
+        }),
+    });
     compiled.collect()
 }
 

@@ -35,7 +35,12 @@ pub(crate) struct Mass {
     /// Mass, kg.
     pub(crate) m: f64,
     pub(crate) center: [f64; 2],
+    /// Moment of inertia about the center of mass, kg m².
     pub(crate) inertia: f64,
+    /// The center of mass is the origin of the link's frame.
+    pub(crate) at_origin: bool,
+    /// Moment of inertia about the pin that joins the link to the ground, kg m²; `None` without one.
+    pub(crate) about_pin: Option<f64>,
 }
 
 /// A force at a point of a moving link.

@@ -26,17 +26,17 @@ pub trait LoadNumber: Number {
 impl LoadNumber for f64 {
     type States = State;
 
-    #[inline]
+    #[inline(always)]
     fn state(states: &State, _: usize) -> &State {
         states
     }
 
-    #[inline]
+    #[inline(always)]
     fn lane(self, _: usize) -> f64 {
         self
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_lanes(mut number: impl FnMut(usize) -> f64) -> f64 {
         number(0)
     }
@@ -45,17 +45,17 @@ impl LoadNumber for f64 {
 impl LoadNumber for Lanes {
     type States = [State; Self::WIDTH];
 
-    #[inline]
+    #[inline(always)]
     fn state(states: &[State; Self::WIDTH], lane: usize) -> &State {
         &states[lane]
     }
 
-    #[inline]
+    #[inline(always)]
     fn lane(self, lane: usize) -> f64 {
         self.0[lane]
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_lanes(number: impl FnMut(usize) -> f64) -> Self {
         Self::of(number)
     }

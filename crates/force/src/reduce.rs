@@ -3,10 +3,10 @@
 use assur_group::plane::{dot, vector};
 use assur_group::{Body, Wrench};
 use assur_integrator::Reduced;
-use assur_number::Real;
+use assur_number::{Formula, Real};
 
 use crate::choice::{Choice, Live};
-use crate::loads::Loads;
+use crate::loads::{Loads, Mass};
 use crate::visit::{Sink, Visit};
 use crate::{LoadNumber, Phase, State};
 
@@ -14,12 +14,12 @@ use crate::{LoadNumber, Phase, State};
 struct Power<T>(T);
 
 impl<T: LoadNumber> Sink<T> for Power<T> {
-    #[inline]
+    #[inline(always)]
     fn force(&mut self, _link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         self.0 += dot(body.first(arm), force);
     }
 
-    #[inline]
+    #[inline(always)]
     fn moment(&mut self, _link: usize, body: &Body<T>, moment: T) {
         self.0 += body.w1 * moment;
     }
@@ -34,39 +34,14 @@ impl Loads {
     /// its derivative is exactly zero and is not computed.
     #[inline]
     pub fn reduced<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>]) -> Reduced<T> {
-        self.reduce(&Live, states, bodies)
+        T::evaluate(Visit { loads: self, choice: &Live, states, bodies })
     }
 
     /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond
     /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
     #[inline]
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
-        self.reduce(phase, state, bodies)
-    }
-
-    #[inline]
-    fn reduce<T: LoadNumber, C: Choice>(
-        &self,
-        choice: &C,
-        states: &T::States,
-        bodies: &[Body<T>],
-    ) -> Reduced<T> {
-        let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, T::ZERO);
-        let gravity = vector(self.gravity);
-        for mass in &self.masses {
-            let body = &bodies[mass.link];
-            let arm = body.arm(vector(mass.center));
-            let velocity = body.first(arm);
-            let (m, own) = (T::from_f64(mass.m), T::from_f64(mass.inertia));
-            inertia += m * dot(velocity, velocity) + own * (body.w1 * body.w1);
-            if !self.inertia_constant {
-                half += m * dot(velocity, body.second(arm)) + own * (body.w1 * body.w2);
-            }
-            power += m * dot(gravity, velocity);
-        }
-        let mut sum = Power(power);
-        Visit { loads: self, choice, states, bodies }.each(&mut sum);
-        Reduced { inertia, inertia_derivative: half.twice(), moment: sum.0 }
+        Visit { loads: self, choice: phase, states: state, bodies }.evaluate()
     }
 
     /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.
@@ -83,8 +58,57 @@ impl Loads {
     }
 }
 
+/// Reduction to the input link.
+impl<T: LoadNumber, C: Choice> Formula for Visit<'_, T, C> {
+    type Value = Reduced<T>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Reduced<T> {
+        let Self { loads, bodies, .. } = self;
+        let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, Power(T::ZERO));
+        for mass in &loads.masses {
+            let body = &bodies[mass.link];
+            let (own, slope) = mass.reduced(body, loads.inertia_constant);
+            inertia += own;
+            half += slope;
+            if loads.has_weights() {
+                power.force(mass.link, body, mass.arm(body), mass.weight(loads.gravity));
+            }
+        }
+        self.each(&mut power);
+        Reduced { inertia, inertia_derivative: half.twice(), moment: power.0 }
+    }
+}
+
+impl Mass {
+    /// Reduced inertia of the link, and half of its derivative by the coordinate, unless it is not wanted.
+    #[inline(always)]
+    fn reduced<T: LoadNumber>(&self, body: &Body<T>, constant: bool) -> (T, T) {
+        let (w, e) = (body.w1, body.w2);
+        if let Some(inertia) = self.about_pin {
+            let turning = T::from_f64(inertia) * w;
+            return (turning * w, if constant { T::ZERO } else { turning * e });
+        }
+        let (m, turning) = (T::from_f64(self.m), T::from_f64(self.inertia) * w);
+        let arm = self.arm(body);
+        let velocity = if self.at_origin { [body.x1, body.y1] } else { body.first(arm) };
+        let inertia = m * dot(velocity, velocity) + turning * w;
+        if constant {
+            return (inertia, T::ZERO);
+        }
+        let acceleration = if self.at_origin { [body.x2, body.y2] } else { body.second(arm) };
+        (inertia, m * dot(velocity, acceleration) + turning * e)
+    }
+
+    /// Arm of the center of mass from the origin of the link.
+    #[inline(always)]
+    fn arm<T: LoadNumber>(&self, body: &Body<T>) -> [T; 2] {
+        if self.at_origin { [T::ZERO; 2] } else { body.arm(vector(self.center)) }
+    }
+}
+
 /// Virtual power of a wrench about the origin of a body for dq = 1.
-#[inline]
+#[inline(always)]
 pub fn power<T: Real>(wrench: &Wrench<T>, body: &Body<T>) -> T {
     wrench.fx * body.x1 + wrench.fy * body.y1 + wrench.m * body.w1
 }

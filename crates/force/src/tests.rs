@@ -1,4 +1,5 @@
 mod breaks;
+mod curve;
 mod errors;
 mod kinds;
 mod phases;

@@ -11,7 +11,7 @@ use crate::loads::{Along, ArcContact, Cause, Loads, PointForce, SpringDamper};
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
 pub(crate) trait Sink<T> {
     /// The cause of the following calls.
-    #[inline]
+    #[inline(always)]
     fn cause(&mut self, _cause: Cause) {}
     /// A force, N.
     fn force(&mut self, link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]);
@@ -29,7 +29,7 @@ pub(crate) struct Visit<'a, T: LoadNumber, C> {
 
 impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     /// Passes on all applied loads except weights.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn each<S: Sink<T>>(&self, sink: &mut S) {
         let loads = self.loads;
         for (index, force) in loads.forces.iter().enumerate() {
@@ -49,7 +49,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     }
 
     /// The size of a load by its law; `point`: its place, m.
-    #[inline]
+    #[inline(always)]
     fn size(&self, law: usize, point: [T; 2]) -> T {
         match &self.loads.laws[law] {
             Law::Constant(value) => T::from_f64(*value),
@@ -58,7 +58,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     }
 
     /// A number that is found for each lane by the formulas that apply there.
-    #[inline]
+    #[inline(always)]
     fn by_lane(&self, number: impl Fn(&C::Formulas, usize) -> f64) -> T {
         T::of_lanes(|lane| {
             let state = T::state(self.states, lane);
@@ -66,14 +66,14 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self, formulas: &C::Formulas, law: usize, lane: usize, point: [T; 2]) -> f64 {
         let state = T::state(self.states, lane);
         let active = formulas.active(self.loads, law, state);
-        self.loads.laws[law].value(active, state, point.map(|number| number.lane(lane)))
+        self.loads.laws[law].value(active, state, [point[0].lane(lane), point[1].lane(lane)])
     }
 
-    #[inline]
+    #[inline(always)]
     fn force<S: Sink<T>>(&self, index: usize, force: &PointForce, sink: &mut S) {
         let body = &self.bodies[force.at.link];
         let arm = body.arm(vector(force.at.at));
@@ -83,9 +83,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             Along::Link(unit) => scaled(self.size(index, point), body.turned(vector(unit))),
             Along::AgainstMotion => {
                 let (first, second) = (body.first(arm), body.second(arm));
-                let lengths = [first, second].map(|of| dot(of, of).sqrt());
+                let (length, curvature) = (dot(first, first).sqrt(), dot(second, second).sqrt());
                 let per_length = self.by_lane(|formulas, lane| {
-                    let lengths = lengths.map(|length| length.lane(lane));
+                    let lengths = [length.lane(lane), curvature.lane(lane)];
                     if lengths[0] == 0.0 {
                         return 0.0;
                     }
@@ -100,9 +100,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     }
 
     /// The two forces of a spring with a damper.
-    #[inline]
+    #[inline(always)]
     fn spring<S: Sink<T>>(&self, spring: &SpringDamper, sink: &mut S) {
-        let [one, two] = spring.ends.map(|end| &self.bodies[end.link]);
+        let [one, two] = [&self.bodies[spring.ends[0].link], &self.bodies[spring.ends[1].link]];
         let arms = [one.arm(vector(spring.ends[0].at)), two.arm(vector(spring.ends[1].at))];
         let between = minus(plus([two.x, two.y], arms[1]), plus([one.x, one.y], arms[0]));
         let length = dot(between, between).sqrt();
@@ -122,7 +122,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         sink.force(spring.ends[1].link, two, arms[1], opposite(pull));
     }
 
-    #[inline]
+    #[inline(always)]
     fn contact<S: Sink<T>>(&self, index: usize, contact: &ArcContact, sink: &mut S) {
         let touches = |formulas: &C::Formulas, lane: usize| {
             formulas.touches(self.loads, index, T::state(self.states, lane))

@@ -1,7 +1,8 @@
 //! Loads as wrenches on the links.
 
-use assur_group::plane::{minus, opposite, scaled, vector};
+use assur_group::plane::{minus, perp, plus, scaled, vector};
 use assur_group::{Body, Wrench};
+use assur_number::Formula;
 
 use crate::LoadNumber;
 use crate::choice::Live;
@@ -12,12 +13,12 @@ use crate::visit::{Sink, Visit};
 struct Sum<'a, T>(&'a mut [Wrench<T>]);
 
 impl<T: LoadNumber> Sink<T> for Sum<'_, T> {
-    #[inline]
+    #[inline(always)]
     fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         self.0[link].add_at(arm, force, T::ZERO);
     }
 
-    #[inline]
+    #[inline(always)]
     fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
         self.0[link].m += moment;
     }
@@ -54,39 +55,55 @@ impl<T: LoadNumber> Sink<T> for Each<'_, T> {
 }
 
 /// Speed and acceleration of the input.
-#[derive(Clone, Copy)]
 struct Rates<T> {
     speed: T,
     /// Speed squared.
     square: T,
     acceleration: T,
+    /// The input is at rest, in all lanes, and stays there.
+    rests: bool,
 }
 
 impl<T: LoadNumber> Rates<T> {
-    #[inline]
+    #[inline(always)]
     fn of(states: &T::States) -> Self {
         let speed = T::of_lanes(|lane| T::state(states, lane).speed);
         let acceleration = T::of_lanes(|lane| T::state(states, lane).acceleration);
-        Self { speed, square: speed * speed, acceleration }
+        let square = speed * speed;
+        let rests = (square + acceleration.abs()).greatest() == 0.0;
+        Self { speed, square, acceleration, rests }
     }
 
-    /// Whether the input is at rest, in all lanes, and stays there.
-    #[inline]
-    fn rests(&self) -> bool {
-        self.square.greatest() == 0.0 && self.acceleration.abs().greatest() == 0.0
+    /// A second derivative by time from both derivatives by the coordinate.
+    #[inline(always)]
+    fn second(&self, first: T, second: T) -> T {
+        second * self.square + first * self.acceleration
     }
+}
 
-    /// Acceleration of a link: of the point at this arm from its origin, m/s², and of its angle, rad/s².
-    #[inline]
-    fn accelerations(&self, body: &Body<T>, arm: [T; 2]) -> ([T; 2], T) {
-        let turn = body.w1 * self.speed;
-        let centripetal = turn * turn;
-        let angular = body.w2 * self.square + body.w1 * self.acceleration;
-        let x = body.x2 * self.square + body.x1 * self.acceleration;
-        let y = body.y2 * self.square + body.y1 * self.acceleration;
-        let of_point =
-            [x - angular * arm[1] - centripetal * arm[0], y + angular * arm[0] - centripetal * arm[1]];
-        (of_point, angular)
+/// The wrenches of all loads at some states.
+struct Evaluate<'a, T: LoadNumber> {
+    loads: &'a Loads,
+    states: &'a T::States,
+    bodies: &'a [Body<T>],
+    wrenches: &'a mut [Wrench<T>],
+}
+
+impl<T: LoadNumber> Formula for Evaluate<'_, T> {
+    type Value = ();
+
+    #[inline(always)]
+    fn evaluate(self) {
+        let Self { loads, states, bodies, wrenches } = self;
+        wrenches.fill(Wrench::ZERO);
+        let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
+        if !rates.rests || loads.has_weights() {
+            for mass in &loads.masses {
+                let Wrench { fx, fy, m } = mass.load(gravity, &rates, &bodies[mass.link]);
+                wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
+            }
+        }
+        Visit { loads, choice: &Live, states, bodies }.each(&mut Sum(wrenches));
     }
 }
 
@@ -102,21 +119,7 @@ impl Loads {
         bodies: &[Body<T>],
         wrenches: &mut [Wrench<T>],
     ) {
-        wrenches.fill(Wrench::ZERO);
-        let rates = Rates::of(states);
-        let rests = rates.rests();
-        if !rests || self.has_weights() {
-            let gravity = vector(self.gravity);
-            for mass in &self.masses {
-                let body = &bodies[mass.link];
-                let arm = body.arm(vector(mass.center));
-                let (linear, angular) =
-                    if rests { ([T::ZERO; 2], T::ZERO) } else { rates.accelerations(body, arm) };
-                let force = scaled(T::from_f64(mass.m), minus(gravity, linear));
-                wrenches[mass.link].add_at(arm, force, -(T::from_f64(mass.inertia) * angular));
-            }
-        }
-        Visit { loads: self, choice: &Live, states, bodies }.each(&mut Sum(wrenches));
+        T::evaluate(Evaluate { loads: self, states, bodies, wrenches });
     }
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.
@@ -134,7 +137,7 @@ impl Loads {
         bodies: &[Body<T>],
         hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>),
     ) {
-        let mut each = Each { cause: None, hand_on };
+        let mut each = Each { cause: None, hand_on: &mut *hand_on };
         if self.has_weights() {
             for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
                 let body = &bodies[mass.link];
@@ -143,45 +146,62 @@ impl Loads {
             }
         }
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
-        let rates = Rates::of(states);
-        if rates.rests() {
-            return;
-        }
-        for mass in &self.masses {
-            (each.hand_on)(
-                Cause::Inertia(mass.link),
-                mass.link,
-                mass.inertia_load(&rates, &bodies[mass.link]),
-            );
-        }
+        self.inertia_of_each(states, bodies, |link, wrench| hand_on(Cause::Inertia(link), link, wrench));
     }
 
     /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames.
     pub fn inertia<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>], wrenches: &mut [Wrench<T>]) {
+        self.inertia_of_each(states, bodies, |link, Wrench { fx, fy, m }| {
+            wrenches[link].add_at([T::ZERO; 2], [fx, fy], m);
+        });
+    }
+
+    fn inertia_of_each<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        bodies: &[Body<T>],
+        mut hand_on: impl FnMut(usize, Wrench<T>),
+    ) {
         let rates = Rates::of(states);
-        for mass in &self.masses {
-            let Wrench { fx, fy, m } = mass.inertia_load(&rates, &bodies[mass.link]);
-            wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
+        if !rates.rests {
+            for mass in &self.masses {
+                hand_on(mass.link, mass.load([T::ZERO; 2], &rates, &bodies[mass.link]));
+            }
         }
     }
 
-    fn has_weights(&self) -> bool {
+    pub(crate) fn has_weights(&self) -> bool {
         self.gravity != [0.0, 0.0]
     }
 }
 
 impl Mass {
-    /// The inertia load about the origin of the link's frame.
-    fn inertia_load<T: LoadNumber>(&self, rates: &Rates<T>, body: &Body<T>) -> Wrench<T> {
+    /// Weight and inertia load about the origin of the link's frame.
+    #[inline(always)]
+    fn load<T: LoadNumber>(&self, gravity: [T; 2], rates: &Rates<T>, body: &Body<T>) -> Wrench<T> {
+        let m = T::from_f64(self.m);
+        if rates.rests {
+            let mut wrench = Wrench::ZERO;
+            wrench.add_at(body.arm(vector(self.center)), scaled(m, gravity), T::ZERO);
+            return wrench;
+        }
+        let angular = rates.second(body.w1, body.w2);
+        let origin = [rates.second(body.x1, body.x2), rates.second(body.y1, body.y2)];
+        let moment = -(T::from_f64(self.inertia) * angular);
+        if self.at_origin {
+            let [fx, fy] = scaled(m, minus(gravity, origin));
+            return Wrench { fx, fy, m: moment };
+        }
         let arm = body.arm(vector(self.center));
-        let (linear, angular) = rates.accelerations(body, arm);
+        let turn = body.w1 * rates.speed;
+        let about = plus(scaled(angular, perp(arm)), scaled(-(turn * turn), arm));
         let mut wrench = Wrench::ZERO;
-        let force = opposite(scaled(T::from_f64(self.m), linear));
-        wrench.add_at(arm, force, -(T::from_f64(self.inertia) * angular));
+        wrench.add_at(arm, scaled(m, minus(gravity, plus(origin, about))), moment);
         wrench
     }
 
     /// The weight of the link, N.
+    #[inline(always)]
     pub(crate) fn weight<T: LoadNumber>(&self, gravity: [f64; 2]) -> [T; 2] {
         scaled(T::from_f64(self.m), vector(gravity))
     }
