@@ -1,0 +1,236 @@
+//! Reads the text of a formula.
+
+use std::ops::Range;
+
+use winnow::ascii::{float, space0};
+use winnow::combinator::{
+    Infix, Prefix, alt, cut_err, delimited, dispatch, expression, fail, opt, separated,
+};
+use winnow::error::{ContextError, ErrMode, StrContext};
+use winnow::prelude::*;
+use winnow::stream::{LocatingSlice, Location};
+use winnow::token::{any, take_while};
+
+use crate::evaluate::DEPTH;
+use crate::formula::{Formula, Switch, Used, Variable};
+use crate::program::{Function, Kind, Operation};
+
+/// What a formula may use, for messages.
+pub const FUNCTIONS: &str =
+    "q w t x pi; + - * / ^; sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step";
+
+/// Longest text.
+const MOST_BYTES: usize = 2000;
+
+/// Greatest number of parentheses, signs and powers: each may nest what follows.
+const MOST_NESTED: usize = 200;
+
+/// Why a text is no formula.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{what}")]
+pub struct FormulaError {
+    /// Bytes of the text that are wrong.
+    pub span: Range<usize>,
+    /// What is wrong there.
+    pub what: String,
+}
+
+/// A formula as operations, with its switches.
+pub(crate) struct Program {
+    pub(crate) operations: Vec<Operation>,
+    pub(crate) switches: Vec<Switch>,
+}
+
+type Input<'i> = LocatingSlice<&'i str>;
+type Failure = ErrMode<ContextError>;
+
+/// A formula as it is written.
+enum Tree {
+    Number(f64),
+    Name(Range<usize>),
+    Call(Range<usize>, Vec<Self>),
+    Negate(Box<Self>),
+    Two(Operation, Box<[Self; 2]>),
+}
+
+pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
+    let fault = |span: Range<usize>, what: String| Err(FormulaError { span, what });
+    if text.len() > MOST_BYTES {
+        return fault(
+            0..text.len(),
+            format!("a formula has at most {MOST_BYTES} characters, this one {}", text.len()),
+        );
+    }
+    if text.bytes().filter(|byte| b"(^-+".contains(byte)).count() > MOST_NESTED {
+        return fault(
+            0..text.len(),
+            format!("a formula has at most {MOST_NESTED} signs, powers and parentheses"),
+        );
+    }
+    match delimited(space0, whole, space0).parse(LocatingSlice::new(text)) {
+        Ok(tree) => {
+            let mut writer = Writer { text, operations: Vec::new(), switches: Vec::new() };
+            let depth = writer.write(&tree)?;
+            if depth > DEPTH {
+                return fault(0..text.len(), format!("the formula is nested deeper than {DEPTH} levels"));
+            }
+            Ok(Program { operations: writer.operations, switches: writer.switches })
+        }
+        Err(error) => {
+            let at = error.offset();
+            let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
+            let what = match text[at..].chars().next() {
+                None => "the formula ends too early: an operand or `)` is missing".to_owned(),
+                Some(c) => format!("`{c}` does not fit here in the formula; it knows {FUNCTIONS}"),
+            };
+            fault(at..end.max(at), what)
+        }
+    }
+}
+
+fn two(operation: Operation) -> impl Fn(Tree, Tree) -> Tree {
+    move |a, b| Tree::Two(operation, Box::new([a, b]))
+}
+
+/// An expression with operators.
+fn whole(input: &mut Input<'_>) -> Result<Tree, Failure> {
+    expression(delimited(space0, operand, space0))
+        .prefix(dispatch! { delimited(space0, any, space0);
+            '-' => Prefix(9, |_: &mut _, a| Ok(Tree::Negate(Box::new(a)))),
+            '+' => Prefix(9, |_: &mut _, a| Ok(a)),
+            _ => fail,
+        })
+        .infix(dispatch! { delimited(space0, any, space0);
+            '+' => Infix::Left(5, |_: &mut _, a, b| Ok(two(Operation::Add)(a, b))),
+            '-' => Infix::Left(5, |_: &mut _, a, b| Ok(two(Operation::Subtract)(a, b))),
+            '*' => Infix::Left(7, |_: &mut _, a, b| Ok(two(Operation::Multiply)(a, b))),
+            '/' => Infix::Left(7, |_: &mut _, a, b| Ok(two(Operation::Divide)(a, b))),
+            '^' => Infix::Right(11, |_: &mut _, a, b| Ok(two(Operation::Power)(a, b))),
+            _ => fail,
+        })
+        .parse_next(input)
+}
+
+fn operand(input: &mut Input<'_>) -> Result<Tree, Failure> {
+    alt((number, name, delimited('(', cut_err(whole), cut_err(')')))).parse_next(input)
+}
+
+/// A number without sign.
+fn number(input: &mut Input<'_>) -> Result<Tree, Failure> {
+    if !input.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+        return fail.parse_next(input);
+    }
+    float.map(Tree::Number).parse_next(input)
+}
+
+/// A variable, or a function with its arguments.
+fn name(input: &mut Input<'_>) -> Result<Tree, Failure> {
+    let start = input.current_token_start();
+    let _: &str = (
+        take_while(1, |c: char| c.is_ascii_alphabetic()),
+        take_while(0.., |c: char| c.is_ascii_alphanumeric() || c == '_'),
+    )
+        .take()
+        .context(StrContext::Label("name"))
+        .parse_next(input)?;
+    let span = start..input.previous_token_end();
+    let mut arguments = opt(delimited((space0, '('), cut_err(separated(1.., whole, ',')), cut_err(')')));
+    Ok(match arguments.parse_next(input)? {
+        Some(arguments) => Tree::Call(span, arguments),
+        None => Tree::Name(span),
+    })
+}
+
+/// What a name stands for, with its number of arguments.
+fn operation(name: &str) -> Option<(usize, Operation)> {
+    let call = |function| Some((1, Operation::Call(function)));
+    let switch = |kind: Kind| Some((kind.arguments(), Operation::Switch(kind, 0)));
+    let variable = |variable| Some((0, Operation::Variable(variable)));
+    match name {
+        "q" => variable(Variable::Coordinate),
+        "w" => variable(Variable::Speed),
+        "t" => variable(Variable::Time),
+        "x" => variable(Variable::Place),
+        "pi" => Some((0, Operation::Number(std::f64::consts::PI))),
+        "sin" => call(Function::Sin),
+        "cos" => call(Function::Cos),
+        "tan" => call(Function::Tan),
+        "asin" => call(Function::Asin),
+        "acos" => call(Function::Acos),
+        "atan" => call(Function::Atan),
+        "sqrt" => call(Function::Sqrt),
+        "exp" => call(Function::Exp),
+        "ln" => call(Function::Ln),
+        "atan2" => Some((2, Operation::Atan2)),
+        "sign" => switch(Kind::Sign),
+        "step" => switch(Kind::Step),
+        "abs" => switch(Kind::Abs),
+        "min" => switch(Kind::Min),
+        "max" => switch(Kind::Max),
+        _ => None,
+    }
+}
+
+/// Writes a tree as operations.
+struct Writer<'t> {
+    text: &'t str,
+    operations: Vec<Operation>,
+    switches: Vec<Switch>,
+}
+
+impl Writer<'_> {
+    /// Returns how many numbers wait on the stack while it is evaluated.
+    fn write(&mut self, tree: &Tree) -> Result<usize, FormulaError> {
+        match tree {
+            Tree::Number(value) => {
+                self.operations.push(Operation::Number(*value));
+                Ok(1)
+            }
+            Tree::Negate(of) => {
+                let depth = self.write(of)?;
+                self.operations.push(Operation::Negate);
+                Ok(depth)
+            }
+            Tree::Two(operation, operands) => {
+                let [a, b] = &**operands;
+                let depth = self.write(a)?.max(1 + self.write(b)?);
+                self.operations.push(*operation);
+                Ok(depth)
+            }
+            Tree::Name(span) => self.call(span, &[]),
+            Tree::Call(span, arguments) => self.call(span, arguments),
+        }
+    }
+
+    fn call(&mut self, span: &Range<usize>, arguments: &[Tree]) -> Result<usize, FormulaError> {
+        let name = &self.text[span.clone()];
+        let fault = |what| Err(FormulaError { span: span.clone(), what });
+        let Some((count, operation)) = operation(name) else {
+            return fault(format!("`{name}` is unknown in a formula; it knows {FUNCTIONS}"));
+        };
+        if arguments.len() != count {
+            let plural = if count == 1 { "" } else { "s" };
+            return fault(format!("`{name}` takes {count} argument{plural}, got {}", arguments.len()));
+        }
+        let start = self.operations.len();
+        let mut depth = 1;
+        for (index, argument) in arguments.iter().enumerate() {
+            depth = depth.max(index + self.write(argument)?);
+        }
+        let operations = start..self.operations.len();
+        let operation = match operation {
+            Operation::Switch(..) if self.switches.len() == Formula::MOST_SWITCHES => {
+                let most = Formula::MOST_SWITCHES;
+                return fault(format!("a formula has at most {most} of sign, step, abs, min and max"));
+            }
+            Operation::Switch(kind, _) => {
+                let (used, is_difference) = (Used::default(), count == 2);
+                self.switches.push(Switch { used, operations, is_difference, span: span.clone() });
+                Operation::Switch(kind, self.switches.len() - 1)
+            }
+            other => other,
+        };
+        self.operations.push(operation);
+        Ok(depth)
+    }
+}

@@ -1,0 +1,74 @@
+//! A formula as a sequence of operations on a stack.
+
+/// A quantity that a formula may use, all in SI.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variable {
+    /// `q`: the input coordinate, rad or m.
+    Coordinate,
+    /// `w`: its speed with its sign, rad/s or m/s.
+    Speed,
+    /// `t`: time, s.
+    Time,
+    /// `x`: place of a point between the extremes of its stroke, 0 to 1.
+    Place,
+}
+
+/// A smooth function of one argument.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sqrt,
+    Exp,
+    Ln,
+}
+
+/// A function that is smooth on either side of a switch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Sign,
+    Step,
+    Abs,
+    Min,
+    Max,
+}
+
+impl Kind {
+    /// Number of arguments.
+    pub(crate) fn arguments(self) -> usize {
+        if matches!(self, Self::Min | Self::Max) { 2 } else { 1 }
+    }
+}
+
+/// One operation: takes its operands from the stack and puts its result there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Operation {
+    Number(f64),
+    Variable(Variable),
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Atan2,
+    Call(Function),
+    /// The function and the number of its switch.
+    Switch(Kind, usize),
+}
+
+impl Operation {
+    /// Number of operands.
+    pub(crate) fn operands(self) -> usize {
+        match self {
+            Self::Number(_) | Self::Variable(_) => 0,
+            Self::Negate | Self::Call(_) => 1,
+            Self::Add | Self::Subtract | Self::Multiply | Self::Divide | Self::Power | Self::Atan2 => 2,
+            Self::Switch(kind, _) => kind.arguments(),
+        }
+    }
+}
