@@ -1,6 +1,7 @@
 //! Sizes of loads, computed independently: tables, and the stroke of a point from its places alone.
 
 use assur_force::State;
+use assur_formula::{Formula, Variables};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Over, Place, Range, Table, Value};
@@ -53,7 +54,33 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
             around(table, x, tolerance, period)
         }
         Value::Stroke { axis, forward, back } => on_stroke(*axis, [forward, back], at),
+        Value::Formula { formula, factor, axis } => by_formula(formula, *factor, *axis, at),
     }
+}
+
+/// The values of a formula within rounding of each of its variables.
+fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) -> [f64; 2] {
+    let State { coordinate, speed, time, .. } = *at.state;
+    let (place, width) = match (axis, at.extremes) {
+        (Some(axis), Some([low, high])) => {
+            let (s, c) = axis.sin_cos();
+            let share = (c * at.point[0] + s * at.point[1] - low) / (high - low);
+            (share.clamp(0.0, 1.0), ROUNDING * (at.scale / (high - low)).max(1.0))
+        }
+        _ => (0.0, 0.0),
+    };
+    let exact = Variables { coordinate, speed, time, place };
+    let near = |value: f64, least: f64| (ROUNDING * value.abs().max(least)).max(f64::MIN_POSITIVE);
+    let moved = [-1.0, 1.0].into_iter().flat_map(|side| {
+        [
+            Variables { coordinate: coordinate + side * near(coordinate, at.period.unwrap_or(1.0)), ..exact },
+            Variables { speed: speed + side * near(speed, f64::MIN_POSITIVE), ..exact },
+            Variables { time: time + side * near(time, 1.0), ..exact },
+            Variables { place: place + side * width, ..exact },
+        ]
+    });
+    let values = moved.chain([exact]).map(|at| factor * formula.value(&at));
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
 fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {

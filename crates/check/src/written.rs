@@ -64,7 +64,9 @@ impl<'a> Writer<'a> {
     pub(crate) fn new(subject: &Subject<'a>) -> Self {
         let mechanism = &subject.linkage.mechanism;
         let stroke = |force: &Force| match force.value {
-            Value::Stroke { axis, .. } => extremes(subject.linkage, force.at, axis),
+            Value::Stroke { axis, .. } | Value::Formula { axis: Some(axis), .. } => {
+                extremes(subject.linkage, force.at, axis)
+            }
             _ => None,
         };
         let strokes = mechanism.forces.iter().map(stroke).collect();

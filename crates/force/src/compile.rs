@@ -1,5 +1,6 @@
 //! From the loads of a scene to flat compiled ones.
 
+use assur_formula::Formula;
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{
@@ -8,10 +9,11 @@ use assur_mechanism::{
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
+use crate::formula::{FormulaLaw, Unlocated};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
 use crate::reversal::rests;
-use crate::stroke::{NoStroke, Span, Stroke};
+use crate::stroke::{NoStroke, Span, Stroke, Travel};
 use crate::{LoadError, Loads};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
@@ -178,6 +180,7 @@ impl Compiler<'_> {
                 needs_motion(self.mechanism, name, "a table over time")?;
                 Ok(Law::Time(Curve::of(table)))
             }
+            Value::Formula { formula, factor, axis } => self.formula(name, at, formula, *factor, *axis),
             Value::Stroke { axis, forward, back } => {
                 let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
                 self.stroke(name, at, *axis, [forward, back])
@@ -185,11 +188,58 @@ impl Compiler<'_> {
         }
     }
 
+    fn formula(
+        &mut self,
+        name: &str,
+        at: Option<Place>,
+        formula: &Formula,
+        factor: f64,
+        axis: Option<f64>,
+    ) -> Result<Law, LoadError> {
+        let used = formula.used();
+        if used.speed || used.time {
+            needs_motion(self.mechanism, name, "a formula with `w` or `t`")?;
+        }
+        let steps = !matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let unlocated = |Unlocated(index)| {
+            let span = &formula.switches()[index].span;
+            let (function, column) = (formula.text()[span.clone()].to_owned(), span.start + 1);
+            LoadError::Unlocated { name: name.to_owned(), function, column }
+        };
+        let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
+        if let (Some(axis), true) = (axis, used.place) {
+            let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
+            let scale = self.linkage.structure.scale;
+            let found = self.over_stroke(name, |compiler, span| {
+                let travel = Travel::find(&mut |q| compiler.body(q, at.link), at.at, axis, span, scale)?;
+                let point = |q: f64| {
+                    let body = compiler.body(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+                    Ok(body.point(at.at))
+                };
+                law.clone().along(travel, span, point)
+            })?;
+            law = found.map_err(unlocated)?;
+        }
+        Ok(Law::Formula(Box::new(law)))
+    }
+
     fn stroke(&mut self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+        let scale = self.linkage.structure.scale;
+        let find = |compiler: &mut Self, span: &Span| {
+            Stroke::find(&mut |q| compiler.body(q, at.link), at.at, axis, tables, span, scale)
+        };
+        self.over_stroke(name, find).map(|stroke| Law::Stroke(Box::new(stroke)))
+    }
+
+    /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
+    fn over_stroke<T>(
+        &mut self,
+        name: &str,
+        mut find: impl FnMut(&mut Self, &Span) -> Result<T, NoStroke>,
+    ) -> Result<T, LoadError> {
         let mut outcome = Err(NoStroke::Stands(0.0));
         for span in self.spans() {
-            let scale = self.linkage.structure.scale;
-            outcome = Stroke::find(&mut |q| self.body(q, at.link), at.at, axis, tables, &span, scale);
+            outcome = find(self, &span);
             // A range may be all that the mechanism can do of its turn.
             if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
                 break;
@@ -197,7 +247,7 @@ impl Compiler<'_> {
         }
         let name = name.to_owned();
         match outcome {
-            Ok(stroke) => Ok(Law::Stroke(Box::new(stroke))),
+            Ok(found) => Ok(found),
             Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
             Err(NoStroke::Infinite(coordinate)) => Err(LoadError::InfiniteStroke { name, coordinate }),
             Err(NoStroke::NoPosition(coordinate, reason)) => {

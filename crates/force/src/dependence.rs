@@ -3,19 +3,17 @@
 use assur_integrator::Dependence;
 use assur_mechanism::{GROUND, LinkId};
 
-use crate::law::Law;
 use crate::loads::{Along, Loads, PointForce};
 
 impl Loads {
     /// What the coefficients of the equation of motion depend on: `false` is certain, `true` means that nothing in the structure
     /// excludes it.
     pub fn dependence(&self) -> Dependence {
-        let law = |test: fn(&Law) -> bool| self.laws.iter().any(|law| !law.is_constant() && test(law));
         Dependence {
             inertia_constant: self.inertia_constant,
             moment_on_coordinate: self.moment_on_coordinate(),
-            moment_on_speed: law(|law| matches!(law, Law::Speed(_))) || self.damped(),
-            moment_on_time: law(|law| matches!(law, Law::Time(_))),
+            moment_on_speed: self.laws.iter().any(|law| law.used().speed) || self.damped(),
+            moment_on_time: self.laws.iter().any(|law| law.used().time),
         }
     }
 
@@ -26,9 +24,7 @@ impl Loads {
     fn moment_on_coordinate(&self) -> bool {
         let heavy = self.gravity != [0.0, 0.0]
             && self.masses.iter().any(|mass| mass.m > 0.0 && !self.steady_point(mass.link, mass.center));
-        let laws = self.laws.iter().any(|law| {
-            matches!(law, Law::Stroke(_)) || matches!(law, Law::Coordinate(..)) && !law.is_constant()
-        });
+        let laws = self.laws.iter().any(|law| law.used().coordinate || law.used().place);
         let springs = self.springs.iter().any(|spring| spring.stiffness != 0.0 || spring.damping != 0.0);
         heavy
             || laws

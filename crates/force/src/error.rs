@@ -40,6 +40,19 @@ pub enum LoadError {
         /// Where the point is at infinity, rad or m.
         coordinate: f64,
     },
+    /// A jump or bend of a formula can't be found before an integrator steps over it.
+    #[error(
+        "load `{name}`: the argument of `{function}` (character {column} of the formula) mixes coordinate, speed, time and place, \
+         so its changes can't be found in advance; let it depend on one of q, w, t (or on x and what repeats with the cycle)"
+    )]
+    Unlocated {
+        /// The load.
+        name: String,
+        /// The function that jumps or bends.
+        function: String,
+        /// Where it stands in the formula, from 1.
+        column: usize,
+    },
     /// The stroke can't be found because the mechanism can't take a position of the cycle.
     #[error(
         "load `{name}` follows a stroke, but the cycle has no position at coordinate {coordinate:.9}: {reason}"

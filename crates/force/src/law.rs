@@ -1,10 +1,12 @@
 //! How the size of a load follows from the state.
 
+use assur_formula::Used;
 use assur_integrator::Piece;
 
 use crate::State;
 use crate::breaks::Breaks;
 use crate::curve::Curve;
+use crate::formula::FormulaLaw;
 use crate::selection::Selection;
 use crate::stroke::{Segment, Stroke};
 
@@ -21,12 +23,14 @@ pub(crate) enum Law {
     Time(Curve),
     /// Along the stroke of the load's point.
     Stroke(Box<Stroke>),
+    /// By a formula.
+    Formula(Box<FormulaLaw>),
 }
 
 /// Which formula of a law is in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Active {
-    /// Segment of the table, and which table.
+    /// Segment of the table, and which table; of a formula the sides of its switches.
     pub(crate) piece: Segment,
     /// Sum of the whole cycles that are subtracted from the argument.
     pub(crate) shift: f64,
@@ -38,6 +42,17 @@ impl Active {
 
     fn segment(segment: usize, shift: f64) -> Self {
         Self { piece: Segment { back: false, segment }, shift }
+    }
+
+    /// The branch of a formula.
+    fn branches(sides: u32) -> Self {
+        Self::segment(sides as usize, 0.0)
+    }
+
+    /// The sides of the switches of a formula.
+    #[expect(clippy::cast_possible_truncation, reason = "made of 32 bits")]
+    fn sides(self) -> u32 {
+        self.piece.segment as u32
     }
 }
 
@@ -54,6 +69,21 @@ impl Law {
             Self::Constant(_) => true,
             Self::Coordinate(table, _) | Self::Speed(table) | Self::Time(table) => table.is_flat(),
             Self::Stroke(_) => false,
+            Self::Formula(law) => law.used() == Used::default(),
+        }
+    }
+
+    /// Variables on which it depends.
+    pub(crate) fn used(&self) -> Used {
+        let none = Used::default();
+        match self {
+            _ if self.is_constant() => none,
+            Self::Constant(_) => none,
+            Self::Coordinate(..) => Used { coordinate: true, ..none },
+            Self::Speed(_) => Used { speed: true, ..none },
+            Self::Time(_) => Used { time: true, ..none },
+            Self::Stroke(_) => Used { place: true, ..none },
+            Self::Formula(law) => law.used(),
         }
     }
 
@@ -68,6 +98,7 @@ impl Law {
             Self::Stroke(stroke) => {
                 Active { piece: stroke.piece(side.coordinate(state, period), side.sense).0, shift: 0.0 }
             }
+            Self::Formula(law) => Active::branches(law.branches(state, side, period)),
         }
     }
 
@@ -102,6 +133,7 @@ impl Law {
                 cut(&mut bounds.coordinate, ends);
                 Active { piece, shift: 0.0 }
             }
+            Self::Formula(law) => Active::branches(law.enter(state, side, period, bounds)),
         }
     }
 
@@ -114,6 +146,7 @@ impl Law {
             Self::Speed(table) => table.value(active.piece.segment, state.speed),
             Self::Time(table) => table.value(active.piece.segment, state.time),
             Self::Stroke(stroke) => stroke.value(active.piece, point),
+            Self::Formula(law) => law.value(active.sides(), state, point),
         }
     }
 }

@@ -19,6 +19,7 @@ mod construction;
 mod curve;
 mod dependence;
 mod error;
+mod formula;
 mod group_by_group;
 mod joints;
 mod kinetostatics;

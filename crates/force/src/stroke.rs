@@ -12,21 +12,70 @@ use crate::curve::Curve;
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
 
 /// Number of places of the cycle between which a reversal is bracketed.
-const GRID: u32 = 720;
+pub(crate) const GRID: u32 = 720;
 
 /// A stroke, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stroke {
+    travel: Travel,
+    /// While the point moves along the axis, and against it.
+    tables: [Curve; 2],
+    /// For a growing and for a falling input coordinate.
+    senses: [Pieces; 2],
+}
+
+/// The extremes of a point along an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Travel {
     /// Unit vector of the axis, ground.
     axis: [f64; 2],
     /// Least coordinate along the axis, m.
     least: f64,
     /// 1/(greatest - least), 1/m.
-    inverse_travel: f64,
-    /// While the point moves along the axis, and against it.
-    tables: [Curve; 2],
-    /// For a growing and for a falling input coordinate.
-    senses: [Pieces; 2],
+    inverse: f64,
+}
+
+impl Travel {
+    /// Finds the extremes of the point `at` of a body over a span.
+    pub(crate) fn find(
+        body: &mut BodyAt<'_>,
+        at: [f64; 2],
+        angle: f64,
+        span: &Span,
+        scale: f64,
+    ) -> Result<Self, NoStroke> {
+        let mut along = Along { body, at, axis: [angle.cos(), angle.sin()], scale };
+        let reversals = along.reversals(span)?;
+        Self::between(&mut along, &reversals, span)
+    }
+
+    fn between(along: &mut Along<'_, '_>, reversals: &[f64], span: &Span) -> Result<Self, NoStroke> {
+        let end = span.from + span.length;
+        let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
+        for q in reversals.iter().copied().chain([span.from, end]) {
+            let place = along.place(q)?[0];
+            if !(place.abs() <= GREATEST_DISTANCE * along.scale) {
+                return Err(NoStroke::Infinite(q));
+            }
+            (least, greatest) = (least.min(place), greatest.max(place));
+        }
+        let travel = greatest - least;
+        if travel <= STANDING * along.scale {
+            return Err(NoStroke::Stands(travel));
+        }
+        Ok(Self { axis: along.axis, least, inverse: 1.0 / travel })
+    }
+
+    /// Part of the travel at a coordinate along the axis, m.
+    fn share(&self, along: f64) -> f64 {
+        (along - self.least) * self.inverse
+    }
+
+    /// Part of the travel at a place of the point in the ground's frame, 0 to 1.
+    #[inline]
+    pub(crate) fn part(&self, point: [f64; 2]) -> f64 {
+        self.share(self.axis[0] * point[0] + self.axis[1] * point[1]).clamp(0.0, 1.0)
+    }
 }
 
 /// The formula in use between two coordinates.
@@ -167,23 +216,10 @@ impl Stroke {
         let axis = [angle.cos(), angle.sin()];
         let mut along = Along { body, at, axis, scale };
         let reversals = along.reversals(span)?;
-        let end = span.from + span.length;
-        let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
-        for q in reversals.iter().copied().chain([span.from, end]) {
-            let place = along.place(q)?[0];
-            if !(place.abs() <= GREATEST_DISTANCE * scale) {
-                return Err(NoStroke::Infinite(q));
-            }
-            (least, greatest) = (least.min(place), greatest.max(place));
-        }
-        let travel = greatest - least;
-        if travel <= STANDING * scale {
-            return Err(NoStroke::Stands(travel));
-        }
+        let travel = Travel::between(&mut along, &reversals, span)?;
         let tables = tables.map(Curve::of);
         let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };
-        let mut stroke =
-            Self { axis, least, inverse_travel: 1.0 / travel, tables, senses: [empty(), empty()] };
+        let mut stroke = Self { travel, tables, senses: [empty(), empty()] };
         let monotone = monotone_ends(&reversals, span);
         stroke.senses = [
             stroke.pieces(&mut along, &monotone, span, false)?,
@@ -200,7 +236,7 @@ impl Stroke {
         span: &Span,
         falling: bool,
     ) -> Result<Pieces, NoStroke> {
-        let share = |s: f64| (s - self.least) * self.inverse_travel;
+        let share = |s: f64| self.travel.share(s);
         let mut points = Vec::new();
         for ends in monotone.windows(2) {
             let (first, last) = (share(along.place(ends[0])?[0]), share(along.place(ends[1])?[0]));
@@ -209,7 +245,7 @@ impl Stroke {
             points.push(ends[0]);
             for row in table.arguments().iter().copied().filter(|row| *row > low && *row < high) {
                 let gap = |q: f64, along: &mut Along<'_, '_>| {
-                    along.place(q).map(|s| (share(s[0]) - row, s[1] * self.inverse_travel))
+                    along.place(q).map(|s| (share(s[0]) - row, s[1] * self.travel.inverse))
                 };
                 points.push(try_newton_root(ends[0], ends[1], |q| gap(q, along))?);
             }
@@ -242,9 +278,7 @@ impl Stroke {
     /// The load at a position in the ground's frame by one formula.
     #[inline]
     pub(crate) fn value(&self, piece: Segment, point: [f64; 2]) -> f64 {
-        let along = self.axis[0] * point[0] + self.axis[1] * point[1];
-        let share = ((along - self.least) * self.inverse_travel).clamp(0.0, 1.0);
-        self.tables[usize::from(piece.back)].value(piece.segment, share)
+        self.tables[usize::from(piece.back)].value(piece.segment, self.travel.part(point))
     }
 }
 

@@ -6,7 +6,7 @@ use winnow::ascii::{float, space0};
 use winnow::combinator::{
     Infix, Prefix, alt, cut_err, delimited, dispatch, expression, fail, opt, separated,
 };
-use winnow::error::{ContextError, ErrMode, StrContext};
+use winnow::error::{ContextError, ErrMode};
 use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
 use winnow::token::{any, take_while};
@@ -120,7 +120,7 @@ fn number(input: &mut Input<'_>) -> Result<Tree, Failure> {
     if !input.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
         return fail.parse_next(input);
     }
-    float.map(Tree::Number).parse_next(input)
+    float.verify(|value: &f64| value.is_finite()).map(Tree::Number).parse_next(input)
 }
 
 /// A variable, or a function with its arguments.
@@ -131,7 +131,6 @@ fn name(input: &mut Input<'_>) -> Result<Tree, Failure> {
         take_while(0.., |c: char| c.is_ascii_alphanumeric() || c == '_'),
     )
         .take()
-        .context(StrContext::Label("name"))
         .parse_next(input)?;
     let span = start..input.previous_token_end();
     let mut arguments = opt(delimited((space0, '('), cut_err(separated(1.., whole, ',')), cut_err(')')));

@@ -1,5 +1,7 @@
 //! Loads that act on the links, and the laws by which their sizes vary.
 
+use assur_formula::Formula;
+
 use crate::{LinkId, Place};
 
 /// A number, or a law by which it varies.
@@ -25,6 +27,16 @@ pub enum Value {
         forward: Table,
         /// Table over 0 to 1 (position between the extremes of the stroke) while the point moves against the axis.
         back: Table,
+    },
+    /// Given by a formula.
+    Formula {
+        /// The formula over coordinate, speed (with its sign), time, and the place of the load's point.
+        formula: Formula,
+        /// SI value of a result of 1.
+        factor: f64,
+        /// Direction of the axis along which the place `x` of the load's point is taken, rad; `None`: the formula does not
+        /// use it.
+        axis: Option<f64>,
     },
 }
 

@@ -1,11 +1,13 @@
-//! `value` of a load: a number, or a table over angle, time, speed or stroke.
+//! `value` of a load: a number, a table over angle, time, speed or stroke, or a formula.
 
+use assur_formula::{Formula, FormulaError};
 use assur_mechanism::{Over, Shape, Table, Value};
 
 use crate::context::Context;
+use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::brief;
-use crate::units::Dimension;
+use crate::units::{Dimension, quantity};
 use crate::walk::{Entry, Section};
 
 const OVER: &[(&str, Kind)] = &[
@@ -15,9 +17,10 @@ const OVER: &[(&str, Kind)] = &[
     ("stroke", Kind::Stroke),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
-const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward", "back"];
+const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward", "back", "formula", "unit"];
 const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
 const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
+const FORMULA_KEYS: &[&str] = &["formula", "unit", "axis"];
 const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
 
 /// More rows than any measurement needs.
@@ -38,6 +41,9 @@ pub(crate) fn read(
 ) -> Option<Value> {
     if !entry.value.is_table() {
         return entry.quantity(dimension).map(Value::Constant);
+    }
+    if entry.named("a table", "").iter().any(|key| key.name == "formula") {
+        return formula(&entry.section("a formula", FORMULA_KEYS)?, dimension, stroke, context);
     }
     let kind = kind(entry)?;
     let (what, keys) = match kind {
@@ -71,6 +77,58 @@ fn kind(entry: &Entry<'_>) -> Option<Kind> {
     let section = entry.section("a table of a load", ALL_KEYS)?;
     section.missing("over", "over = \"angle\", \"time\", \"speed\" or \"stroke\"");
     None
+}
+
+fn formula(
+    section: &Section<'_>,
+    dimension: Dimension,
+    stroke: bool,
+    context: &Context<'_>,
+) -> Option<Value> {
+    let entry = section.get("formula")?;
+    let text = entry.text("a formula")?;
+    let factor = match section.get("unit") {
+        None => 1.0,
+        Some(unit) => {
+            let name = unit.text("a unit")?;
+            quantity(&format!("1 {name}"), dimension)
+                .map_err(|error| {
+                    unit.fault(format!("`unit` {error}"), format!("such as \"{}\"", dimension.si()))
+                })
+                .ok()?
+        }
+    };
+    let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    let used = formula.used();
+    if used.speed || used.time {
+        context.need_motion(&entry, "a formula with `w` or `t`");
+    }
+    let axis = section.get("axis");
+    match (&axis, used.place) {
+        (Some(axis), false) => axis.fault("`axis` has no use: the formula has no `x`", "leave it out"),
+        (None, true) if stroke => section.missing("axis", "`x` is the place of the point along `axis`"),
+        (_, true) if !stroke => {
+            entry.fault("only a force has a point whose place `x` can be followed", "use `q`, `w` or `t`");
+        }
+        _ => {}
+    }
+    let axis = match axis {
+        Some(axis) => Some(axis.bounded(Dimension::Angle, Bound::Direction)?),
+        None => None,
+    };
+    Some(Value::Formula { formula, factor, axis })
+}
+
+/// Notes a fault of a formula at its place in the file, where the text stands there as it is; else at the whole text.
+fn misread(entry: &Entry<'_>, text: &str, error: &FormulaError) {
+    let quotes = entry.span.len().saturating_sub(text.len());
+    let start = entry.span.start + quotes / 2;
+    let span = if matches!(quotes, 2 | 6) {
+        start + error.span.start..start + error.span.end
+    } else {
+        entry.span.clone()
+    };
+    entry.note(Fault::new(span, &error.what));
 }
 
 fn plain(

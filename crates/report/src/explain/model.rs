@@ -130,6 +130,7 @@ fn law(value: &Value) -> &'static str {
         Value::Table { over: Over::Coordinate, .. } => "by a table over the input coordinate",
         Value::Table { over: Over::Speed, .. } => "by a table over the input speed",
         Value::Table { over: Over::Time, .. } => "by a table over time",
+        Value::Formula { .. } => "by a formula",
         Value::Stroke { .. } => "by tables over the stroke of the point, forward and back",
     }
 }

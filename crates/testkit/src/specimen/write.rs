@@ -101,6 +101,10 @@ fn value(m: &Mechanism, value: &Value) -> String {
             let table = if turned { &table.mirrored() } else { table };
             format!("{{ over = {over:?}, table = {}, shape = {shape:?}{repeat} }}", rows(table))
         }
+        Value::Formula { formula, axis, .. } => {
+            let axis = axis.map_or_else(String::new, |axis| format!(", axis = {axis:?}"));
+            format!("{{ formula = {:?}{axis} }}", formula.text())
+        }
         Value::Stroke { axis, forward, back } => {
             // A table of one row is written as a number, with the default shape.
             let side = |table: &Table| match table.rows[..] {
