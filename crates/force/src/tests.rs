@@ -1,6 +1,7 @@
 mod breaks;
 mod curve;
 mod errors;
+mod formulas;
 mod kinds;
 mod phases;
 mod reduction;

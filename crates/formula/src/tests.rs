@@ -42,7 +42,7 @@ fn faults_point_into_the_text() {
     for (text, span, part) in [
         ("", 0..0, "ends too early"),
         ("2*", 2..2, "ends too early"),
-        ("1 + 1e999", 4..5, "does not fit"),
+        ("1 + 1e999", 5..6, "does not fit"),
         ("2*(q + 1", 8..8, "missing"),
         ("2*speed", 2..7, "`speed` is unknown"),
         ("sin(q, w)", 0..3, "takes 1 argument, got 2"),

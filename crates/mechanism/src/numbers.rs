@@ -89,6 +89,7 @@ fn in_input(input: &mut Input, visit: &mut impl FnMut(&mut f64)) {
 fn in_value(value: &mut Value, visit: &mut impl FnMut(&mut f64)) {
     match value {
         Value::Constant(number) | Value::Stroke { axis: number, .. } => visit(number),
+        Value::Formula { axis, .. } => axis.iter_mut().for_each(visit),
         Value::Table { .. } => {}
     }
 }

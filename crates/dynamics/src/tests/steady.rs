@@ -36,3 +36,20 @@ fn the_shaper_with_its_drive() {
     assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-11);
     assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-11);
 }
+
+/// A press at 180 rpm under 20000 + 9500 sin 2q - 5700 cos 2q N m: the excess work is the amplitude of the variable part.
+#[test]
+fn a_flywheel_under_a_moment_by_formula() {
+    let text = "[ground]\npoints = { O = 0 }\n[link.shaft]\npoints = { O = 0 }\n\
+        [[moment]]\nlink = 'shaft'\nvalue = { formula = '20000 + 9500*sin(2*q) - 5700*cos(2*q)', unit = 'N*m' }\n\
+        [input]\nlink = 'shaft'\n[motion]\nkind = 'steady'\nmean_speed = '180 rpm'\nunevenness = 0.01\n\
+        [drive]\ntorque = 'balance'\nflywheel = 'solve'\n";
+    let (linkage, loads) = compiled(text);
+    let regime = steady(&linkage, &loads, None).unwrap().regime;
+    let work = 9500.0_f64.hypot(5700.0);
+    assert_relative_eq!(regime.excess_work, work, max_relative = 1e-10);
+    assert_relative_eq!(regime.torque.unwrap(), -20000.0, max_relative = 1e-10);
+    // The periodic regime itself: J = A / (w² delta), since w² swings by 2 w² delta about w_mean² (1 + delta²/4).
+    let speed = 6.0 * std::f64::consts::PI;
+    assert_relative_eq!(regime.flywheel, work / (speed * speed * 0.01), max_relative = 1e-10);
+}

@@ -141,3 +141,29 @@ fn direction_cw_turns_torque_and_speed() {
     let table = "[[moment]]\nlink = 'disc'\nvalue = { over = 'speed', table = [[0, -6], [12, 0], [20, 4]] }";
     assert_relative_eq!(ends(table), 12.0 * (-3.0_f64).exp_m1(), max_relative = 1e-9);
 }
+
+/// A moment that jumps in time and one that turns with the sign of the speed, in closed form.
+#[test]
+fn jumps_of_formulas_are_stepped_onto() {
+    let end = |value: &str, speed: f64| {
+        let scene = format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.disc]\npoints = {{ O = 0 }}\nmass = 2\ninertia = 0.5\n\
+             [[moment]]\nlink = 'disc'\nvalue = {{ formula = '{value}' }}\n[input]\nlink = 'disc'\n\
+             [motion]\nkind = 'transient'\nspeed = {speed}\nuntil = '3 s'\n"
+        );
+        let (linkage, loads) = compiled(&scene);
+        transient(&linkage, &loads, &Method::default(), None).unwrap().trajectory.end
+    };
+    assert_relative_eq!(
+        end("5*step(t - 1.2) - 2", 7.0).speed,
+        7.0 + (1.8 * 5.0 - 6.0) / 0.5,
+        max_relative = 1e-12
+    );
+    // 4 - 2 sign(w): from -3 rad/s with 12 rad/s² to rest in 0.25 s, then with 4 rad/s².
+    let found = end("4 - 2*sign(w)", -3.0);
+    assert_relative_eq!(found.speed, 4.0 * 2.75, max_relative = 1e-10);
+    assert_relative_eq!(found.coordinate, -0.375 + 0.5 * 4.0 * 2.75 * 2.75, max_relative = 1e-10);
+    // Driven until the coordinate is 2 rad: w² / 2 = 2 * 6 / 0.5 - then coasting.
+    let found = end("6*step(2 - q)", 0.0);
+    assert_relative_eq!(found.speed, 48.0_f64.sqrt(), max_relative = 1e-9);
+}

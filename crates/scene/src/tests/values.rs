@@ -256,3 +256,26 @@ fn numbers_beyond_all_measure_are_refused() {
     }
     assert!(crate::read("large.toml", &BASE.replacen("\"3 kg\"", "1e12", 1)).is_ok());
 }
+
+#[test]
+fn a_formula_has_a_unit_and_faults_with_their_column() {
+    let with = |value: &str| BASE.replace("value = 700", &format!("value = {value}"));
+    let force = good(&with("{ formula = \"2*q\", unit = \"kN\" }")).forces.remove(0);
+    let Value::Formula { formula, factor, axis } = force.value else { panic!() };
+    assert_eq!((formula.text(), factor, axis), ("2*q", 1000.0, None));
+    let fault = |value: &str| {
+        let text = with(value);
+        let errors = read("a.toml", &text).unwrap_err();
+        let start = text.find(value).unwrap();
+        let line_start = text[..start].rfind('\n').unwrap() + 1;
+        (errors.errors[0].message.clone(), errors.errors[0].column - 1 - (start - line_start))
+    };
+    let (message, column) = fault("{ formula = \"2*speed\" }");
+    assert!(message.contains("`speed` is unknown"), "{message}");
+    assert_eq!(column, 15);
+    assert_eq!(fault("{ formula = '2*(q' }").1, 17);
+    assert!(fault("{ formula = \"q\", unit = \"N*m\" }").0.contains("wants a force"));
+    assert!(fault("{ formula = \"x\" }").0.contains("needs `axis`"));
+    assert!(fault("{ formula = \"q\", axis = 0 }").0.contains("no use"));
+    assert!(fault("{ formula = \"q\", table = 0 }").0.contains("unknown key"));
+}

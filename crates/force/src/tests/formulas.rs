@@ -1,0 +1,94 @@
+//! Loads by formula: values, and the pieces in which they are smooth.
+
+use assur_mechanism::Mechanism;
+
+use super::{applied, at, bodies, compiled, linkage, near};
+use crate::{LoadError, Loads, Piece, State};
+
+/// A slider-crank with a force on its slider; the piston moves between 0.1 and 0.3 m.
+fn scene(value: &str, motion: &str) -> String {
+    format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\nmass = 1\ncenter = 0\ninertia = 0.1\n\
+         [link.rod]\npoints = {{ A = 0, B = 0.2 }}\n[link.slider]\npoints = {{ B = 0 }}\n\
+         [[slide]]\nlink = 'slider'\non = 'ground'\n[input]\nlink = 'crank'\n{motion}\n\
+         [[force]]\nlink = 'slider'\nat = 'B'\nangle = 0\nvalue = {value}\n[assembly]\nB = [0.3, 0]"
+    )
+}
+
+const TRANSIENT: &str = "[motion]\nkind = 'transient'\nspeed = 1\nuntil = '1 s'";
+
+/// The force at a state.
+fn force(text: &str, state: &State) -> f64 {
+    let (linkage, loads) = compiled(text);
+    applied(&loads, state, &bodies(&linkage, state.coordinate))[3].fx
+}
+
+/// The box in which the loads are smooth, just after a state.
+fn piece(text: &str, state: &State) -> Piece {
+    let (_, loads) = compiled(text);
+    loads.enter(state, &mut loads.phase())
+}
+
+#[test]
+fn a_formula_gives_the_size() {
+    let value = "{ formula = '5 + 0.6*sin(2*q) + w*t', unit = 'kN' }";
+    let state = State { time: 0.5, ..at(0.4, 3.0) };
+    near(force(&scene(value, TRANSIENT), &state), 6500.0 + 600.0 * 0.8_f64.sin(), 1e4);
+    // The place along the axis, from one extreme (q = 180 degrees) to the other.
+    let place = "{ formula = '100*x', axis = 0 }";
+    let x = |q: f64| 0.1 * q.cos() + (0.04 - (0.1 * q.sin()).powi(2)).sqrt();
+    for q in [0.0, 0.7, 2.5, 3.0, 5.5] {
+        near(force(&scene(place, ""), &at(q, 0.0)), 100.0 * (x(q) - 0.1) / 0.2, 1e3);
+    }
+}
+
+#[test]
+fn a_jump_belongs_to_the_side_of_the_motion() {
+    let text = scene("{ formula = '100*sign(sin(q)) + step(q - 1)' }", TRANSIENT);
+    let pi = std::f64::consts::PI;
+    for (speed, wanted) in [(1.0, -100.0 + 1.0), (-1.0, 100.0 + 1.0)] {
+        near(force(&text, &at(pi, speed)), wanted, 100.0);
+    }
+    near(force(&text, &at(1.0, -2.0)), 100.0, 100.0);
+    near(force(&text, &at(1.0, 2.0)), 101.0, 100.0);
+}
+
+#[test]
+fn pieces_end_at_the_switches() {
+    let state = State { time: 0.2, ..at(0.5, 3.0) };
+    let found = piece(&scene("{ formula = 'abs(sin(q)) + step(t - 0.75) + max(w, 5)' }", TRANSIENT), &state);
+    near(found.coordinate[0], 0.0, 1e-3);
+    near(found.coordinate[1], std::f64::consts::PI, 1.0);
+    near(found.time[1], 0.75, 1.0);
+    assert!(found.speed[0] < -1e5);
+    near(found.speed[1], 5.0, 1.0);
+    // The place is 1/2 where cos q makes it so; the next turn repeats it.
+    let text = scene("{ formula = 'step(x - 0.5)', axis = 0 }", TRANSIENT);
+    // r cos q + sqrt(l² - r² sin² q) = l: cos q = r / 2 l.
+    let half = 0.25_f64.acos();
+    for turn in [0.0, std::f64::consts::TAU] {
+        let found = piece(&text, &at(0.5 + turn, 3.0));
+        near(found.coordinate[1], half + turn, 10.0);
+        near(found.coordinate[0], turn - half, 10.0);
+    }
+    assert!(
+        (force(&text, &at(half - 1e-6, 1.0)) - 1.0).abs() + force(&text, &at(half + 1e-6, 1.0)).abs() < 1e-12
+    );
+}
+
+#[test]
+fn what_can_not_be_located_is_refused() {
+    let refused = |value: &str, motion: &str| {
+        let linkage = linkage(&scene(value, motion));
+        let _: &Mechanism = &linkage.mechanism;
+        Loads::compile(&linkage).err()
+    };
+    let mixed = "{ formula = '1 + sign(q - w)' }";
+    match refused(mixed, TRANSIENT) {
+        Some(LoadError::Unlocated { function, column, .. }) => assert_eq!((&*function, column), ("sign", 5)),
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(refused(mixed, "[motion]\nspeed = 1"), None);
+    assert!(refused("{ formula = 'abs(x - q/10)', axis = 0 }", TRANSIENT).is_some());
+    assert_eq!(refused("{ formula = 'abs(x - sin(q)/10)', axis = 0 }", TRANSIENT), None);
+}
