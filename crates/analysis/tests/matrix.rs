@@ -126,6 +126,7 @@ fn turn(mechanism: &mut Mechanism) {
             Value::Constant(value) => *value *= -1.0,
             Value::Table { table, .. } => negate(table),
             Value::Stroke { forward, back, .. } => [forward, back].into_iter().for_each(negate),
+            Value::Formula { factor, .. } => *factor *= -1.0,
         }
     }
     mechanism.gravity = mechanism.gravity.map(|g| g.map(|g| -g));
