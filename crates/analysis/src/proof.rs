@@ -6,8 +6,8 @@ use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Tr
 
 use crate::Calculation;
 
-/// Intervals of the quadrature of the work; a multiple of four.
-const INTERVALS: usize = 4000;
+/// Intervals of the quadrature of the work, multiples of four; the more only where the fewer don't tell.
+const INTERVALS: [usize; 2] = [500, 4000];
 /// Tolerance of the repeated cycle.
 const TOLERANCE: f64 = 1e-10;
 /// Least part of the largest energy that a sum of energies can resolve.
@@ -20,11 +20,20 @@ impl Calculation {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
-        let finer = Request { samples: INTERVALS, until, ..asked };
-        let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
-        let balance = Balance::of(&mut motion, &trajectory)?;
-        let steps = (trajectory.statistics.steps + 1) as f64;
-        let (residual, limit) = balance.worst(2.0 * asked.tolerance * steps);
+        let mut worst = (f64::NAN, f64::NAN);
+        for samples in INTERVALS {
+            let finer = Request { samples, until, ..asked };
+            let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
+            let balance = Balance::of(&mut motion, &trajectory)?;
+            let own = 2.0 * asked.tolerance * (trajectory.statistics.steps + 1) as f64;
+            worst = balance.worst(own);
+            let (residual, limit) = worst;
+            // The error of the quadrature is no greater than that of the motion.
+            if residual <= limit && limit <= 2.0 * (own + ROUNDING) {
+                break;
+            }
+        }
+        let (residual, limit) = worst;
         let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
                       energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
                       from the change of the power), the rounding of the speed and the tolerance of every step";

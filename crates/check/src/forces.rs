@@ -6,7 +6,7 @@ use assur_group::Wrench;
 use crate::case::{Case, ROUNDINGS};
 use crate::check::{Check, Collector};
 use crate::subject::{Solved, Subject};
-use crate::written::{Items, Writer, given};
+use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, power};
 
 /// Why a position is skipped where all methods fail.
@@ -42,11 +42,12 @@ impl<'a> Forces<'a> {
     pub(crate) fn add(&mut self, index: usize, state: &State) {
         let (subject, loads) = (self.subject, self.loads);
         let Some(one) = &subject.solve(index, state.coordinate) else { return };
-        let items = &self.writer.items(loads, state, &one.position.bodies);
+        let given = given(loads, state, &one.position.bodies);
+        let items = &self.writer.items(&given, state, &one.position.bodies);
         if items.values().all(|item| item.size == 0.0) {
             return;
         }
-        compare_loads(subject, items, loads, state, one, &mut self.written);
+        compare_loads(subject, (items, &given), one, &mut self.written);
         let methods = subject.methods.iter();
         let answers: Vec<_> =
             methods.map(|method| subject.answer(method, loads, state, &one.position)).collect();
@@ -74,19 +75,16 @@ impl<'a> Forces<'a> {
 
 fn compare_loads(
     subject: &Subject<'_>,
-    items: &Items,
-    loads: &Loads,
-    state: &State,
+    (items, given): (&Items, &Given),
     one: &Solved,
     collector: &mut Collector,
 ) {
     let scale = subject.linkage.structure.scale;
     let total: f64 = items.values().map(|item| item.size).sum();
-    let given = given(loads, state, &one.position.bodies);
-    let keys: std::collections::BTreeSet<_> = items.keys().chain(given.keys()).copied().collect();
-    for key in keys {
+    let missing = given.iter().map(|(key, _)| key).filter(|key| items.get(key).is_none());
+    for key in items.iter().map(|(key, _)| key).chain(missing) {
         let zero = Wrench::ZERO;
-        let (mine, theirs) = (items.get(&key), given.get(&key).unwrap_or(&zero));
+        let (mine, theirs) = (items.get(key), given.get(key).unwrap_or(&zero));
         let (own, size) = mine.map_or((zero, 0.0), |item| (item.wrench, item.size));
         let off = (own.fx - theirs.fx).hypot(own.fy - theirs.fy) + (own.m - theirs.m).abs() / scale;
         let limit = ROUNDINGS * f64::EPSILON * size;

@@ -1,11 +1,10 @@
 //! The loads, computed independently from the scene, without the compiled loads that the methods use.
 
-use std::collections::BTreeMap;
-
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Spring, Value};
 
+use crate::by_cause::{ByCause, Key};
 use crate::stroke::{At, Extremes, extremes, sizes};
 use crate::subject::Subject;
 
@@ -24,7 +23,10 @@ pub(crate) struct Item {
 }
 
 /// All loads of one position, by cause and link.
-pub(crate) type Items = BTreeMap<(Cause, usize), Item>;
+pub(crate) type Items = ByCause<Item>;
+
+/// The compiled loads of one position, by cause and link.
+pub(crate) type Given = ByCause<Wrench<f64>>;
 
 /// Computes loads; the extremes of strokes are found once.
 pub(crate) struct Writer<'a> {
@@ -37,7 +39,7 @@ pub(crate) struct Writer<'a> {
 struct Now<'a> {
     bodies: &'a [Body<f64>],
     state: &'a State,
-    given: BTreeMap<(Cause, usize), Wrench<f64>>,
+    given: &'a Given,
 }
 
 impl Now<'_> {
@@ -47,17 +49,10 @@ impl Now<'_> {
 }
 
 /// The compiled loads, summed by cause and link.
-pub(crate) fn given(
-    loads: &Loads,
-    state: &State,
-    bodies: &[Body<f64>],
-) -> BTreeMap<(Cause, usize), Wrench<f64>> {
-    let mut all = BTreeMap::new();
-    loads.by_cause(state, bodies, &mut |cause, link, wrench| {
-        let sum = all.entry((cause, link)).or_insert(Wrench::ZERO);
-        sum.add_at([0.0; 2], wrench.force(), wrench.m);
-    });
-    all
+pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Given {
+    let mut all = Vec::new();
+    loads.by_cause(state, bodies, &mut |cause, link, wrench| all.push(((cause, link), wrench)));
+    ByCause::of(all, |sum, wrench| sum.add_at([0.0; 2], wrench.force(), wrench.m))
 }
 
 impl<'a> Writer<'a> {
@@ -75,20 +70,20 @@ impl<'a> Writer<'a> {
 
     /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a force
     /// against the motion of a point at rest), the choice of the compiled loads is accepted if it is possible.
-    pub(crate) fn items(&self, loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Items {
-        let now = Now { bodies, state, given: given(loads, state, bodies) };
-        let mut items = Items::new();
+    pub(crate) fn items(&self, given: &Given, state: &State, bodies: &[Body<f64>]) -> Items {
+        let now = Now { bodies, state, given };
+        let mut items = Vec::new();
         for id in 1..self.mechanism.links.len() {
             self.masses(&now, id, &mut items);
         }
         for (id, force) in self.mechanism.forces.iter().enumerate().filter(|(_, f)| f.at.link != GROUND) {
-            items.insert((Cause::Force(id), force.at.link), self.force(&now, id, force));
+            items.push(((Cause::Force(id), force.at.link), self.force(&now, id, force)));
         }
         for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
             let m = now.given(Cause::Moment(id), moment.link).m;
             let m = self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m);
             let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: m.abs() / self.scale };
-            items.insert((Cause::Moment(id), moment.link), item);
+            items.push(((Cause::Moment(id), moment.link), item));
         }
         for (id, spring) in self.mechanism.springs.iter().enumerate() {
             if spring.ends[0].link != spring.ends[1].link {
@@ -98,9 +93,10 @@ impl<'a> Writer<'a> {
         for (id, contact) in
             self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND)
         {
-            items.insert((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact));
+            items.push(((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact)));
         }
-        items
+        // Each key has one item.
+        ByCause::of(items, |_, _| ())
     }
 
     /// A force at a place of a link.
@@ -111,12 +107,12 @@ impl<'a> Writer<'a> {
         Item { wrench, size: terms * (1.0 + arm[0].hypot(arm[1]) / self.scale) }
     }
 
-    fn masses(&self, now: &Now<'_>, id: usize, items: &mut Items) {
+    fn masses(&self, now: &Now<'_>, id: usize, items: &mut Vec<(Key, Item)>) {
         let (link, body) = (&self.mechanism.links[id], &now.bodies[id]);
         if let Some(g) = self.mechanism.gravity.filter(|_| link.mass > 0.0) {
             let force = [link.mass * g[0], link.mass * g[1]];
             let item = self.at(body, link.center, force, force[0].hypot(force[1]));
-            items.insert((Cause::Weight(id), id), item);
+            items.push(((Cause::Weight(id), id), item));
         }
         let (w, e) = (now.state.speed, now.state.acceleration);
         if (link.mass == 0.0 && link.inertia == 0.0) || (w == 0.0 && e == 0.0) {
@@ -132,7 +128,7 @@ impl<'a> Writer<'a> {
         let mut item = self.at(body, link.center, a.map(|a| -link.mass * a), link.mass * terms);
         item.wrench.m += turn;
         item.size += link.inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) / self.scale;
-        items.insert((Cause::Inertia(id), id), item);
+        items.push(((Cause::Inertia(id), id), item));
     }
 
     /// Size of a load by its law; of several possible sizes, the one closest to the given size.
@@ -197,7 +193,7 @@ impl<'a> Writer<'a> {
         self.at(body, force.at.at, along.map(|a| size * a), size.abs() * terms)
     }
 
-    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {
+    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Vec<(Key, Item)>) {
         let ends = spring.ends.map(|end| &now.bodies[end.link]);
         let places = [0, 1].map(|k| ends[k].point(spring.ends[k].at));
         let d = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
@@ -215,7 +211,7 @@ impl<'a> Writer<'a> {
             + spring.damping * fast;
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
             let item = self.at(ends[k], spring.ends[k].at, along.map(|a| sign * pull * a), terms);
-            items.insert((Cause::Spring(id), spring.ends[k].link), item);
+            items.push(((Cause::Spring(id), spring.ends[k].link), item));
         }
     }
 

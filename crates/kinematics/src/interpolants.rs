@@ -12,7 +12,14 @@ use crate::wide::{Assembly, Wide};
 /// The interpolants, by group.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Interpolants {
+    /// By group.
     sorted: Vec<Interpolant>,
+    /// The change points reduced to one period, in increasing order.
+    centers: Vec<f64>,
+    /// Length after which the motion repeats, for a pinned input.
+    period: Option<f64>,
+    /// Distance from a change point beyond which nothing is interpolated.
+    reach: f64,
 }
 
 impl Interpolants {
@@ -42,13 +49,30 @@ impl Interpolants {
             })
             .collect();
         sorted.sort_by_key(|interpolant| interpolant.group);
-        Self { sorted }
+        let period = ways.period();
+        let mut centers: Vec<f64> =
+            ways.change_points().map(|point| reduced(point.coordinate, period)).collect();
+        centers.sort_by(f64::total_cmp);
+        // Twice the greatest half-width: more than rounding of whole turns makes of the distance.
+        Self { sorted, centers, period, reach: 2.0 * Interpolation::GREATEST_HALF_WIDTH * unit }
     }
 
     /// Whether the motion of a group is interpolated at a coordinate.
     #[inline]
     pub(crate) fn cover(&self, coordinate: f64) -> bool {
-        self.sorted.iter().any(|interpolant| interpolant.covers(coordinate))
+        self.is_near(coordinate) && self.sorted.iter().any(|interpolant| interpolant.covers(coordinate))
+    }
+
+    /// Whether a change point is so near that an interpolation may cover the coordinate; in a time that grows with the
+    /// logarithm of their number.
+    fn is_near(&self, coordinate: f64) -> bool {
+        let (Some(first), Some(last)) = (self.centers.first(), self.centers.last()) else { return false };
+        let at = reduced(coordinate, self.period);
+        let next = self.centers.partition_point(|center| *center < at);
+        let length = self.period.unwrap_or(f64::INFINITY);
+        let above = self.centers.get(next).map_or(first + length - at, |center| center - at);
+        let below = next.checked_sub(1).map_or(at - (last - length), |before| at - self.centers[before]);
+        above.min(below) <= self.reach
     }
 
     /// The widest interpolation that covers a coordinate.
@@ -91,4 +115,9 @@ impl Assembly for Found<'_> {
             guesses.put(coordinate, bodies);
         }
     }
+}
+
+/// A coordinate reduced to the first period.
+fn reduced(coordinate: f64, period: Option<f64>) -> f64 {
+    period.map_or(coordinate, |period| coordinate.rem_euclid(period))
 }

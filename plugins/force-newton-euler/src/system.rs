@@ -1,15 +1,16 @@
 //! The equations of equilibrium.
 
+use std::collections::VecDeque;
+
 use assur_group::{Body, Wrench};
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PointId, SlideId};
+use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 use rsparse::data::{Nmrc, Sprs};
 
 /// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
 
-/// Column ordering of the factorization for little fill-in: minimum degree of the product of the transposed matrix and
-/// the matrix, dense rows left out.
-const ORDERING: i8 = 1;
+/// Column ordering of the factorization: as numbered, which leaves little fill-in (see [`from_the_ends`]).
+const ORDERING: i8 = -1;
 
 /// An unknown; each has two columns, the balancing load the last one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +26,10 @@ enum Unknown {
 pub(crate) struct System<'a> {
     mechanism: &'a Mechanism,
     unknowns: Vec<Unknown>,
-    /// Index of the first unknown of each pin, and after the last pin that of the slides.
-    first: Vec<usize>,
+    /// Index of the first unknown of each pin.
+    of_pins: Vec<usize>,
+    /// Index of the unknown of each slide.
+    of_slides: Vec<usize>,
     /// Moments are divided by this length, so that all equations are forces, m.
     scale: f64,
 }
@@ -44,14 +47,22 @@ type Column = Vec<(usize, f64)>;
 
 impl<'a> System<'a> {
     pub(crate) fn of(mechanism: &'a Mechanism, scale: f64) -> Self {
-        let (mut unknowns, mut first) = (Vec::new(), Vec::with_capacity(mechanism.points.len() + 1));
-        for (id, pin) in mechanism.points.iter().enumerate() {
-            first.push(unknowns.len());
-            unknowns.extend((1..pin.places.len()).map(|member| Unknown::Member(id, member)));
+        let mut unknowns = Vec::new();
+        let (mut of_pins, mut of_slides) = (vec![0; mechanism.points.len()], vec![0; mechanism.slides.len()]);
+        for pair in from_the_ends(mechanism) {
+            match pair {
+                PairId::Pin(id) => {
+                    of_pins[id] = unknowns.len();
+                    let members = 1..mechanism.points[id].places.len();
+                    unknowns.extend(members.map(|member| Unknown::Member(id, member)));
+                }
+                PairId::Slide(id) => {
+                    of_slides[id] = unknowns.len();
+                    unknowns.push(Unknown::Slide(id));
+                }
+            }
         }
-        first.push(unknowns.len());
-        unknowns.extend((0..mechanism.slides.len()).map(Unknown::Slide));
-        Self { mechanism, unknowns, first, scale }
+        Self { mechanism, unknowns, of_pins, of_slides, scale }
     }
 
     /// Number of equations and of unknowns.
@@ -98,19 +109,23 @@ impl<'a> System<'a> {
     /// The matrix by compressed columns: two for each unknown, the balancing load last.
     fn matrix(&self, bodies: &[Body<f64>]) -> Sprs<f64> {
         let (rows, columns) = self.size();
-        let mut all: Vec<Column> = vec![Column::new(); columns];
-        for (unknown, pair) in self.unknowns.iter().zip(all.chunks_exact_mut(2)) {
-            self.fill(pair, *unknown, bodies);
-        }
-        self.fill_balance(&mut all[columns - 1], bodies);
         let mut matrix = Sprs::zeros(rows, columns, 0);
-        for (k, column) in all.into_iter().enumerate() {
-            for (row, value) in column {
+        let mut pair = [Column::new(), Column::new()];
+        let mut finished = 0;
+        let mut finish = |column: &mut Column| {
+            for (row, value) in column.drain(..) {
                 matrix.i.push(row);
                 matrix.x.push(value);
             }
-            matrix.p[k + 1] = isize::try_from(matrix.i.len()).unwrap_or(isize::MAX);
+            finished += 1;
+            matrix.p[finished] = isize::try_from(matrix.i.len()).unwrap_or(isize::MAX);
+        };
+        for unknown in &self.unknowns {
+            self.fill(&mut pair, *unknown, bodies);
+            pair.iter_mut().for_each(&mut finish);
         }
+        self.fill_balance(&mut pair[0], bodies);
+        finish(&mut pair[0]);
         matrix.nzmax = matrix.i.len();
         matrix
     }
@@ -190,9 +205,8 @@ impl<'a> System<'a> {
     }
 
     fn read(&self, columns: Vec<f64>, bodies: &[Body<f64>]) -> Solution {
-        let after_pins = self.first.last().copied().unwrap_or_default();
-        let slides = (0..self.mechanism.slides.len()).map(|id| {
-            let at = 2 * (after_pins + id);
+        let slides = self.of_slides.iter().enumerate().map(|(id, unknown)| {
+            let at = 2 * unknown;
             let (force, moment) = (columns[at], columns[at + 1] * self.scale);
             let [nx, ny] = self.normal(id, bodies);
             Wrench { fx: force * nx, fy: force * ny, m: moment }
@@ -207,7 +221,7 @@ impl<'a> System<'a> {
     pub(crate) fn force_on(&self, solution: &Solution, pin: PointId, link: LinkId) -> [f64; 2] {
         let places = &self.mechanism.points[pin].places;
         let mut sum = [0.0; 2];
-        for (place, unknown) in places.iter().skip(1).zip(self.first[pin]..) {
+        for (place, unknown) in places.iter().skip(1).zip(self.of_pins[pin]..) {
             let force = [solution.columns[2 * unknown], solution.columns[2 * unknown + 1]];
             if place.link == link {
                 return force;
@@ -216,6 +230,42 @@ impl<'a> System<'a> {
         }
         sum
     }
+}
+
+/// All pins and slides, those farthest from the input link first. What is eliminated in this order fills in little: a
+/// pair only meets pairs of the links that it joins, as when a mechanism is solved group by group from its ends.
+fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
+    let pins = mechanism.points.iter().enumerate().map(|(id, pin)| {
+        let links: Vec<LinkId> = pin.places.iter().map(|place| place.link).collect();
+        (PairId::Pin(id), links)
+    });
+    let slides = mechanism
+        .slides
+        .iter()
+        .enumerate()
+        .map(|(id, slide)| (PairId::Slide(id), vec![slide.link, slide.on]));
+    let pairs: Vec<(PairId, Vec<LinkId>)> = pins.chain(slides).collect();
+    let mut of_link = vec![Vec::new(); mechanism.links.len()];
+    for (k, (_, links)) in pairs.iter().enumerate() {
+        links.iter().for_each(|&link| of_link[link].push(k));
+    }
+    // Breadth first from the input link, not through the ground. Pairs that are not reached come first.
+    let mut is_met = vec![false; mechanism.links.len()];
+    (is_met[GROUND], is_met[mechanism.input.link]) = (true, true);
+    let mut is_taken = vec![false; pairs.len()];
+    let (mut found, mut queue) = (Vec::with_capacity(pairs.len()), VecDeque::from([mechanism.input.link]));
+    while let Some(link) = queue.pop_front() {
+        for &k in &of_link[link] {
+            if std::mem::replace(&mut is_taken[k], true) {
+                continue;
+            }
+            found.push(pairs[k].0);
+            queue.extend(pairs[k].1.iter().filter(|&&other| !std::mem::replace(&mut is_met[other], true)));
+        }
+    }
+    found.extend(pairs.iter().zip(is_taken).filter(|(_, taken)| !taken).map(|((pair, _), _)| *pair));
+    found.reverse();
+    found
 }
 
 /// An index of `rsparse`, which are signed there; never negative in a finished factorization.

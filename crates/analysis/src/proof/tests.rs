@@ -1,6 +1,8 @@
 //! The balance of energy accepts a motion that keeps it, and no other.
 
-use super::{Balance, Between, INTERVALS};
+use super::{Balance, Between};
+
+const INTERVALS: usize = super::INTERVALS[1];
 
 /// T = sin² t, so that the power is sin 2t; from `jump` on another power acts, times `factor`.
 fn balance(jump: f64, factor: f64, wrong: f64) -> Balance {
