@@ -35,7 +35,7 @@ pub struct Calculation {
     /// How the input moves.
     pub motion: InputMotion,
     /// Why the requested motion is not found; results that do not depend on it are calculated nevertheless.
-    pub no_motion: Option<String>,
+    pub no_motion: Option<AnalysisError>,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<String>,
 }
@@ -73,7 +73,7 @@ impl Calculation {
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
         let (motion, no_motion) = match InputMotion::of(&linkage, loads.as_ref(), options, watch) {
             Ok(motion) => (motion, None),
-            Err(error) if error.is_no_solution() => (InputMotion::Prescribed, Some(error.to_string())),
+            Err(error) if error.is_no_solution() => (InputMotion::Prescribed, Some(error)),
             Err(error) => return Err(error),
         };
         let unused = crate::notes::unused(&linkage.mechanism, options);

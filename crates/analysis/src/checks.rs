@@ -2,7 +2,7 @@
 
 use assur_check::{Check, Chosen, Coverage, Subject, methods, notable};
 use assur_dynamics::{Steady, Transient};
-use assur_force::State;
+use assur_force::{Side, State};
 use assur_mechanism::{Motion, Solve, Torque};
 
 use crate::progress::{Stopped, Watch};
@@ -73,12 +73,18 @@ impl Calculation {
             }
             let Some(Ok(balancing)) = reader.balancing(state) else { continue };
             let bodies = &reader.position.bodies;
-            // The load is a sum of the virtual powers of all loads, which may cancel: at rest under dry friction, for example.
+            // The load is a sum of the virtual powers of all loads, which may cancel.
             let mut terms = balancing.abs();
             loads.by_cause(state, bodies, &mut |_, link, load| {
                 let body = &bodies[link];
                 terms += (load.fx * body.x1).abs() + (load.fy * body.y1).abs() + (load.m * body.w1).abs();
             });
+            if matches!(state.side, Side::Held { .. }) {
+                // Each load is a mean of its values on both sides, which may cancel as well.
+                let side =
+                    |upper| loads.reduced(&State { side: Side::Held { upper }, ..*state }, bodies).moment;
+                terms += side(0.0).abs() + side(1.0).abs();
+            }
             // In a steady turn without loads all of them vanish; the rounding is that of J w².
             let inertia = loads.reduced(state, bodies).inertia;
             let steady = inertia * state.speed * state.speed / self.linkage.coordinate_unit();
@@ -103,9 +109,9 @@ impl Calculation {
             _ => 0.0,
         };
         if found.energy.conservative {
-            let reason =
-                "a hundred times the tolerance of the integration: its errors add up over the motion";
-            let limit = (100.0 * tolerance).max(1e-10);
+            let reason = "a hundred times the tolerance of the integration, whose errors add up over the motion, and what the rounding \
+                 of the coordinate makes of the potential energy";
+            let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
         let Some(Ok(machine)) =

@@ -2,6 +2,7 @@
 
 use assur_force::{LoadError, RegistryError};
 use assur_kinematics::CompileError;
+use assur_mechanism::Mechanism;
 
 use crate::Stopped;
 
@@ -36,12 +37,15 @@ pub enum AnalysisError {
         message: String,
         /// Whether the scene or the chosen method is at fault, rather than the machine that it describes.
         usage: bool,
+        /// The key of the scene that it concerns, step by step.
+        key: Option<&'static [&'static str]>,
     },
 }
 
 impl From<assur_dynamics::DynamicsError> for AnalysisError {
     fn from(error: assur_dynamics::DynamicsError) -> Self {
-        Self::Motion { usage: crate::motion::is_usage(&error), message: error.to_string() }
+        let (usage, key) = (crate::motion::is_usage(&error), error.key());
+        Self::Motion { message: error.to_string(), usage, key }
     }
 }
 
@@ -52,7 +56,16 @@ impl AnalysisError {
             "the steady regime has no finite speed and acceleration at the coordinate {coordinate:.6}: the machine has no \
              inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`"
         );
-        Self::Motion { message, usage: false }
+        Self::Motion { message, usage: false, key: None }
+    }
+
+    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+        match self {
+            Self::Load(error) => error.key(mechanism),
+            Self::Motion { key: Some(key), .. } => Some(key.iter().map(|step| (*step).to_owned()).collect()),
+            _ => None,
+        }
     }
 
     /// Whether the machine has no solution, though the scene is sound.

@@ -64,7 +64,7 @@ impl Calculation {
             trajectory,
             dynamics: self.dynamics(),
             integration: self.integration(),
-            no_motion: self.no_motion.clone(),
+            no_motion: self.no_motion.as_ref().map(ToString::to_string),
             notes: self.notes(&positions.at_change_points, &without_forces),
             checks: Vec::new(),
         })

@@ -36,7 +36,7 @@ impl Calculation {
         let (residual, limit) = worst;
         let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
                       energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
-                      from the change of the power), the rounding of the speed and the tolerance of every step";
+                      from the change of the power), the rounding of coordinate and speed, and the tolerance of every step";
         Some(Check::of("work and kinetic energy", residual, limit, "input link", reason))
     }
 
@@ -66,6 +66,8 @@ struct Balance {
     power: Vec<f64>,
     /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed.
     rounding: Vec<f64>,
+    /// The greatest work over a rounding unit of the coordinate, N m: the motion is known no better.
+    unresolved: f64,
     /// What lies between each instant and the next one.
     between: Vec<Between>,
 }
@@ -111,7 +113,7 @@ impl Balance {
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;
         let on_speed = motion.dependence().moment_on_speed;
         let (mut kinetic, mut power, mut rounding) = (Vec::new(), Vec::new(), Vec::new());
-        let mut pieces = Vec::new();
+        let (mut pieces, mut unresolved) = (Vec::new(), 0.0_f64);
         for &Sample { time, coordinate, speed, acceleration } in samples {
             let state = State { time, coordinate, speed };
             pieces.push(motion.enter(&state).ok()?);
@@ -127,6 +129,7 @@ impl Balance {
             let held = 0.5 * reduced.inertia_derivative * speed * speed;
             let moment = if acceleration == 0.0 { held } else { reduced.moment };
             power.push(moment * speed);
+            unresolved = unresolved.max((moment * coordinate).abs() * f64::EPSILON);
             let beside = State { speed: speed * (1.0 + f64::EPSILON), ..state };
             let change = if on_speed { motion.reduced(&beside).ok()?.moment - reduced.moment } else { 0.0 };
             rounding.push((change * speed).abs());
@@ -134,7 +137,7 @@ impl Balance {
         let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
         let pairs = samples.windows(2).zip(pieces.windows(2));
         let between = pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest)).collect();
-        Some(Self { step, kinetic, power, rounding, between })
+        Some(Self { step, kinetic, power, rounding, unresolved, between })
     }
 
     /// The residual nearest to its limit, both as parts of the largest energy; `own`: error of the motion itself.
@@ -149,7 +152,7 @@ impl Balance {
             error += uncertain;
             let total = scale.max(size);
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
-            let limit = error / total + own + ROUNDING;
+            let limit = (error + self.unresolved) / total + own + ROUNDING;
             if residual / limit >= worst.0 / worst.1 {
                 worst = (residual, limit);
             }

@@ -74,13 +74,15 @@ fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {
     }
 }
 
-/// Size of the terms of which the motion of a place consists.
+/// Size of the terms of which the motion of a place consists. The direction of a body follows from differences of places, so
+/// that the rounding of the places is in its turning arm.
 fn size(body: &Body<f64>, at: [f64; 2], order: usize) -> f64 {
-    let arm = at[0].hypot(at[1]);
+    let far = at[0].hypot(at[1]) + body.x.hypot(body.y);
+    let first = body.x1.hypot(body.y1);
     match order {
-        0 => body.x.hypot(body.y) + arm,
-        1 => body.x1.hypot(body.y1) + body.w1.abs() * arm,
-        _ => body.x2.hypot(body.y2) + (body.w2.abs() + body.w1 * body.w1) * arm,
+        0 => far,
+        1 => first + body.w1.abs() * far,
+        _ => body.x2.hypot(body.y2) + (body.w2.abs() + body.w1 * body.w1) * far + 2.0 * body.w1.abs() * first,
     }
 }
 

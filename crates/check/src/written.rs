@@ -174,9 +174,14 @@ impl<'a> Writer<'a> {
                 let v = body.first(arm);
                 let speed = v[0].hypot(v[1]);
                 let parts = body.x1.hypot(body.y1) + body.w1.abs() * arm[0].hypot(arm[1]);
-                // At rest up to rounding: no force, or a force in any direction.
+                // At rest up to rounding: no force, or a force in any direction, which may be the difference of both.
                 if now.state.speed == 0.0 || speed <= 1e-11 * parts {
-                    return self.at(body, force.at.at, given, given[0].hypot(given[1]));
+                    let bounds = [f64::NEG_INFINITY, f64::INFINITY];
+                    let sizes =
+                        bounds.map(|any| self.size(now, &force.value, force.at, self.strokes[id], any));
+                    let greatest =
+                        sizes.into_iter().fold(given[0].hypot(given[1]), |most, size| most.max(size.abs()));
+                    return self.at(body, force.at.at, given, greatest);
                 }
                 let bend = body.second(arm);
                 // The velocity passes zero within rounding of the coordinate: the point may count as at rest.

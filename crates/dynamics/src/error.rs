@@ -157,3 +157,27 @@ pub enum DynamicsError {
     #[error(transparent)]
     Selection(#[from] SelectionError),
 }
+
+impl DynamicsError {
+    /// The key of the scene that the error concerns, step by step; `None` where it concerns the machine as a whole, or a
+    /// position of it.
+    pub fn key(&self) -> Option<&'static [&'static str]> {
+        match self {
+            Self::NoMotion { .. }
+            | Self::Integration(IntegrationError::Request { .. } | IntegrationError::TooManySteps { .. }) => {
+                Some(&["motion"])
+            }
+            Self::Integration(IntegrationError::NotReached { .. }) => Some(&["motion", "until"]),
+            Self::Integration(IntegrationError::Registry(_)) => Some(&["motion", "integrator"]),
+            Self::OtherSpeed { .. } => Some(&["motion", "mean_speed"]),
+            Self::NoCycle => Some(&["input"]),
+            Self::SteadyOnly { .. } | Self::Stalled { .. } | Self::NotTuned { .. } => Some(&["drive"]),
+            Self::TooWeak { .. }
+            | Self::NoLoad { .. }
+            | Self::Rated(_)
+            | Self::Lookup(_)
+            | Self::Selection(_) => Some(&["drive", "motor"]),
+            _ => None,
+        }
+    }
+}

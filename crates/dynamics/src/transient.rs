@@ -53,6 +53,9 @@ pub struct EnergyBalance {
     /// Largest change of the sum against the first sample, divided by the largest kinetic energy: the drift of the
     /// solution where the machine is conservative, else the work of the other loads.
     pub change: f64,
+    /// What the rounding of the coordinate makes of the potential energy in the worst sample, divided by the largest
+    /// kinetic energy.
+    pub rounding: f64,
 }
 
 /// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
@@ -198,13 +201,15 @@ fn balance(
         let (coordinate, speed) = (sample.coordinate, sample.speed);
         let failed = |source| DynamicsError::Equation { coordinate, source };
         let state = State { time: sample.time, coordinate, speed };
-        let inertia = motion.reduced(&state).map_err(failed)?.inertia;
-        found.kinetic.push(0.5 * inertia * speed * speed);
+        let reduced = motion.reduced(&state).map_err(failed)?;
+        found.kinetic.push(0.5 * reduced.inertia * speed * speed);
+        found.rounding = found.rounding.max((reduced.moment * coordinate).abs() * f64::EPSILON);
         found.potential.push(motion.machine().potential_energy(coordinate).map_err(failed)?);
     }
     let sums: Vec<f64> = found.kinetic.iter().zip(&found.potential).map(|(t, v)| t + v).collect();
     let first = sums.first().copied().unwrap_or(0.0);
     let scale = found.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    found.rounding /= scale;
     found.change = sums.iter().map(|sum| (sum - first).abs()).fold(0.0, f64::max) / scale;
     Ok(found)
 }

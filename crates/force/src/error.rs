@@ -1,5 +1,7 @@
 //! What is wrong with the loads of a mechanism.
 
+use assur_mechanism::Mechanism;
+
 /// Why loads can't be compiled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -65,4 +67,24 @@ pub enum LoadError {
         /// What the position solver says.
         reason: String,
     },
+}
+
+impl LoadError {
+    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+        let (name, part) = match self {
+            Self::NeedsMotion { name, .. } => (name, None),
+            Self::StrokeOfMoment { name }
+            | Self::NoStroke { name, .. }
+            | Self::InfiniteStroke { name, .. }
+            | Self::NoPosition { name, .. } => (name, Some("value")),
+        };
+        let forces = mechanism.forces.iter().map(|force| &force.name).position(|other| other == name);
+        let moments = mechanism.moments.iter().map(|moment| &moment.name).position(|other| other == name);
+        let springs = mechanism.springs.iter().map(|spring| &spring.name).position(|other| other == name);
+        let contacts = mechanism.contacts.iter().map(|contact| &contact.name).position(|other| other == name);
+        let lists = [("force", forces), ("moment", moments), ("spring", springs), ("contact", contacts)];
+        let (list, index) = lists.into_iter().find_map(|(list, index)| Some((list, index?)))?;
+        Some([list.to_owned(), index.to_string()].into_iter().chain(part.map(str::to_owned)).collect())
+    }
 }

@@ -27,7 +27,7 @@ mod walk;
 mod wishes;
 
 use assur_mechanism::{Input, InputPair, Mechanism, Range, Sense};
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 use context::Context;
 use error::{Fault, Faults};
@@ -65,16 +65,25 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     document::read(file_name, text, "a scene", KEYS, scene)
 }
 
-/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["motion", "integrator"]`;
-/// `None` if the scene has no such key. `file_name` appears only in the error.
+/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
+/// element of a list is given by its number, from 0. `None` if the scene has no such key. `file_name` appears only in the
+/// error.
 pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Option<SceneErrors> {
     let (document, _) = DeTable::parse_recoverable(text);
-    let (last, tables) = path.split_last()?;
-    let table =
-        tables.iter().try_fold(document.get_ref(), |table, key| table.get(*key)?.get_ref().as_table())?;
-    let (key, _) = table.get_key_value(*last)?;
+    let (first, rest) = path.split_first()?;
+    let (key, mut value) = document.get_ref().get_key_value(*first)?;
+    let mut span = key.span();
+    for step in rest {
+        (span, value) = match value.get_ref() {
+            DeValue::Table(table) => table.get_key_value(*step).map(|(key, value)| (key.span(), value))?,
+            DeValue::Array(array) => {
+                array.get(step.parse::<usize>().ok()?).map(|value| (value.span(), value))?
+            }
+            _ => return None,
+        };
+    }
     let faults = Faults::default();
-    faults.push(Fault::new(key.span(), message));
+    faults.push(Fault::new(span, message));
     Some(faults.into_errors(file_name, text))
 }
 

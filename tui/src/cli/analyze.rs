@@ -1,5 +1,8 @@
 //! `assur analyze`.
 
+use std::path::Path;
+
+use assur_analysis::Calculation;
 use assur_analysis::results::{Check, Failure};
 use assur_report::{csv, json};
 
@@ -49,7 +52,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         style.tell(&format!("note: {note}"));
     }
     tell_failures(&analysis.failures, style);
-    tell_no_motion(analysis.no_motion.as_deref(), style);
+    tell_no_motion(&study, &scene.scene, style);
     tell_checks(&analysis.checks, style);
     written.map(|()| status)
 }
@@ -65,9 +68,9 @@ pub(crate) fn tell_checks(checks: &[Check], style: Style) {
 }
 
 /// A requested motion that is not found is reported on standard error.
-pub(crate) fn tell_no_motion(no_motion: Option<&str>, style: Style) {
-    if let Some(message) = no_motion {
-        style.tell(&format!("error: {message}"));
+pub(crate) fn tell_no_motion(study: &Calculation, path: &Path, style: Style) {
+    if let Some(error) = &study.no_motion {
+        style.tell(&scene::fault(path, error, style).to_string());
     }
 }
 

@@ -21,7 +21,7 @@ pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     }
     let failures = study.failures();
     analyze::tell_failures(&failures, style);
-    analyze::tell_no_motion(study.no_motion.as_deref(), style);
+    analyze::tell_no_motion(&study, &args.scene.scene, style);
     let holds =
         failures.is_empty() && study.no_motion.is_none() && judged && !checks.iter().any(Check::failed);
     Ok(if holds { Status::Done } else { Status::Failed })

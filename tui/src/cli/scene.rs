@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use assur_analysis::{Calculation, Options};
+use assur_analysis::{AnalysisError, Calculation, Options};
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::Structure;
@@ -34,19 +34,36 @@ pub(crate) fn faults(errors: &SceneErrors, style: Style) -> Fault {
 /// Reads and compiles a scene file.
 pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
     let options = options(&args.methods)?;
-    compiled(args, &options, read(&args.scene, style)?)
+    compiled(args, &options, read(&args.scene, style)?, style)
 }
 
 /// Reads and compiles a scene file, as if the scene requested all results.
 pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
     let options = options(&args.methods)?;
     let mechanism = read(&args.scene, style)?;
-    compiled(args, &options, Mechanism { output: None, ..mechanism })
+    compiled(args, &options, Mechanism { output: None, ..mechanism }, style)
 }
 
-fn compiled(args: &SceneArgs, options: &Options, mechanism: Mechanism) -> Result<Calculation, Fault> {
+fn compiled(
+    args: &SceneArgs,
+    options: &Options,
+    mechanism: Mechanism,
+    style: Style,
+) -> Result<Calculation, Fault> {
     Calculation::of(mechanism, options, &mut ProgressLine::new().watch())
-        .map_err(|error| in_file(&args.scene, &error.to_string()))
+        .map_err(|error| fault(&args.scene, &error, style))
+}
+
+/// An error of a calculation, at the key of the scene that it concerns if there is one.
+pub(crate) fn fault(path: &Path, error: &AnalysisError, style: Style) -> Fault {
+    let located = || {
+        let text = files::read(path).ok()?;
+        let name = path.display().to_string();
+        let key = error.key(&assur_scene::read(&name, &text).ok()?)?;
+        let steps: Vec<&str> = key.iter().map(String::as_str).collect();
+        assur_scene::fault_at(&name, &text, &steps, &error.to_string())
+    };
+    located().map_or_else(|| in_file(path, &error.to_string()), |errors| faults(&errors, style))
 }
 
 /// The requested methods, which must exist even if the scene does not use them.

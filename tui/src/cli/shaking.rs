@@ -29,8 +29,8 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
     let output = Output::of(args.output.as_deref(), path)?;
     let calculation = scene::whole_study(&args.scene, style)?;
-    if let Some(reason) = &calculation.no_motion {
-        style.tell(&format!("error: {}: {reason}", path.display()));
+    if let Some(error) = &calculation.no_motion {
+        style.tell(&scene::fault(path, error, style).to_string());
         return Ok(Status::Failed);
     }
     let found = match assur_shaking::shaking(&calculation.linkage, &|q| calculation.state(q)) {

@@ -12,7 +12,7 @@ fn balance(jump: f64, factor: f64, wrong: f64) -> Balance {
         if before == after { Between::Smooth } else { Between::Change }
     });
     let (kinetic, power, rounding) = (Vec::new(), Vec::new(), vec![0.0; INTERVALS + 1]);
-    let mut found = Balance { step, kinetic, power, rounding, between: between.collect() };
+    let mut found = Balance { step, kinetic, power, rounding, unresolved: 0.0, between: between.collect() };
     for i in 0..=INTERVALS {
         let t = i as f64 * step;
         let after = if t > jump { factor } else { 0.0 };
@@ -53,7 +53,7 @@ fn what_lies_between_two_points_proves_nothing() {
     let seen = |between: Between| {
         let kinetic = (0..=8).map(energy).collect();
         let (power, rounding, between) = (vec![0.0; 9], vec![0.0; 9], vec![between; 8]);
-        let found = Balance { step: 1.0, kinetic, power, rounding, between };
+        let found = Balance { step: 1.0, kinetic, power, rounding, unresolved: 0.0, between };
         let (residual, limit) = found.worst(1e-9);
         let check = assur_check::Check::of("work", residual, limit, "", "");
         (check.judged, check.ok)
