@@ -175,6 +175,26 @@ fn a_crank_without_length_is_refused_at_its_line() {
     );
 }
 
+/// A central slider-crank with a load on its slider.
+const SLIDER: &str = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n[link.rod]\n\
+    points = { A = 0, B = 0.3 }\n[link.slider]\npoints = { B = 0 }\n[[slide]]\nlink = \"slider\"\non = \"ground\"\n\
+    [input]\nlink = \"crank\"\n[[force]]\nlink = \"slider\"\nat = \"B\"\nangle = 0\n";
+
+#[test]
+fn an_error_that_is_found_after_reading_names_its_line() {
+    let stroke = format!("{SLIDER}value = {{ over = \"stroke\", axis = \"90 deg\", forward = 5 }}\n");
+    let folder = folder(&stroke);
+    let found = assur(folder.path(), &["analyze", "a.toml"]);
+    assert_eq!(code(&found), 2);
+    assert!(err(&found).contains("a.toml, line 18, column 1"), "{}", err(&found));
+    let motor = "[motion]\nkind = \"steady\"\nmean_speed = 10\n[drive]\nmotor = \"auto\"\nratio = 3\n";
+    let driven = stroke.replace("\"90 deg\"", "0") + motor;
+    fs::write(folder.path().join("a.toml"), driven).unwrap();
+    let found = assur(folder.path(), &["check", "a.toml"]);
+    assert_eq!(code(&found), 1);
+    assert!(err(&found).contains("a.toml, line 23, column 1"), "{}", err(&found));
+}
+
 #[test]
 fn what_can_be_calculated_is_shown_though_positions_are_missing() {
     // Assembles for cos q >= 1/3: of 0, 60, ... 300 degrees only at 0, 60, 300.

@@ -51,7 +51,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         match (self.failure, &self.calculation.no_motion) {
             (Some((status, message)), _) => Err(Outcome::failure(status, &message, Some(self.failed))),
-            (None, Some(message)) => Err(Outcome::failure(Status::NoSolution, message, Some(0))),
+            (None, Some(message)) => Err(Outcome::failure(Status::NoSolution, &message.to_string(), Some(0))),
             (None, None) => {
                 Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
             }
