@@ -77,6 +77,7 @@ impl LoadError {
             Self::StrokeOfMoment { name }
             | Self::NoStroke { name, .. }
             | Self::InfiniteStroke { name, .. }
+            | Self::Unlocated { name, .. }
             | Self::NoPosition { name, .. } => (name, Some("value")),
         };
         let forces = mechanism.forces.iter().map(|force| &force.name).position(|other| other == name);
