@@ -31,7 +31,7 @@ impl Unsolved {
 }
 
 /// The mechanism in one number type.
-struct Groups<'a, T, S> {
+struct GroupByGroup<'a, T, S> {
     linkage: &'a Linkage,
     groups: &'a [Box<dyn AssurGroup<T>>],
     bodies: &'a [Body<T>],
@@ -58,16 +58,16 @@ pub fn group_by_group<T: Number>(
     out: &mut Reactions<T>,
     solve: impl Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
 ) -> Result<(), Unsolved> {
-    let groups = Groups { linkage, groups, bodies, solve };
-    let drive = groups.pass(&out.solved, loads, &mut out.pairs)?;
+    let method = GroupByGroup { linkage, groups, bodies, solve };
+    let drive = method.pass(&out.solved, loads, &mut out.pairs)?;
     match out.unit {
         None => out.balancing = drive,
-        Some(unit) => groups.balance(&unit, drive, out)?,
+        Some(unit) => method.balance(&unit, drive, out)?,
     }
     Ok(())
 }
 
-impl<T, S> Groups<'_, T, S>
+impl<T, S> GroupByGroup<'_, T, S>
 where
     T: Number,
     S: Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,

@@ -88,14 +88,14 @@ impl<'a> LaneKinetostatics<'a> {
             return Ok(());
         }
         let alone = near.map(|near| near || !together);
-        self.solve_alone(&alone, states, position)
+        self.solve_alone(alone, states, position)
     }
 
     /// Solves some of the lanes one at a time.
     #[cold]
     fn solve_alone(
         &mut self,
-        alone: &[bool; Lanes::WIDTH],
+        alone: [bool; Lanes::WIDTH],
         states: &[State; Lanes::WIDTH],
         position: &LanePosition,
     ) -> Result<(), Vec<(usize, ForceError)>> {

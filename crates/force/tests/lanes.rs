@@ -73,7 +73,7 @@ fn compare(linkage: &Linkage, loads: &Loads, states: &States, block: &mut LanePo
         same("energy", energy.0[lane], loads.potential_energy(bodies));
     }
     let mut counts = [0, 0];
-    for plugin in analyzers().unwrap() {
+    for plugin in analyzers().expect("a registry") {
         if plugin.instance.supports(linkage).is_err() {
             continue;
         }

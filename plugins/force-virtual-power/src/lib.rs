@@ -32,11 +32,15 @@ assur_force::inventory::submit! {
 pub struct VirtualPower;
 
 /// Moment (N m) or force (N) that the balancing load must have.
-fn balancing(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> Result<f64, ForceError> {
+fn balancing(
+    linkage: &Linkage,
+    position: &Position,
+    loads: &[Wrench<f64>],
+    unit: Option<UnitBalance>,
+) -> Result<f64, ForceError> {
     let bodies = &position.bodies;
     let drive = -bodies.iter().zip(loads).skip(1).map(|(body, load)| power(load, body)).sum::<f64>();
-    let Some(unit) = UnitBalance::of(&linkage.mechanism) else { return Ok(drive) };
-    let size = unit.size(drive, -unit.power(bodies), linkage);
+    let size = unit.map_or(Ok(drive), |unit| unit.size(drive, -unit.power(bodies), linkage));
     size.map_err(|idle| idle.explain(linkage, position.coordinate))
 }
 
@@ -54,7 +58,7 @@ impl ForceAnalyzer for VirtualPower {
     ) -> Result<(), ForceError> {
         let none = Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN };
         out.pairs.fill(none);
-        out.balancing = balancing(linkage, position, loads)?;
+        out.balancing = balancing(linkage, position, loads, out.unit)?;
         Ok(())
     }
 
@@ -64,7 +68,7 @@ impl ForceAnalyzer for VirtualPower {
         position: &Position,
         loads: &[Wrench<f64>],
     ) -> Result<Option<Construction>, ForceError> {
-        let balancing = balancing(linkage, position, loads)?;
+        let balancing = balancing(linkage, position, loads, UnitBalance::of(&linkage.mechanism))?;
         Ok(Some(lever::draw(linkage, position, loads, balancing)))
     }
 }

@@ -104,7 +104,7 @@ impl Subject {
     }
 
     /// The parts of a position: positions alone, loads, reactions, and reduction.
-    fn parts<'a>(&'a self) -> Vec<Contestant<'a>> {
+    fn parts(&self) -> Vec<Contestant<'_>> {
         let mut solved = vec![self.linkage.position(); 64];
         for (index, position) in solved.iter_mut().enumerate() {
             assert!(self.linkage.solve(coordinate(index), Order::Second, position).is_ok());
@@ -148,7 +148,7 @@ impl Subject {
     }
 
     /// The parts of eight positions.
-    fn lane_parts<'a>(&'a self) -> Vec<Contestant<'a>> {
+    fn lane_parts(&self) -> Vec<Contestant<'_>> {
         let mut solved = vec![self.linkage.lane_position(); 8];
         for (block, position) in solved.iter_mut().enumerate() {
             assert!(self.linkage.solve_lanes(coordinates(block), Order::Second, position).is_ok());
