@@ -99,19 +99,22 @@ impl<T: Real> Body<T> {
         [self.x2 - self.w2 * arm[1] - square * arm[0], self.y2 + self.w2 * arm[0] - square * arm[1]]
     }
 
+    /// First and second derivative of a point whose arm is given (PF1, PF2).
+    #[inline(always)]
+    pub fn motion(&self, arm: [T; 2]) -> [[T; 2]; 2] {
+        [self.first(arm), self.second(arm)]
+    }
+
+    /// Origin of the link's frame, m.
+    #[inline(always)]
+    pub fn origin(&self) -> [T; 2] {
+        [self.x, self.y]
+    }
+
     /// Direction of the link's x axis turned by a fixed unit vector (cos, sin).
     #[inline(always)]
     pub fn turned(&self, by: [T; 2]) -> [T; 2] {
         self.arm(by)
-    }
-
-    /// Sets origin and derivatives such that the point with this arm has the given PF0, PF1, PF2. The direction and
-    /// the angle's derivatives must be set before.
-    #[inline(always)]
-    pub fn hang(&mut self, arm: [T; 2], pf: [[T; 2]; 3]) {
-        self.hang_place(arm, pf[0]);
-        self.hang_first(arm, pf[1]);
-        self.hang_second(arm, pf[2]);
     }
 
     /// Sets the direction of the link, and its origin such that the point `at` of the link is at `place`; returns the

@@ -49,8 +49,7 @@ impl<T: Real> PinJoint<T> {
     #[inline(always)]
     pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
         let body = &bodies[self.body];
-        let arm = minus(place, [body.x, body.y]);
-        [body.first(arm), body.second(arm)]
+        body.motion(minus(place, body.origin()))
     }
 
     /// Stores the force (N) that acts on the link of the group.
@@ -175,7 +174,7 @@ impl<T: Real> SlideJoint<T> {
     ) {
         self.store(bodies, force, moment, reactions);
         let [other, link] = [&bodies[self.body], &bodies[self.link]];
-        let arm = minus(link.point(self.own), [other.x, other.y]);
+        let arm = minus(link.point(self.own), other.origin());
         loads[self.body].add_at(arm, opposite(force), -moment);
     }
 }

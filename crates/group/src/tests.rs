@@ -226,7 +226,9 @@ proptest! {
         mut body in body(), at in prop::array::uniform2(-1.0..1.0f64), pf in prop::array::uniform6(-3.0..3.0f64),
     ) {
         let arm = body.arm(at);
-        body.hang(arm, [[pf[0], pf[1]], [pf[2], pf[3]], [pf[4], pf[5]]]);
+        body.hang_place(arm, [pf[0], pf[1]]);
+        body.hang_first(arm, [pf[2], pf[3]]);
+        body.hang_second(arm, [pf[4], pf[5]]);
         let found = [body.point(at), body.first(arm), body.second(arm)];
         for (found, wanted) in found.into_iter().flatten().zip(pf) {
             prop_assert!(close(found, wanted));

@@ -102,92 +102,92 @@ fn six_bar<T: Real>([s, c]: [T; 2]) -> [T; 10] {
     [t[0], t[1], w, e, along, along1, along2 + w * w * along, ram, ram1, ram2]
 }
 
-/// The slider-crank by hand at eight coordinates.
-struct SliderCrankByHand(Lanes);
+/// A mechanism by hand at eight coordinates, written to where it is kept.
+struct ByHand<'a, const N: usize, F>(Lanes, F, &'a mut [Lanes; N]);
 
-impl Formula for SliderCrankByHand {
-    type Value = [Lanes; 8];
+impl<const N: usize, F: Fn([Lanes; 2]) -> [Lanes; N]> Formula for ByHand<'_, N, F> {
+    type Value = ();
 
     #[inline(always)]
-    fn evaluate(self) -> [Lanes; 8] {
+    fn evaluate(self) {
         let (s, c) = self.0.sin_cos();
-        slider_crank([s, c])
+        *self.2 = self.1([s, c]);
     }
 }
 
-/// The six-bar by hand at eight coordinates.
-struct SixBarByHand(Lanes);
-
-impl Formula for SixBarByHand {
-    type Value = [Lanes; 10];
-
-    #[inline(always)]
-    fn evaluate(self) -> [Lanes; 10] {
-        let (s, c) = self.0.sin_cos();
-        six_bar([s, c])
-    }
-}
-
-/// A contestant: its name, a call that solves a number of positions, and its least time for one, s.
+/// A contestant: its name, a call that solves all coordinates, and its least time for one, s.
 struct Contestant<'a> {
     name: &'static str,
-    call: Box<dyn FnMut(usize) + 'a>,
+    call: Box<dyn FnMut() + 'a>,
     least: f64,
 }
 
 impl<'a> Contestant<'a> {
-    fn new(name: &'static str, call: impl FnMut(usize) + 'a) -> Self {
+    fn new(name: &'static str, call: impl FnMut() + 'a) -> Self {
         Self { name, call: Box::new(call), least: f64::INFINITY }
     }
 }
 
-/// The coordinate of a position: spread over one turn without an order that could be guessed.
-fn coordinate(index: usize) -> f64 {
-    (index as f64 * 0.618_033_988_749_894_9).fract() * std::f64::consts::TAU
+/// Coordinates spread over one turn in an order that can't be guessed.
+fn coordinates() -> Vec<f64> {
+    let golden = |index: usize| (index as f64 * 0.618_033_988_749_894_9).fract() * std::f64::consts::TAU;
+    (0..COUNT).map(golden).collect()
 }
 
-fn scalar<'a, const N: usize>(name: &'static str, by_hand: fn([f64; 2]) -> [f64; N]) -> Contestant<'a> {
-    Contestant::new(name, move |count| {
-        for index in 0..count {
-            let (s, c) = black_box(coordinate(index)).sin_cos();
+/// Eight of them at a time.
+fn blocks() -> Vec<Lanes> {
+    coordinates().chunks_exact(Lanes::WIDTH).map(|eight| Lanes::of(|lane| eight[lane])).collect()
+}
+
+fn scalar<'a, const N: usize>(
+    name: &'static str,
+    by_hand: impl Fn([f64; 2]) -> [f64; N] + 'a,
+) -> Contestant<'a> {
+    let coordinates = coordinates();
+    Contestant::new(name, move || {
+        for coordinate in &coordinates {
+            let (s, c) = f64::sin_cos(*coordinate);
             black_box(by_hand([s, c]));
         }
     })
 }
 
-fn lanes<'a, F: Formula + 'a>(name: &'static str, by_hand: fn(Lanes) -> F) -> Contestant<'a> {
-    Contestant::new(name, move |count| {
-        for index in 0..count / Lanes::WIDTH {
-            let coordinates = Lanes::of(|lane| coordinate(index * Lanes::WIDTH + lane));
-            black_box(Lanes::evaluate(by_hand(black_box(coordinates))));
+fn lanes<'a, const N: usize>(
+    name: &'static str,
+    by_hand: impl Fn([Lanes; 2]) -> [Lanes; N] + Copy + 'a,
+) -> Contestant<'a> {
+    let (blocks, mut found) = (blocks(), [Lanes::ZERO; N]);
+    Contestant::new(name, move || {
+        for coordinates in &blocks {
+            Lanes::evaluate(ByHand(*coordinates, by_hand, &mut found));
+            black_box(&mut found);
         }
     })
 }
 
 fn one_by_one<'a>(name: &'static str, linkage: &'a Linkage, order: Order) -> Contestant<'a> {
-    let mut position = linkage.position();
-    Contestant::new(name, move |count| {
-        for index in 0..count {
-            let solved = linkage.solve(black_box(coordinate(index)), order, &mut position);
-            assert!(black_box(solved).is_ok());
+    let (coordinates, mut position) = (coordinates(), linkage.position());
+    Contestant::new(name, move || {
+        for coordinate in &coordinates {
+            assert!(linkage.solve(*coordinate, order, &mut position).is_ok());
+            black_box(&mut position);
         }
     })
 }
 
 fn eight_by_eight<'a>(name: &'static str, linkage: &'a Linkage, order: Order) -> Contestant<'a> {
-    let mut position = linkage.lane_position();
-    Contestant::new(name, move |count| {
-        for index in 0..count / Lanes::WIDTH {
-            let coordinates = Lanes::of(|lane| coordinate(index * Lanes::WIDTH + lane));
-            let solved = linkage.solve_lanes(black_box(coordinates), order, &mut position);
-            assert!(black_box(solved).is_ok());
+    let (blocks, mut position) = (blocks(), linkage.lane_position());
+    Contestant::new(name, move || {
+        for coordinates in &blocks {
+            assert!(linkage.solve_lanes(*coordinates, order, &mut position).is_ok());
+            black_box(&mut position);
         }
     })
 }
 
 /// Positions of one contestant in one round, and rounds.
-const COUNT: usize = 4096;
-const ROUNDS: usize = 1500;
+const COUNT: usize = 1024;
+const ROUNDS: usize = 4000;
 
 fn main() {
     let linkage = |text| {
@@ -196,21 +196,29 @@ fn main() {
     };
     let (one, two) = (linkage(SLIDER_CRANK), linkage(SIX_BAR));
     let mut all = [
-        scalar("slider-crank by hand: y", slider_crank::<f64>),
+        scalar("slider-crank by hand: y", |sine_cosine| slider_crank(sine_cosine)),
         one_by_one("slider-crank, PF0", &one, Order::Place),
         one_by_one("slider-crank, PF0-PF1", &one, Order::First),
         one_by_one("slider-crank, PF0-PF2", &one, Order::Second),
-        lanes("slider-crank by hand, lanes", SliderCrankByHand),
+        lanes(
+            "slider-crank by hand, lanes",
+            #[inline(always)]
+            |sine_cosine| slider_crank(sine_cosine),
+        ),
         eight_by_eight("slider-crank, PF0-PF2, lanes", &one, Order::Second),
-        scalar("six-bar by hand", six_bar::<f64>),
+        scalar("six-bar by hand", |sine_cosine| six_bar(sine_cosine)),
         one_by_one("six-bar, PF0-PF2", &two, Order::Second),
-        lanes("six-bar by hand, lanes", SixBarByHand),
+        lanes(
+            "six-bar by hand, lanes",
+            #[inline(always)]
+            |sine_cosine| six_bar(sine_cosine),
+        ),
         eight_by_eight("six-bar, PF0-PF2, lanes", &two, Order::Second),
     ];
     for _ in 0..ROUNDS {
         for one in &mut all {
             let start = Instant::now();
-            (one.call)(COUNT);
+            (one.call)();
             one.least = one.least.min(start.elapsed().as_secs_f64() / COUNT as f64);
         }
     }

@@ -171,9 +171,10 @@ impl<T: Real> Formula for SetInput<'_, T> {
             Input::Crank { link, ground, own } => {
                 let (s, c) = coordinate.sin_cos();
                 let body = &mut bodies[link];
-                (body.c, body.s, body.w1, body.w2) = (c, s, T::ONE, T::ZERO);
-                let arm = body.arm(own);
-                body.hang(arm, [ground, [T::ZERO; 2], [T::ZERO; 2]]);
+                // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
+                let arm = body.put([c, s], own, ground);
+                (body.w1, body.x1, body.y1) = (T::ONE, T::ZERO + arm[1], T::ZERO - arm[0]);
+                (body.w2, body.x2, body.y2) = (T::ZERO, T::ZERO + arm[0], T::ZERO + arm[1]);
             }
             Input::Slider { link, axis, along, origin } => {
                 let body = &mut bodies[link];

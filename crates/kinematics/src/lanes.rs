@@ -99,14 +99,16 @@ impl Linkage {
     /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other ways
     /// than in the first lane.
     fn alone(&self, coordinates: Lanes) -> [bool; Lanes::WIDTH] {
+        let mut alone = [false; Lanes::WIDTH];
+        if self.ways.are_constant() {
+            return alone;
+        }
         let mut common = None;
-        coordinates.0.map(|coordinate| {
-            if !coordinate.is_finite() || self.interpolants.cover(coordinate) {
-                return true;
-            }
+        for (alone, coordinate) in alone.iter_mut().zip(coordinates.0) {
             let ways = self.ways.at(coordinate);
-            *common.get_or_insert(ways) != ways
-        })
+            *alone = self.interpolants.cover(coordinate) || *common.get_or_insert(ways) != ways;
+        }
+        alone
     }
 
     /// Solves some of the lanes one at a time.

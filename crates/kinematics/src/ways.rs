@@ -87,6 +87,12 @@ impl Ways {
         &self.rows[self.transitions.partition_point(|transition| transition.coordinate <= found)]
     }
 
+    /// Whether no group ever changes its way.
+    #[inline]
+    pub(crate) fn are_constant(&self) -> bool {
+        self.transitions.is_empty()
+    }
+
     /// The length after which the ways repeat, rad or m; `None` where they don't.
     pub(crate) fn period(&self) -> Option<f64> {
         self.period

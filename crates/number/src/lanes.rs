@@ -2,9 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use pulp::Arch;
-
-use crate::{Formula, Real, sine};
+use crate::{Formula, Real, sine, widest};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -41,18 +39,6 @@ impl Lanes {
         // A NaN is better than any number: it must not be hidden.
         let choose = |a: f64, b: f64| if a.is_nan() || better(a, b) { a } else { b };
         self.0.into_iter().fold(self.0[0], choose)
-    }
-}
-
-/// A formula that is compiled for several sets of instructions.
-struct Widest<F>(F);
-
-impl<F: Formula> pulp::WithSimd for Widest<F> {
-    type Output = F::Value;
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) -> F::Value {
-        self.0.evaluate()
     }
 }
 
@@ -147,6 +133,6 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn evaluate<F: Formula>(formula: F) -> F::Value {
-        Arch::new().dispatch(Widest(formula))
+        widest::evaluate(formula)
     }
 }

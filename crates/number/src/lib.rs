@@ -9,6 +9,7 @@ mod lanes;
 mod real;
 pub mod search;
 mod sine;
+mod widest;
 
 pub use dd::Dd;
 pub use lanes::Lanes;

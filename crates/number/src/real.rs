@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::sine;
+use crate::{sine, widest};
 
 /// A formula over numbers of one kind, for [`Real::evaluate`].
 pub trait Formula {
@@ -134,6 +134,10 @@ macro_rules! primitive {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 $sin_cos(self)
+            }
+            #[inline(always)]
+            fn evaluate<F: Formula>(formula: F) -> F::Value {
+                widest::evaluate(formula)
             }
         }
     };

@@ -14,7 +14,7 @@ const QUICK: f64 = 1_073_741_824.0;
 const PARTS: [f64; 4] =
     [1.570_796_251_296_997, 7.549_789_415_861_596e-8, 5.390_302_529_957_765e-15, 3.282_003_542_873_500_5e-22];
 
-/// Adding 1.5 * 2^52 rounds to an integer, which then stands in the last bits.
+/// Adding 1.5 * 2^52 and subtracting it again rounds to an integer.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// The error of the four parts for each multiple is about 2^-122: with a rest greater than this for each multiple,
@@ -44,31 +44,37 @@ const C: [f64; 6] = [
 /// Sine and cosine of an angle in rad, and whether they are right: if not, [`precise`] has to give them.
 #[inline(always)]
 pub(crate) fn quick(angle: f64) -> ([f64; 2], bool) {
-    let shifted = angle * std::f64::consts::FRAC_2_PI + TO_INTEGER;
-    let count = shifted - TO_INTEGER;
+    let count = (angle * std::f64::consts::FRAC_2_PI + TO_INTEGER) - TO_INTEGER;
     let near = (angle - count * PARTS[0]) - count * PARTS[1];
     let third = count * PARTS[2];
     let sum = near - third;
     let left = ((near - sum) - third) - count * PARTS[3];
+    // rest + tail is the angle between -pi/4 and pi/4.
     let rest = sum + left;
     let tail = (sum - rest) + left;
     let is_right = (angle.abs() <= QUICK) & (rest.abs() >= (count * CLOSEST).abs());
 
+    // Polynomials by pairs of terms, which takes less time than one term after the other.
     let square = rest * rest;
-    let upper = S[1] + square * (S[2] + square * (S[3] + square * (S[4] + square * S[5])));
+    let fourth = square * square;
+    let upper = (S[1] + square * S[2]) + fourth * ((S[3] + square * S[4]) + fourth * S[5]);
     let cube = square * rest;
     let sine = rest - ((square * (0.5 * tail - cube * upper) - tail) - cube * S[0]);
     let half = 0.5 * square;
-    let lower = C[0] + square * (C[1] + square * (C[2] + square * (C[3] + square * (C[4] + square * C[5]))));
+    let lower = (C[0] + square * C[1]) + fourth * ((C[2] + square * C[3]) + fourth * (C[4] + square * C[5]));
     let first = 1.0 - half;
-    let cosine = first + (((1.0 - first) - half) + (square * (square * lower) - rest * tail));
+    let cosine = first + (((1.0 - first) - half) + (fourth * lower - rest * tail));
 
-    // By quarters of a turn: (s, c), (c, -s), (-s, -c), (-c, s).
-    let quarter = shifted.to_bits();
-    let odd = quarter & 1 != 0;
-    let (s, c) = (if odd { cosine } else { sine }, if odd { sine } else { cosine });
-    let sign = |number: f64, quarter: u64| f64::from_bits(number.to_bits() ^ ((quarter & 2) << 62));
-    ([sign(s, quarter), sign(c, quarter.wrapping_add(1))], is_right)
+    // The part of a turn by quarters, 0 to 3/4: (s, c), (c, -s), (-s, -c), (-c, s). Sine and cosine go through the same
+    // operations, so that the compiler writes both by one instruction, which whoever reads both does not have to wait for.
+    let turns = count * 0.25;
+    let part = turns - ((turns - 0.375 + TO_INTEGER) - TO_INTEGER);
+    let is_odd = ((part - 0.5).abs() - 0.25).abs() < 0.125;
+    let signed = |even: f64, odd: f64, middle: f64| {
+        let number = if is_odd { odd } else { even };
+        if (part - middle).abs() < 0.3 { -number } else { number }
+    };
+    ([signed(sine, cosine, 0.75), signed(cosine, sine, 0.375)], is_right)
 }
 
 /// Sine and cosine by way of 32 digits, for angles that are very large or extremely close to a multiple of pi/2.

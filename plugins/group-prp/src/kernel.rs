@@ -29,9 +29,10 @@ pub struct Crossing<T> {
     c: [T; 2],
     /// Arms of the inner pin on the links.
     arms: [[T; 2]; 2],
-    /// Directions of the guides, and the sine of the angle between them.
+    /// Directions of the guides, the sine of the angle between them and its reciprocal.
     t: [[T; 2]; 2],
     d: T,
+    inverse: T,
 }
 
 /// The vector with given components along the normals of two directions.
@@ -66,8 +67,15 @@ impl<T: Real> Prp<T> {
     /// Directions of the guides, and the sine of the angle between them.
     #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> ([[T; 2]; 2], T) {
-        let t = self.slides.each_ref().map(|slide| bodies[slide.body].turned(slide.along));
+        let [one, two] = self.carriers(bodies);
+        let t = [one.turned(self.slides[0].along), two.turned(self.slides[1].along)];
         (t, cross(t[0], t[1]))
+    }
+
+    /// The bodies with the guides.
+    #[inline(always)]
+    fn carriers<'a>(&self, bodies: &'a [Body<T>]) -> [&'a Body<T>; 2] {
+        [&bodies[self.slides[0].body], &bodies[self.slides[1].body]]
     }
 }
 
@@ -84,25 +92,25 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         let (t, d) = self.guides(bodies);
         let health = d.abs();
         GroupError::if_singular(health)?;
-        let carriers = self.slides.each_ref().map(|slide| &bodies[slide.body]);
-        let o = carriers.map(|body| [body.x, body.y]);
-        let b = [self.heights[0], self.heights[1] + dot(perp(t[1]), minus(o[1], o[0]))];
-        let c = plus(o[0], meet(&t, b, T::ONE / d));
+        let [one, two] = self.carriers(bodies);
+        let b = [self.heights[0], self.heights[1] + dot(perp(t[1]), minus(two.origin(), one.origin()))];
+        let inverse = T::ONE / d;
+        let c = plus(one.origin(), meet(&t, b, inverse));
         GroupError::if_nan(c[0] + c[1])?;
-        let directions = [0, 1].map(|i| carriers[i].turned(self.slides[i].turn));
-        let mut arms = [[T::ZERO; 2]; 2];
-        for i in 0..2 {
-            arms[i] = bodies[self.links[i]].put(directions[i], self.pin[i], c);
-        }
-        Ok((Crossing { c, arms, t, d }, health))
+        let directions = [one.turned(self.slides[0].turn), two.turned(self.slides[1].turn)];
+        let arms = [
+            bodies[self.links[0]].put(directions[0], self.pin[0], c),
+            bodies[self.links[1]].put(directions[1], self.pin[1], c),
+        ];
+        Ok((Crossing { c, arms, t, d, inverse }, health))
     }
 
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Crossing<T> {
         let (t, d) = self.guides(bodies);
-        let arms = [0, 1].map(|i| bodies[self.links[i]].arm(self.pin[i]));
-        let one = &bodies[self.links[0]];
-        Crossing { c: plus([one.x, one.y], arms[0]), arms, t, d }
+        let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
+        let arms = [one.arm(self.pin[0]), two.arm(self.pin[1])];
+        Crossing { c: plus(one.origin(), arms[0]), arms, t, d, inverse: T::ONE / d }
     }
 
     #[inline(always)]
@@ -117,31 +125,33 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         position: &Crossing<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Crossing { c, arms, t, d } = position;
+        let Crossing { c, arms, t, d, inverse } = position;
         GroupError::if_singular(d.abs())?;
-        let inverse = T::ONE / *d;
-        let n = t.map(perp);
-        let carriers = self.slides.each_ref().map(|slide| bodies[slide.body]);
-        let under = carriers.each_ref().map(|body| minus(*c, [body.x, body.y]));
-        let v = [0, 1].map(|i| carriers[i].first(under[i]));
-        let c1 = meet(t, [0, 1].map(|i| dot(n[i], v[i])), inverse);
+        let n = [perp(t[0]), perp(t[1])];
+        let [one, two] = self.carriers(bodies);
+        // The points of the bodies with the guides under C.
+        let under = [one.motion(minus(*c, one.origin())), two.motion(minus(*c, two.origin()))];
+        let (turning1, turning2) = ([one.w1, two.w1], [one.w2, two.w2]);
+        let c1 = meet(t, [dot(n[0], under[0][0]), dot(n[1], under[1][0])], *inverse);
         for i in 0..2 {
-            bodies[self.links[i]].put_first(carriers[i].w1, arms[i], c1);
+            bodies[self.links[i]].put_first(turning1[i], arms[i], c1);
         }
         if order < Order::Second {
             return GroupError::if_nan(c1[0] + c1[1]);
         }
-        let b = [0, 1].map(|i| {
-            let coriolis = (carriers[i].w1 * dot(t[i], minus(c1, v[i]))).twice();
-            dot(n[i], carriers[i].second(under[i])) + coriolis
-        });
-        let c2 = meet(t, b, inverse);
+        let mut b = [T::ZERO; 2];
         for i in 0..2 {
-            bodies[self.links[i]].put_second(carriers[i].w2, arms[i], c2);
+            let [first, second] = under[i];
+            b[i] = dot(n[i], second) + (turning1[i] * dot(t[i], minus(c1, first))).twice();
+        }
+        let c2 = meet(t, b, *inverse);
+        for i in 0..2 {
+            bodies[self.links[i]].put_second(turning2[i], arms[i], c2);
         }
         GroupError::if_nan(c2[0] + c2[1])
     }
 
+    #[inline(always)]
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -149,13 +159,13 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let &Crossing { t, d, .. } = position;
+        let &Crossing { t, d, inverse, .. } = position;
         GroupError::if_singular(d.abs())?;
-        let n = t.map(perp);
-        let given = self.links.map(|i| loads[i]);
+        let n = [perp(t[0]), perp(t[1])];
+        let given = [loads[self.links[0]], loads[self.links[1]]];
         // Along its guide each link passes its load to the inner pin.
         let (one, two) = (dot(t[0], given[0].force()), dot(t[1], given[1].force()));
-        let force = scaled(T::ONE / d, plus(scaled(two, n[0]), scaled(one, n[1])));
+        let force = scaled(inverse, plus(scaled(two, n[0]), scaled(one, n[1])));
         self.inner.store(force, reactions);
         for (i, at_pin) in [(0, force), (1, opposite(force))] {
             let (load, [ahead, left]) = (given[i], self.levers[i]);

@@ -97,28 +97,29 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     #[inline(always)]
     fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Lines<T>, T), GroupError> {
         GroupError::if_singular(self.d.abs())?;
-        let carrier = bodies[self.outer.body];
+        let carrier = &bodies[self.outer.body];
         let t = self.guides(bodies);
         let a = self.end.place(bodies);
-        let b = self.height + dot(perp(t[1]), minus([carrier.x, carrier.y], a));
+        let b = self.height + dot(perp(t[1]), minus(carrier.origin(), a));
         // (across t2 - b t1) / D with t1 = cosine t2 - D n2: the part across the outer guide is b itself, however far P
         // lies along it.
         let along = (self.across - b * self.cosine) * self.inverse;
         let p = plus(a, plus(scaled(along, t[1]), scaled(b, perp(t[1]))));
         GroupError::if_nan(p[0] + p[1])?;
+        let directions = [carrier.turned(self.turn), carrier.turned(self.outer.turn)];
         let [one, two] = self.links;
         let arms = [
-            bodies[one].put(carrier.turned(self.turn), self.end.own, a),
-            bodies[two].put(carrier.turned(self.outer.turn), self.outer.own, p),
+            bodies[one].put(directions[0], self.end.own, a),
+            bodies[two].put(directions[1], self.outer.own, p),
         ];
         Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
     }
 
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Lines<T> {
-        let [one, two] = self.links.map(|i| &bodies[i]);
+        let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let arms = [one.arm(self.end.own), two.arm(self.outer.own)];
-        let points = [plus([one.x, one.y], arms[0]), plus([two.x, two.y], arms[1])];
+        let points = [plus(one.origin(), arms[0]), plus(two.origin(), arms[1])];
         Lines { points, arms, t: self.guides(bodies) }
     }
 
@@ -136,31 +137,36 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     ) -> Result<(), GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let Lines { points, arms, t } = position;
-        let carrier = bodies[self.outer.body];
+        let carrier = &bodies[self.outer.body];
+        let (turning1, turning2) = (carrier.w1, carrier.w2);
         let [a1, a2] = self.end.motion(bodies, points[0]);
-        let under = points.map(|point| minus(point, [carrier.x, carrier.y]));
+        // The points of the carrier under A and P.
+        let [under_a, under_p] = [
+            carrier.motion(minus(points[0], carrier.origin())),
+            carrier.motion(minus(points[1], carrier.origin())),
+        ];
         // Seen from the carrier, A moves with `v`, and P along the outer guide such that both keep their distance
         // across the inner guide.
         let n = scaled(self.inverse, perp(t[0]));
-        let v = minus(a1, carrier.first(under[0]));
+        let v = minus(a1, under_a[0]);
         let relative = scaled(dot(n, v), t[1]);
-        let p1 = plus(carrier.first(under[1]), relative);
-        for (i, first) in [a1, p1].into_iter().enumerate() {
-            bodies[self.links[i]].put_first(carrier.w1, arms[i], first);
-        }
+        let p1 = plus(under_p[0], relative);
+        let [one, two] = self.links;
+        bodies[one].put_first(turning1, arms[0], a1);
+        bodies[two].put_first(turning1, arms[1], p1);
         if order < Order::Second {
             return GroupError::if_nan(p1[0] + p1[1]);
         }
-        let coriolis = carrier.w1.twice();
-        let a = minus(minus(a2, carrier.second(under[0])), scaled(coriolis, perp(v)));
-        let turning = plus(carrier.second(under[1]), scaled(coriolis, perp(relative)));
+        let coriolis = turning1.twice();
+        let a = minus(minus(a2, under_a[1]), scaled(coriolis, perp(v)));
+        let turning = plus(under_p[1], scaled(coriolis, perp(relative)));
         let p2 = plus(turning, scaled(dot(n, a), t[1]));
-        for (i, second) in [a2, p2].into_iter().enumerate() {
-            bodies[self.links[i]].put_second(carrier.w2, arms[i], second);
-        }
+        bodies[one].put_second(turning2, arms[0], a2);
+        bodies[two].put_second(turning2, arms[1], p2);
         GroupError::if_nan(p2[0] + p2[1])
     }
 
+    #[inline(always)]
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -170,7 +176,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     ) -> Result<(), GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let &Lines { points, arms, t } = position;
-        let [first, second] = self.links.map(|i| loads[i]);
+        let [first, second] = [loads[self.links[0]], loads[self.links[1]]];
         // Along the outer guide link 2 leaves its load to the inner one.
         let normal = dot(t[1], second.force()) * self.inverse;
         let inner = scaled(normal, perp(t[0]));

@@ -41,8 +41,9 @@ pub struct Triangle<T> {
     arms: [[T; 2]; 2],
     /// Direction of the guide.
     t: [T; 2],
-    /// Distance of the pins along the guide.
+    /// Distance of the pins along the guide, and its reciprocal.
     s: T,
+    inverse: T,
     health: T,
 }
 
@@ -74,7 +75,7 @@ impl<T: Real> Rpr<T> {
 
     #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        self.ends.each_ref().map(|end| end.place(bodies))
+        [self.ends[0].place(bodies), self.ends[1].place(bodies)]
     }
 
     #[cold]
@@ -92,8 +93,7 @@ impl<T: Real> Rpr<T> {
     fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
         GroupError::if_singular(health)?;
         let square = s * s + self.e * self.e;
-        let whole = square + self.scale;
-        GroupError::if_lost(health, square / whole)
+        GroupError::if_lost(health, square / (square + self.scale))
     }
 }
 
@@ -114,9 +114,12 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         if !(rest.at_least(-self.slack) && square.exceeds(self.slack)) {
             return Err(self.refusal(square, rest));
         }
-        let s = rest.clamp_negative().sqrt();
-        let health = s / (square + self.scale).sqrt();
-        let s = if way == 0 { s } else { -s };
+        let rest = rest.clamp_negative();
+        let root = rest.sqrt();
+        let health = (rest / (square + self.scale)).sqrt();
+        let s = if way == 0 { root } else { -root };
+        // s / s²: the division does not have to wait for the root.
+        let inverse = s * (T::ONE / rest);
         // t = D / (s + i e), and |s + i e|² = D².
         let t = scaled(T::ONE / square, times(d, [s, -self.e]));
         let [slider, guide] = self.links;
@@ -124,18 +127,18 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
             bodies[slider].put(times(t, self.inner.tilt), self.ends[0].own, pins[0]),
             bodies[guide].put(times(t, mirrored(self.inner.along)), self.ends[1].own, pins[1]),
         ];
-        Ok((Triangle { pins, arms, t, s, health }, health))
+        Ok((Triangle { pins, arms, t, s, inverse, health }, health))
     }
 
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
-        let [slider, guide] = self.links.map(|i| &bodies[i]);
+        let [slider, guide] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let pins = self.pins(bodies);
         let t = guide.turned(self.inner.along);
         let arms = [slider.arm(self.ends[0].own), guide.arm(self.ends[1].own)];
         let s = dot(t, minus(pins[0], pins[1]));
         let health = s.abs() / (s * s + self.e * self.e + self.scale).sqrt();
-        Triangle { pins, arms, t, s, health }
+        Triangle { pins, arms, t, s, inverse: T::ONE / s, health }
     }
 
     #[inline(always)]
@@ -150,11 +153,10 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, t, s, health } = position;
-        self.determined(*s, *health)?;
-        let n = perp(*t);
-        let inverse = T::ONE / *s;
-        let outer = [0, 1].map(|i| self.ends[i].motion(bodies, pins[i]));
+        let &Triangle { pins, arms, t, s, inverse, health } = position;
+        self.determined(s, health)?;
+        let n = perp(t);
+        let outer = [self.ends[0].motion(bodies, pins[0]), self.ends[1].motion(bodies, pins[1])];
         let d1 = minus(outer[0][0], outer[1][0]);
         let w = dot(n, d1) * inverse;
         for i in 0..2 {
@@ -164,8 +166,9 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
             return GroupError::if_nan(w);
         }
         let d2 = minus(outer[0][1], outer[1][1]);
-        let s1 = dot(*t, d1) + self.e * w;
-        let e = (dot(n, d2) - (s1 * w).twice() + self.e * w * w) * inverse;
+        // 2 s' w - e w² with s' = t D' + e w.
+        let turning = w * (dot(t, d1).twice() + self.e * w);
+        let e = (dot(n, d2) - turning) * inverse;
         for i in 0..2 {
             bodies[self.links[i]].put_second(e, arms[i], outer[i][1]);
         }
@@ -177,6 +180,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         (self.slack / (self.e * self.e + self.scale).to_f64()).sqrt()
     }
 
+    #[inline(always)]
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -184,12 +188,12 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let &Triangle { arms, t, s, health, .. } = position;
+        let &Triangle { arms, t, s, inverse, health, .. } = position;
         self.determined(s, health)?;
-        let [one, two] = self.links.map(|i| loads[i]);
+        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
         // The moments of both links about their pins know the normal force only: its arm between the pins is s.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
-        let normal = (m1 + m2) / s;
+        let normal = (m1 + m2) * inverse;
         let force = scaled(normal, perp(t));
         self.inner.store(bodies, force, -(m1 + normal * self.reach[0]), reactions);
         self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);

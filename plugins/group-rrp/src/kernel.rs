@@ -50,9 +50,10 @@ pub struct Triangle<T> {
     n: [T; 2],
     /// C - A.
     r: [T; 2],
-    /// Its components across and along the guide.
+    /// Its components across and along the guide, and 1 / sigma.
     delta: T,
     sigma: T,
+    inverse: T,
 }
 
 impl<T: Real> Rrp<T> {
@@ -128,14 +129,17 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let carrier = &bodies[self.slide.body];
         let [t, n] = self.guide(bodies);
         let a = self.end.place(bodies);
-        let delta = dot(n, minus([carrier.x, carrier.y], a)) + self.height;
+        let delta = dot(n, minus(carrier.origin(), a)) + self.height;
         let (ahead, behind) = (self.length - delta, self.length + delta);
         if !(ahead.at_least(-self.slack) && behind.at_least(-self.slack)) {
             return Err(self.refusal(delta));
         }
-        let sigma = (ahead * behind).clamp_negative().sqrt();
-        let health = sigma * self.inverse_length;
-        let sigma = if way == 0 { sigma } else { -sigma };
+        let square = (ahead * behind).clamp_negative();
+        let root = square.sqrt();
+        let health = root * self.inverse_length;
+        let sigma = if way == 0 { root } else { -root };
+        // sigma / sigma²: the division does not have to wait for the root.
+        let inverse = sigma * (T::ONE / square);
         let r = plus(scaled(delta, n), scaled(sigma, t));
         let c = plus(a, r);
         let direction = carrier.turned(self.slide.turn);
@@ -144,17 +148,19 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
             bodies[rod].put(times(r, self.unrod), self.end.own, a),
             bodies[slider].put(direction, self.inner.at, c),
         ];
-        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma }, health))
+        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse }, health))
     }
 
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [t, n] = self.guide(bodies);
-        let [rod, slider] = self.links.map(|i| &bodies[i]);
+        let [rod, slider] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let a = self.end.place(bodies);
         let r = rod.arm(self.rod);
         let arms = [rod.arm(self.end.own), slider.arm(self.inner.at)];
-        Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma: dot(t, r) }
+        let sigma = dot(t, r);
+        let inverse = T::ONE / sigma;
+        Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma, inverse }
     }
 
     #[inline(always)]
@@ -169,27 +175,29 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, t, n, r, delta, sigma } = position;
+        let Triangle { pins, arms, t, n, r, delta, sigma, inverse } = position;
         self.determined(*sigma, *delta)?;
-        let inverse = T::ONE / *sigma;
         let [rod, slider] = self.links;
-        let carrier = bodies[self.slide.body];
+        let carrier = &bodies[self.slide.body];
         let [a1, a2] = self.end.motion(bodies, pins[0]);
-        let under = minus(pins[1], [carrier.x, carrier.y]);
-        let v = carrier.first(under);
-        let w = dot(*n, minus(v, a1)) * inverse;
+        let [v, under] = carrier.motion(minus(pins[1], carrier.origin()));
+        let (turning1, turning2) = (carrier.w1, carrier.w2);
+        let relative = minus(v, a1);
+        let w = dot(*n, relative) * *inverse;
         let c1 = plus(a1, scaled(w, perp(*r)));
         bodies[rod].put_first(w, arms[0], a1);
-        bodies[slider].put_first(carrier.w1, arms[1], c1);
+        bodies[slider].put_first(turning1, arms[1], c1);
         if order < Order::Second {
             return GroupError::if_nan(w);
         }
         let square = w * w;
-        let coriolis = (carrier.w1 * dot(*t, minus(c1, v))).twice();
-        let e = (dot(*n, minus(carrier.second(under), a2)) + coriolis + square * *delta) * inverse;
+        // C slides with t (C' - v) = -(t relative + w delta), which does not have to wait for C'.
+        let sliding = dot(*t, relative) + w * *delta;
+        let carried = dot(*n, minus(under, a2)) - turning1.twice() * sliding;
+        let e = (carried + square * *delta) * *inverse;
         let c2 = minus(plus(a2, scaled(e, perp(*r))), scaled(square, *r));
         bodies[rod].put_second(e, arms[0], a2);
-        bodies[slider].put_second(carrier.w2, arms[1], c2);
+        bodies[slider].put_second(turning2, arms[1], c2);
         GroupError::if_nan(e)
     }
 
@@ -198,6 +206,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         (2.0 * self.slack * self.inverse_length.to_f64()).sqrt()
     }
 
+    #[inline(always)]
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -205,13 +214,13 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let &Triangle { arms, t, n, delta, sigma, .. } = position;
+        let &Triangle { arms, t, n, delta, sigma, inverse, .. } = position;
         let [ahead, left] = self.lever;
         self.determined(sigma, delta)?;
-        let [one, two] = self.links.map(|i| loads[i]);
+        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
         // Along the guide the inner reaction balances link 2; the moment about A then gives the component across.
         let along = dot(t, two.force());
-        let across = (delta * along - one.about(arms[0])) / sigma;
+        let across = (delta * along - one.about(arms[0])) * inverse;
         let force = plus(scaled(along, t), scaled(across, n));
         self.inner.store(force, reactions);
         self.end.hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);

@@ -47,8 +47,9 @@ pub struct Triangle<T> {
     arms: [[T; 2]; 2],
     /// C - A and C - B.
     r: [[T; 2]; 2],
-    /// r1 x r2.
+    /// r1 x r2, and its reciprocal.
     d: T,
+    inverse: T,
 }
 
 impl<T: Real> Rrr<T> {
@@ -94,7 +95,7 @@ impl<T: Real> Rrr<T> {
 
     #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        self.ends.each_ref().map(|end| end.place(bodies))
+        [self.ends[0].place(bodies), self.ends[1].place(bodies)]
     }
 
     /// Why there is no triangle: a gap, or a direction that is not determined.
@@ -140,9 +141,12 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         if !(far.at_least(-self.slack[0]) && near.at_least(-self.slack[1]) && square.exceeds(self.slack[1])) {
             return Err(self.refusal(square, far, near));
         }
-        let root = (far * near).clamp_negative().sqrt().half();
+        let product = (far * near).clamp_negative();
+        let root = product.sqrt().half();
         let health = root * self.inverse_product;
         let root = if way == 0 { root } else { -root };
+        // root / root²: the division does not have to wait for the root.
+        let inverse_root = root * (T::from_f64(4.0) / product);
         let inverse = T::ONE / square;
         // Both from their own formula: r1 - d would lose the digits of a short second link.
         let part = (self.excess * inverse).half();
@@ -154,15 +158,16 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
             let direction = times(r[i], self.unrods[i]);
             arms[i] = bodies[self.links[i]].put(direction, self.ends[i].own, pins[i]);
         }
-        Ok((Triangle { pins, arms, r, d: root }, health))
+        Ok((Triangle { pins, arms, r, d: root, inverse: inverse_root }, health))
     }
 
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
-        let link = self.links.map(|i| &bodies[i]);
-        let r = [link[0].arm(self.rods[0]), link[1].arm(self.rods[1])];
-        let arms = [link[0].arm(self.ends[0].own), link[1].arm(self.ends[1].own)];
-        Triangle { pins: self.pins(bodies), arms, d: cross(r[0], r[1]), r }
+        let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
+        let r = [one.arm(self.rods[0]), two.arm(self.rods[1])];
+        let arms = [one.arm(self.ends[0].own), two.arm(self.ends[1].own)];
+        let d = cross(r[0], r[1]);
+        Triangle { pins: self.pins(bodies), arms, r, d, inverse: T::ONE / d }
     }
 
     #[inline(always)]
@@ -177,10 +182,9 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, r, d } = position;
-        self.determined(r, *d)?;
-        let inverse = T::ONE / *d;
-        let outer = [0, 1].map(|i| self.ends[i].motion(bodies, pins[i]));
+        let &Triangle { pins, arms, r, d, inverse } = position;
+        self.determined(&r, d)?;
+        let outer = [self.ends[0].motion(bodies, pins[0]), self.ends[1].motion(bodies, pins[1])];
         let v = minus(outer[1][0], outer[0][0]);
         let w = [dot(v, r[1]) * inverse, dot(v, r[0]) * inverse];
         for i in 0..2 {
@@ -207,6 +211,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         (slack * self.inverse_product.to_f64()).sqrt()
     }
 
+    #[inline(always)]
     fn balance(
         &self,
         bodies: &[Body<T>],
@@ -214,12 +219,12 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let Triangle { arms, r, d, .. } = position;
-        self.determined(r, *d)?;
-        let [one, two] = self.links.map(|i| loads[i]);
+        let &Triangle { arms, r, d, inverse, .. } = position;
+        self.determined(&r, d)?;
+        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
         // The moments about A and about B contain only the inner reaction: r1 x F = -m1, r2 x F = m2.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
-        let k = -(T::ONE / *d);
+        let k = -inverse;
         let force = plus(scaled(m2 * k, r[0]), scaled(m1 * k, r[1]));
         self.inner.store(force, reactions);
         self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
