@@ -53,6 +53,14 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("notfinite_d6e81b9875", Message(&["too large"])),
     ("raw_work_r122", Message(&["creeps to rest without end"])),
     ("rests-for-good", Message(&["rests there for good"])),
+    // By hand: 1 m up to 2 s, 3 m more from 5 s to 8 s.
+    (
+        "rests-between-pulses",
+        Numbers(|found| {
+            let last = &found["trajectory"][8];
+            is(&last["time"], 8.0, 1e-6) && is(&last["coordinate"], 4.0, 1e-6)
+        }),
+    ),
     // An independent computation with 40 digits: -6.857 N m in position 12.
     ("st-linear-cw", Numbers(|found| is(&found["positions"][12]["balancing"], -6.857, 1e-3))),
     // Found is not the 120 rpm that are wanted, but 16.91 rad/s, which take 606 W.

@@ -10,6 +10,8 @@ use crate::Calculation;
 const INTERVALS: [usize; 2] = [500, 4000];
 /// Tolerance of the repeated cycle.
 const TOLERANCE: f64 = 1e-10;
+/// Steps that Simpson's rule is applied to, finely and coarsely.
+const STEPS: f64 = 4.0;
 /// Least part of the largest energy that a sum of energies can resolve.
 const ROUNDING: f64 = 1e-12;
 
@@ -75,12 +77,12 @@ struct Balance {
 /// What the power does between two instants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Between {
-    /// It follows one formula, over less than its time constant.
+    /// It follows one formula, and the speed changes little.
     Smooth,
     /// One formula follows another.
     Change,
-    /// It can't be known from the two instants: another formula begins and ends between them, or the motion goes through all
-    /// its speeds.
+    /// It can't be known from the two instants: another formula begins and ends between them, or the motion would go through
+    /// all its speeds in the four steps that are added up together.
     Unseen,
 }
 
@@ -99,7 +101,7 @@ impl Between {
         };
         let left = dimensions.iter().filter(|dimension| leaves(dimension));
         let gain = before.acceleration.abs().max(after.acceleration.abs()) * (after.time - before.time);
-        if gain > fastest || left.clone().any(|dimension| !adjoins(dimension)) {
+        if STEPS * gain > fastest || left.clone().any(|dimension| !adjoins(dimension)) {
             return Self::Unseen;
         }
         if left.count() > 0 { Self::Change } else { Self::Smooth }

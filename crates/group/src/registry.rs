@@ -123,18 +123,22 @@ pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
-/// The registered kind of a group; of several that match, the most specific one (with the fewest pairs of either
-/// sort), then the first by name.
+/// The registered kind of a group; of several that match, the most specific one (with the fewest pairs of either sort).
 ///
 /// # Errors
 ///
-/// [`RegistryError`] if two kinds have one name, or if none is registered.
+/// [`RegistryError`] if two kinds have one name, if none is registered, or if two match equally well.
 pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, RegistryError> {
-    let all = groups()?;
-    Ok(all
-        .into_iter()
-        .filter(|plugin| plugin.pattern.find(frame).is_some())
-        .min_by_key(|plugin| (plugin.pattern.open_pairs(), plugin.name)))
+    let mut matching = groups()?;
+    matching.retain(|plugin| plugin.pattern.find(frame).is_some());
+    matching.sort_by_key(|plugin| plugin.pattern.open_pairs());
+    match matching[..] {
+        [first, second, ..] if first.pattern.open_pairs() == second.pattern.open_pairs() => {
+            let [first, second] = [first, second].map(|plugin| (plugin.name, plugin.crate_name));
+            Err(RegistryError::Ambiguous { what: GroupPlugin::WHAT, first, second })
+        }
+        _ => Ok(matching.first().copied()),
+    }
 }
 
 /// The kernel of a group in one number type.

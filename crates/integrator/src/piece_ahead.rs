@@ -36,7 +36,11 @@ fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, Integ
 
 /// Enters the piece, each time a little further ahead, until it contains states ahead of `state`: a table that repeats
 /// with the cycle may place a row a rounding before or after the bound that it reported.
-fn piece_ahead(equation: &mut Equation<'_>, state: &State, side: f64) -> Result<Piece, IntegrationError> {
+pub(crate) fn piece_ahead(
+    equation: &mut Equation<'_>,
+    state: &State,
+    side: f64,
+) -> Result<Piece, IntegrationError> {
     /// Up to 2^24 roundings, 4e-9: more is not a rounding.
     const TRIALS: i32 = 12;
     for trial in -1..TRIALS {

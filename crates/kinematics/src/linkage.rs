@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, Order};
 use assur_mechanism::Mechanism;
-use assur_number::Lanes;
+use assur_number::{Lanes, Real};
 use assur_structure::Structure;
 
 use crate::dependence::Dependence;
@@ -154,6 +154,15 @@ impl Linkage {
             Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
             _ => coordinate,
         }
+    }
+
+    /// Bodies to begin the solution at a coordinate with, in any number type: groups that iterate are near their poses there.
+    pub fn starting_bodies<T: Real>(&self, coordinate: f64) -> Vec<Body<T>> {
+        let mut bodies = self.chain.bodies();
+        if let Some(guesses) = &self.guesses {
+            guesses.put(self.followed(coordinate), &mut bodies);
+        }
+        bodies.iter().map(|body| body.map(T::from_f64)).collect()
     }
 
     /// The end of the range that separates a coordinate from the first position, if the mechanism would have to pass

@@ -31,6 +31,20 @@ pub enum RegistryError {
         /// The second crate.
         second: &'static str,
     },
+    /// Two plugins fit one thing equally well: a mistake of the build.
+    #[error(
+        "two plugins registered as {what} fit the same thing: `{}` of {} and `{}` of {}; leave one out, or declare one more \
+         precisely",
+        first.0, first.1, second.0, second.1
+    )]
+    Ambiguous {
+        /// The sort of entry.
+        what: &'static str,
+        /// Name and crate of the first one.
+        first: (&'static str, &'static str),
+        /// Name and crate of the second one.
+        second: (&'static str, &'static str),
+    },
     /// Nothing is registered: a mistake of the build.
     #[error("no {what} is registered; the program must link the plugins (`use assur_all as _;`)")]
     Empty {

@@ -3,7 +3,8 @@
 use assur_number::search::try_bisect;
 
 use super::Drive;
-use crate::{EventKind, IntegrationError, Piece, Stepper, Until, enter};
+use crate::piece_ahead::piece_ahead;
+use crate::{EventKind, IntegrationError, Piece, State, Stepper, Until, enter};
 
 /// Number of parts of the remaining time that are searched for a release.
 const STRIDES: f64 = 256.0;
@@ -12,15 +13,16 @@ const STRIDES: f64 = 256.0;
 const FIRST_STRIDE: f64 = 1e-3;
 const GROWTH: f64 = 1.5;
 
+/// Distance from a jump at which the formulas before it hold, s or part of the time: more than the rounding by which an instant
+/// may miss the jump.
+const BESIDE: f64 = 1e-11;
+
 impl<S: Stepper> Drive<'_, S> {
     /// Stays at the present speed until something releases the motion, or to the end.
     pub(super) fn stick(&mut self) -> Result<(), IntegrationError> {
         let at_rest = self.run.node.state.speed == 0.0;
-        let rest_wanted = matches!(self.run.request.until, Until::Turn | Until::Rest);
-        if at_rest && (rest_wanted || !self.run.equation.depends_on_time()) {
-            return self.run.coast_to_end();
-        }
-        self.wait()
+        let ends = self.run.request.until == Until::Turn || !self.run.equation.depends_on_time();
+        if at_rest && ends { self.run.coast_to_end() } else { self.wait() }
     }
 
     fn coast(&mut self, dt: f64) {
@@ -28,42 +30,65 @@ impl<S: Stepper> Drive<'_, S> {
         self.scale.extend(&self.run.node.state);
     }
 
-    /// The piece into which the motion is released if it sticks for `dt` more seconds, and its acceleration.
-    fn release_after(&mut self, dt: f64) -> Result<Option<(Piece, f64)>, IntegrationError> {
+    /// The state if the motion sticks for `dt` more seconds.
+    fn after(&self, dt: f64) -> State {
         let state = self.run.node.state;
-        enter(&mut self.run.equation, &state.coasting_until(state.time + dt), true)
+        state.coasting_until(state.time + dt)
     }
 
-    /// Looks ahead in strides; if the motion is released within a stride, finds the instant.
+    /// The piece into which the motion is released there, and its acceleration.
+    fn release_after(&mut self, dt: f64) -> Result<Option<(Piece, f64)>, IntegrationError> {
+        let state = self.after(dt);
+        enter(&mut self.run.equation, &state, true)
+    }
+
+    /// The seconds from now to the end of the smooth piece of time that begins in `dt` seconds.
+    fn piece_after(&mut self, dt: f64) -> Result<f64, IntegrationError> {
+        let state = self.after(dt);
+        let [_, end] = piece_ahead(&mut self.run.equation, &state, 1.0)?.time;
+        Ok(end - self.run.node.state.time)
+    }
+
+    /// Looks ahead in strides, none of which passes a jump in time; if the motion is released within a stride, finds the
+    /// instant.
     fn wait(&mut self) -> Result<(), IntegrationError> {
-        let latest = self.run.request.latest();
-        let limited = latest.is_finite();
-        let mut stride = if limited { (latest - self.run.node.state.time) / STRIDES } else { FIRST_STRIDE };
+        let start = self.run.node.state.time;
+        let left = self.run.request.latest() - start;
+        let goal = self.time_to_goal();
+        let mut stride = if left.is_finite() { left / STRIDES } else { FIRST_STRIDE };
+        let mut held = 0.0;
         loop {
             self.run.statistics.steps += 1;
             if self.run.is_exhausted() {
+                self.coast(held);
                 return Err(self.too_many_steps());
             }
-            let left = latest - self.run.node.state.time;
-            let dt = stride.min(left).min(self.time_to_goal());
-            if (self.run.node.state.time + dt).is_infinite() {
+            let next = (held + stride).min(left).min(goal).min(self.piece_after(held)?);
+            if (start + next).is_infinite() {
                 // Nothing releases it within any representable time.
                 return self.run.coast_to_end();
             }
-            if self.release_after(dt)?.is_some() {
-                return self.release_within(dt);
+            // What holds before a jump may not hold after it, and the other way round.
+            let before = next - BESIDE * (start + next).abs().max(1.0);
+            for dt in [before, next] {
+                if dt <= held {
+                    continue;
+                }
+                if self.release_after(dt)?.is_some() {
+                    return self.release_within(held, dt);
+                }
+                held = dt;
             }
-            let at_goal = dt >= self.time_to_goal();
-            if dt >= left {
+            if next >= left {
                 self.run.time_is_over()?;
                 return self.run.coast_to_end();
             }
-            self.coast(dt);
-            if at_goal {
+            if next >= goal {
+                self.coast(goal);
                 self.run.finished = true;
                 return Ok(());
             }
-            stride *= if limited { 1.0 } else { GROWTH };
+            stride *= if left.is_finite() { 1.0 } else { GROWTH };
         }
     }
 
@@ -74,9 +99,10 @@ impl<S: Stepper> Drive<'_, S> {
         if time > 0.0 { time } else { f64::INFINITY }
     }
 
-    fn release_within(&mut self, dt: f64) -> Result<(), IntegrationError> {
+    /// Releases the motion, which is held for `held` seconds and not for `dt`.
+    fn release_within(&mut self, held: f64, dt: f64) -> Result<(), IntegrationError> {
         let [_, free] =
-            try_bisect(0.0, dt, 0.0, |dt| self.release_after(dt).map(|released| released.is_none()))?;
+            try_bisect(held, dt, 0.0, |dt| self.release_after(dt).map(|released| released.is_none()))?;
         let released = self.release_after(free)?;
         self.coast(free);
         if let Some((piece, acceleration)) = released {

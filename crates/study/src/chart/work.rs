@@ -95,7 +95,7 @@ impl<'a> Work<'a> {
 
 /// One position by the closed forms in extended precision.
 fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>> {
-    let mut bodies = chain.bodies();
+    let mut bodies = linkage.starting_bodies(q);
     let mut health = vec![Dd::ZERO; chain.groups.len()];
     let ways = linkage.ways.at(q);
     chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;

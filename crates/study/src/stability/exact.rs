@@ -51,7 +51,8 @@ impl<'a> Exact<'a> {
     }
 
     fn bodies(&self, q: f64) -> Option<Vec<Body<Dd>>> {
-        let (mut bodies, mut health) = (self.chain.bodies(), vec![Dd::ZERO; self.chain.groups.len()]);
+        let (mut bodies, mut health) =
+            (self.linkage.starting_bodies(q), vec![Dd::ZERO; self.chain.groups.len()]);
         let ways = self.linkage.ways.at(q);
         self.chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
         Some(bodies)

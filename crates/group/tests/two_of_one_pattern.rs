@@ -1,0 +1,59 @@
+//! The registry refuses two kinds of one pattern. A program of its own, because it spoils the registry.
+
+use assur_group::{
+    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
+    Number, Pattern, RegistryError, Ways, inventory, plugin_for,
+};
+use assur_number::Real;
+
+#[derive(Debug)]
+struct Nothing(GroupFrame);
+
+impl<T: Real> AssurGroup<T> for Nothing {
+    fn frame(&self) -> &GroupFrame {
+        &self.0
+    }
+
+    fn place(&self, _: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
+        Ok(T::ONE)
+    }
+}
+
+impl GroupKind for Nothing {
+    type Kernel<T: Number> = Nothing;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Nothing, BuildError> {
+        Ok(Nothing(frame.clone()))
+    }
+}
+
+const fn entry(name: &'static str) -> GroupPlugin {
+    GroupPlugin {
+        name,
+        kind: "TWICE",
+        number: 0,
+        crate_name: "a crate",
+        summary: "a pattern that is taken",
+        pattern: Pattern { links: 0, inner: &[], outer: &[] },
+        ways: Ways { most: 1, varies: false, words: "one" },
+        iterates: false,
+        singular: "never",
+        force_angle: ForceAngle::DEFAULT,
+        source: "a test",
+        builders: Builders::of::<Nothing>(),
+    }
+}
+
+inventory::submit! { entry("second") }
+inventory::submit! { entry("first") }
+
+#[test]
+fn two_of_one_pattern_are_refused_where_a_group_has_it() {
+    let empty = GroupFrame { links: vec![], inner: vec![], outer: vec![], scale: 1.0 };
+    let error = plugin_for(&empty).unwrap_err();
+    let (first, second) = (("first", "a crate"), ("second", "a crate"));
+    assert_eq!(error, RegistryError::Ambiguous { what: "group", first, second });
+    assert!(error.to_string().contains("`first` of a crate and `second` of a crate"), "{error}");
+    let other = GroupFrame { links: vec![1], ..empty };
+    assert_eq!(plugin_for(&other).map(|found| found.is_none()), Ok(true));
+}
