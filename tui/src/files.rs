@@ -11,7 +11,8 @@ use assur_scene::{SceneErrors, document};
 use assur_structure::StructureError;
 
 pub(crate) use write::{
-    is_same, is_stream, open_stream, put, remove_on_signals, remove_temporaries, write, write_folder,
+    is_same, is_stream, open_stream, put, remove_on_signals, remove_temporaries, write, write_by,
+    write_folder,
 };
 
 /// Why a file is not read or written.

@@ -17,6 +17,7 @@ pub(crate) fn words(progress: Progress) -> String {
         Progress::Motion { time, cycles } => format!("turn {}, t = {} s", cycles + 1, plain(time)),
         Progress::Regime { evaluations } => format!("steady regime, {evaluations} evaluations"),
         Progress::Positions { done, total } => format!("position {done} of {total}"),
+        Progress::Writing { done, total } => format!("writing position {done} of {total}"),
         Progress::Samples { done, total } => format!("instant {done} of {total} of the motion"),
         Progress::Checks { done, total } => format!("checks, {done} of {total}"),
         _ => String::new(),

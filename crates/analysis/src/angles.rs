@@ -13,7 +13,7 @@ use crate::results::{Column, Owner, Quantity, Schema, Table};
 const LONGEST_STEP: f64 = 0.05;
 
 /// Follows the angles of links along the coordinate, from row to row.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Angles {
     /// Column of the angle, and link.
     followed: Vec<(usize, LinkId)>,

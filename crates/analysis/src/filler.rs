@@ -28,14 +28,28 @@ pub(crate) enum Obstacle {
     Refused(String),
 }
 
+impl Schema {
+    /// The columns of the families that apply.
+    pub(crate) fn of(calculation: &Calculation, families: &[Family]) -> Self {
+        let mut schema = Self::new(&calculation.linkage.mechanism);
+        let families = families.iter().filter(|family| (family.applies)(calculation));
+        families.for_each(|family| (family.columns)(calculation, &mut schema));
+        schema
+    }
+}
+
 impl<'a> Filler<'a> {
     /// `with_forces`: whether the rows have forces, if the calculation has them.
-    pub(crate) fn new(calculation: &'a Calculation, families: &[Family], with_forces: bool) -> Self {
-        let families = families.iter().filter(|family| (family.applies)(calculation)).copied();
-        let families: Vec<Family> = families.collect();
-        let mut schema = Schema::new(&calculation.linkage.mechanism);
-        families.iter().for_each(|family| (family.columns)(calculation, &mut schema));
-        let (schema, reader) = (Arc::new(schema), Reader::new(calculation));
+    ///
+    /// `schema`: the columns of the families.
+    pub(crate) fn new(
+        calculation: &'a Calculation,
+        families: &[Family],
+        schema: Arc<Schema>,
+        with_forces: bool,
+    ) -> Self {
+        let families = families.iter().filter(|family| (family.applies)(calculation)).copied().collect();
+        let reader = Reader::new(calculation);
         Self { calculation, families, schema, reader, motions: Motions::default(), with_forces }
     }
 

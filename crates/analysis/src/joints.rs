@@ -1,50 +1,30 @@
-//! Reactions of pairs summed to what each pin and slide exerts on its links.
+//! The forces of pins and slides in one position.
 
 use std::collections::HashSet;
 
-use assur_force::Reactions;
+use assur_force::{Joint, Reactions, joints};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{LinkId, PairId};
 
 /// A force below this part of the greatest of the position has no meaningful line of action.
 const LEAST_FORCE: f64 = 1e-9;
 
-/// The pins and slides of a mechanism, with the pairs of the groups that each consists of, and their reactions in one
-/// position.
+/// The pins and slides of a mechanism, and their forces in one position.
 #[derive(Debug)]
 pub(crate) struct Joints {
-    /// All of them: pins in the order of the points, then slides.
-    all: Vec<Joint>,
-    /// Force on each end of each joint, N.
+    all: Vec<Shown>,
+    /// Force on each link of each joint, N.
     forces: Vec<[f64; 2]>,
 }
 
 /// A pin or slide.
 #[derive(Debug)]
-struct Joint {
+struct Shown {
+    joint: Joint,
     /// Whether results show it.
     wanted: bool,
-    /// The links that it joins; of a slide the sliding link first.
-    ends: Vec<End>,
-    /// The place of its first force in the list of all.
-    first: usize,
-    /// Of a slide: the guide.
-    guide: Option<Guide>,
-}
-
-/// A link in a joint: the reactions of pairs that act on it, each with its sign.
-#[derive(Debug)]
-struct End {
-    terms: Vec<(usize, f64)>,
-}
-
-#[derive(Debug)]
-struct Guide {
-    on: LinkId,
-    /// Its direction in the frame of that link: cosine, sine.
-    along: [f64; 2],
-    /// Pairs whose moments act on the sliding link.
-    pairs: Vec<usize>,
+    /// Of a slide: the link of its guide, and the direction of the guide in the frame of that link.
+    guide: Option<(LinkId, [f64; 2])>,
 }
 
 /// The reactions of one joint.
@@ -67,50 +47,30 @@ pub(crate) fn ends(linkage: &Linkage, pair: PairId) -> Vec<LinkId> {
 
 impl Joints {
     pub(crate) fn of(linkage: &Linkage, wanted: &[PairId]) -> Self {
-        let mechanism = &linkage.mechanism;
-        let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
-        let slides = (0..mechanism.slides.len()).map(PairId::Slide);
         let wanted: HashSet<PairId> = wanted.iter().copied().collect();
-        let (mut all, mut first) = (Vec::new(), 0);
-        for pair in pins.map(|(point, _)| PairId::Pin(point)).chain(slides) {
-            let pairs = linkage.structure.pairs.iter().enumerate().filter(|(_, named)| named.source == pair);
-            let terms = |link: LinkId| {
-                let sign =
-                    |a: LinkId, b: LinkId| f64::from(u8::from(link == a)) - f64::from(u8::from(link == b));
-                let each = pairs.clone().map(|(index, named)| (index, sign(named.pair.a, named.pair.b)));
-                End { terms: each.filter(|(_, sign)| *sign != 0.0).collect() }
-            };
-            let ends: Vec<End> = ends(linkage, pair).into_iter().map(terms).collect();
-            let guide = match pair {
+        let shown = |joint: Joint| {
+            let guide = match joint.id {
                 PairId::Pin(_) => None,
                 PairId::Slide(slide) => {
-                    let slide = &mechanism.slides[slide];
+                    let slide = &linkage.mechanism.slides[slide];
                     let (s, c) = slide.angle.sin_cos();
-                    Some(Guide {
-                        on: slide.on,
-                        along: [c, s],
-                        pairs: pairs.map(|(index, _)| index).collect(),
-                    })
+                    Some((slide.on, [c, s]))
                 }
             };
-            let joint = Joint { wanted: wanted.contains(&pair), first, guide, ends };
-            first += joint.ends.len();
-            all.push(joint);
-        }
-        Self { all, forces: vec![[0.0; 2]; first] }
+            Shown { wanted: wanted.contains(&joint.id), joint, guide }
+        };
+        let all = joints(&linkage.mechanism, &linkage.structure).into_iter().map(shown);
+        Self { all: all.collect(), forces: Vec::new() }
     }
 
-    /// Sums the reactions of a position.
+    /// Sums the reactions of the pairs in a position.
     pub(crate) fn sum(&mut self, reactions: &Reactions) {
-        let mut forces = self.forces.iter_mut();
-        for end in self.all.iter().flat_map(|joint| &joint.ends) {
-            let Some(force) = forces.next() else { return };
-            *force = [0.0; 2];
-            for (pair, sign) in &end.terms {
-                force[0] += sign * reactions.pairs[*pair].fx;
-                force[1] += sign * reactions.pairs[*pair].fy;
-            }
-        }
+        self.forces.clear();
+        let Self { all, forces } = self;
+        let each = all.iter().map(|shown| &shown.joint);
+        forces.extend(
+            each.flat_map(|joint| (0..joint.links.len()).map(|nth| joint.force(nth, &reactions.pairs))),
+        );
     }
 
     /// The joints that results show with their reactions in a position, which [`sum`](Self::sum) has summed.
@@ -120,11 +80,15 @@ impl Joints {
         position: &'a Position,
     ) -> impl Iterator<Item = JointForces<'a>> {
         let greatest = self.forces.iter().map(|force| force[0].hypot(force[1])).fold(0.0, f64::max);
-        self.all.iter().filter(|joint| joint.wanted).map(move |joint| {
-            let forces = &self.forces[joint.first..joint.first + joint.ends.len()];
-            let slide = joint.guide.as_ref().map(|guide| {
-                let moment = guide.pairs.iter().fold(0.0, |sum, pair| sum + reactions.pairs[*pair].m);
-                let along = position.bodies[guide.on].turned(guide.along);
+        let mut rest = &self.forces[..];
+        let each = self.all.iter().map(move |shown| {
+            let (forces, after) = rest.split_at(shown.joint.links.len().min(rest.len()));
+            rest = after;
+            (shown, forces)
+        });
+        each.filter(|(shown, _)| shown.wanted).map(move |(shown, forces)| {
+            let slide = shown.joint.moment(&reactions.pairs).zip(shown.guide).map(|(moment, (on, along))| {
+                let along = position.bodies[on].turned(along);
                 let normal = along[0] * forces[0][1] - along[1] * forces[0][0];
                 (moment, (normal.abs() > LEAST_FORCE * greatest).then(|| moment / normal))
             });

@@ -4,6 +4,7 @@
 //! the results of the scene. Knows no concrete plugin, no file and no terminal.
 
 mod angles;
+mod blocks;
 mod calculation;
 mod checks;
 mod dynamics;
@@ -27,6 +28,7 @@ pub use assur_check::Coverage;
 pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, methods};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};
+pub use positions::{MOST_FAILURES, MOST_KEPT};
 pub use progress::{Progress, Stopped, Watch, unwatched};
 
 #[cfg(test)]

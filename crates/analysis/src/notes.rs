@@ -14,7 +14,7 @@ const LOST: &str = "the mechanism stands at a change point (determinant of a gro
 
 impl Calculation {
     /// Notes for the results; `positions` at which forces are not determined, and `samples` of a motion without them.
-    pub(crate) fn notes(&self, positions: &[usize], samples: &WithoutForces) -> Vec<String> {
+    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<String> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.poles());
@@ -31,7 +31,7 @@ impl Calculation {
             }));
         }
         if !positions.is_empty() {
-            notes.push(format!("No reactions in {}: {LOST}.", listed("position", positions)));
+            notes.push(format!("No reactions in {}: {LOST}.", positions.words()));
         }
         if samples.at_change_points > 0 {
             let count = counted("sample", samples.at_change_points);
@@ -79,11 +79,46 @@ fn counted(thing: &str, count: usize) -> String {
     format!("{count} {thing}{plural}")
 }
 
-/// Numbered things: "position 3", "positions 3, 11".
-fn listed(thing: &str, numbers: &[usize]) -> String {
-    let plural = if numbers.len() == 1 { "" } else { "s" };
-    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
-    format!("{thing}{plural} {}", numbers.join(", "))
+/// Positions by their numbers, of which the first ones are listed.
+#[derive(Debug, Default)]
+pub(crate) struct Listed {
+    first: Vec<usize>,
+    count: usize,
+}
+
+impl Listed {
+    /// Most numbers that are listed.
+    const MOST: usize = 100;
+
+    pub(crate) fn add(&mut self, number: usize) {
+        self.count += 1;
+        if self.first.len() < Self::MOST {
+            self.first.push(number);
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// "position 3", "positions 3, 11".
+    pub(crate) fn words(&self) -> String {
+        let plural = if self.count == 1 { "" } else { "s" };
+        let numbers: Vec<_> = self.first.iter().map(ToString::to_string).collect();
+        let more = match self.count - self.first.len() {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        format!("position{plural} {}{more}", numbers.join(", "))
+    }
+}
+
+impl FromIterator<usize> for Listed {
+    fn from_iter<I: IntoIterator<Item = usize>>(numbers: I) -> Self {
+        let mut listed = Self::default();
+        numbers.into_iter().for_each(|number| listed.add(number));
+        listed
+    }
 }
 
 /// Parts of the scene and of the choice of methods that are not used.

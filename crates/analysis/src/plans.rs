@@ -2,17 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::results::{Analysis, Column, Cycle, Named, Owner, Part, Quantity, Schema, Table};
+use crate::results::{Analysis, Column, Cycle, Named, Owner, Part, Quantity, Schema, Survey, Table};
 use assur_diagram::{
-    DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Solver, constructions, enveloping, sheet,
-    sign_changes, split,
+    DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Sizes, Solver, constructions, enveloping,
+    sheet, sign_changes, split,
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
-use assur_mechanism::{PairId, Range};
+use assur_mechanism::{LinkId, PairId, Range};
+use assur_structure::name_of;
 
 use crate::Calculation;
 
+/// Most places of the path of a contact.
+const MOST_OF_PATH: usize = 3600;
 /// A guide whose force stays below this part of the greatest reaction is unloaded: the force is rounding.
 const LEAST_FORCE: f64 = 1e-9;
 
@@ -95,14 +98,15 @@ impl Calculation {
     }
 
     /// Results from the reactions of all positions, and the geometry of the contacts.
-    pub(crate) fn cycle(&self, positions: &Table) -> Cycle {
+    pub(crate) fn cycle(&self, survey: &Survey) -> Cycle {
+        let mechanism = &self.linkage.mechanism;
+        let closed = matches!(mechanism.input.range, Range::Cycle(_));
+        let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
+            sizes.extreme(name_of(mechanism, *pair).to_owned(), mechanism.links[*link].name.clone(), closed)
+        };
         Cycle {
-            reaction_extremes: self
-                .hodographs(positions)
-                .iter()
-                .map(|curve| curve.extreme(&with_reactions(positions)))
-                .collect(),
-            sign_changes: self.sign_changes(positions),
+            reaction_extremes: survey.sizes.iter().filter_map(extreme).collect(),
+            sign_changes: self.sign_changes(survey),
             enveloping: self.enveloping(),
             ..Cycle::default()
         }
@@ -134,19 +138,19 @@ impl Calculation {
         }
         let mechanism = &self.linkage.mechanism;
         let each = mechanism.contacts.iter();
-        each.filter_map(|contact| enveloping(&self.linkage, contact, mechanism.input.positions).ok())
-            .collect()
+        let count = mechanism.input.positions.min(MOST_OF_PATH);
+        each.filter_map(|contact| enveloping(&self.linkage, contact, count).ok()).collect()
     }
 
     /// Of the guides with a force; none where a position is missing, because the force is unknown there.
-    fn sign_changes(&self, positions: &Table) -> Named<Vec<SignChange>> {
+    fn sign_changes(&self, survey: &Survey) -> Named<Vec<SignChange>> {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
             return Named::default();
         };
         let state_at = |coordinate: f64| self.state(coordinate);
-        let least = LEAST_FORCE * greatest(positions, |_| true);
+        let least = LEAST_FORCE * greatest(survey, |_| true);
         let slides = self.plan.wanted.reactions.iter().filter_map(|pair| match pair {
-            PairId::Slide(slide) if greatest(positions, |of| of == *pair) > least => Some(*slide),
+            PairId::Slide(slide) if greatest(survey, |of| of == *pair) > least => Some(*slide),
             _ => None,
         });
         let slides: Vec<usize> = slides.collect();
@@ -172,21 +176,10 @@ fn is_force(column: &Column) -> bool {
     column.quantity == Quantity::Force && column.part == Part::X && column.cause.is_none()
 }
 
-/// Numbers of the positions that have reactions.
-fn with_reactions(positions: &Table) -> Vec<usize> {
-    let Some(&force) = positions.schema().select(is_force).first() else { return Vec::new() };
-    let each = positions.numbers().iter().zip(positions.each(force));
-    each.filter_map(|(number, force)| force.map(|_| *number)).collect()
-}
-
 /// Greatest force in some pairs, N.
-fn greatest(positions: &Table, wanted: impl Fn(PairId) -> bool) -> f64 {
-    let schema = positions.schema();
-    let of =
-        |column: &Column| matches!(column.owner, Owner::PairOn(pair, _) if wanted(pair)) && is_force(column);
-    let forces =
-        schema.select(of).into_iter().flat_map(|x| positions.values(x).iter().zip(positions.values(x + 1)));
-    forces.map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max)
+fn greatest(survey: &Survey, wanted: impl Fn(PairId) -> bool) -> f64 {
+    let pairs = survey.sizes.iter().filter(|(pair, ..)| wanted(*pair));
+    pairs.map(|(.., sizes)| sizes.greatest()).fold(0.0, f64::max)
 }
 
 /// Columns of the shares of single causes, for the reactions of a table.

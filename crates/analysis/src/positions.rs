@@ -1,55 +1,63 @@
 //! Calculation of all positions.
 
+use std::convert::Infallible;
+
 use assur_group::Order;
 
 use crate::angles::Angles;
-use crate::families::POSITIONS;
-use crate::filler::{Filler, Obstacle};
-use crate::progress::{Stopped, Watch, step};
-use crate::results::{Analysis, Cycle, Failure, InputReport, Table};
+use crate::blocks::{Blocks, Starts};
+use crate::notes::Listed;
+use crate::progress::{Stopped, Watch};
+use crate::results::{Analysis, Failure, InputReport, Survey, Table};
 use crate::{Calculation, Progress, structure};
+
+/// Most positions that an [`Analysis`] keeps; of more, every so many.
+pub const MOST_KEPT: usize = 4096;
+/// Most failures that are kept in full.
+pub const MOST_FAILURES: usize = 1000;
 
 /// The positions of a scene.
 struct Positions {
-    table: Table,
+    kept: Table,
+    starts: Starts,
+    survey: Survey,
     failures: Vec<Failure>,
     /// Positions at a change point, where reactions are not determined.
-    at_change_points: Vec<usize>,
+    at_change_points: Listed,
 }
 
 impl Calculation {
-    /// The positions that can't be assembled; nothing else is calculated.
-    pub fn failures(&self) -> Vec<Failure> {
+    /// The positions that can't be assembled, at most [`MOST_FAILURES`] of them, and how many there are; nothing else is
+    /// calculated.
+    pub fn failures(&self) -> (Vec<Failure>, usize) {
         let mut position = self.linkage.position();
-        let indices = 0..self.linkage.mechanism.input.positions;
-        let failed = indices.filter_map(|index| {
-            let error = self.linkage.solve_index(index, Order::Place, &mut position).err()?;
-            Some(Failure { index, coordinate: error.coordinate, message: error.to_string() })
-        });
-        failed.collect()
+        let (mut failures, mut count) = (Vec::new(), 0);
+        for index in 0..self.linkage.mechanism.input.positions {
+            let Err(error) = self.linkage.solve_index(index, Order::Place, &mut position) else { continue };
+            count += 1;
+            if failures.len() < MOST_FAILURES {
+                failures.push(Failure { index, coordinate: error.coordinate, message: error.to_string() });
+            }
+        }
+        (failures, count)
     }
 
     /// Calculates the results of the scene, without [`checks`](Self::checks). A position without a solution is among
     /// the failures; one without forces too, and keeps the other results.
     ///
+    /// Of more than [`MOST_KEPT`] positions only every so many are kept; [`each_block`](Self::each_block) gives all.
+    ///
     /// # Errors
     ///
     /// [`Stopped`] where `watch` breaks.
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
-        let found = self.analyze_positions(watch)?;
-        Ok(Analysis { cycle: self.cycle(&found.positions), ..found })
-    }
-
-    /// Calculates the positions and the motion without the results over the whole cycle (extremes of the reactions,
-    /// sides of the guides, contacts): for grids of many scenes, which do not use them.
-    ///
-    /// # Errors
-    ///
-    /// [`Stopped`] where `watch` breaks.
-    pub fn analyze_positions(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
-        let positions = self.positions(watch)?;
+        let positions = self.positions(mechanism.input.positions.div_ceil(MOST_KEPT), watch)?;
         let (trajectory, without_forces) = self.trajectory(watch)?;
+        let mut notes = self.notes(&positions.at_change_points, &without_forces);
+        if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
+            notes.push(format!("{more} more failures are not listed."));
+        }
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
@@ -58,38 +66,74 @@ impl Calculation {
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
             structure: structure::report(&self.linkage, !self.plan.is_partial()),
-            cycle: Cycle::default(),
-            positions: positions.table,
+            cycle: self.cycle(&positions.survey),
+            positions: positions.kept,
+            starts: positions.starts,
+            survey: positions.survey,
             failures: positions.failures,
             trajectory,
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.as_ref().map(ToString::to_string),
-            notes: self.notes(&positions.at_change_points, &without_forces),
+            notes,
             checks: Vec::new(),
         })
     }
 
-    fn positions(&self, watch: &mut Watch<'_>) -> Result<Positions, Stopped> {
-        let mut filler = Filler::new(self, POSITIONS, self.positions_have_forces());
-        let mut found =
-            Positions { table: filler.table(), failures: Vec::new(), at_change_points: Vec::new() };
-        let input = &self.linkage.mechanism.input;
-        let total = input.positions;
-        for index in 0..total {
-            step(watch, Progress::Positions { done: index, total })?;
-            let message = match filler.position(index, &mut found.table) {
-                Ok(None) => continue,
-                Ok(Some(Obstacle::ChangePoint)) => {
-                    found.at_change_points.push(index);
-                    continue;
-                }
-                Ok(Some(Obstacle::Refused(error))) => format!("position {index}: {error}"),
-                Err(error) => error.to_string(),
-            };
-            found.failures.push(Failure { index, coordinate: input.coordinate(index), message });
+    /// All positions, of which every `stride`-th is kept.
+    fn positions(&self, stride: usize, watch: &mut Watch<'_>) -> Result<Positions, Stopped> {
+        let blocks = Blocks::new(self);
+        let mut angles = Angles::new(&blocks.schema);
+        let mut found = Positions {
+            kept: Table::new(blocks.schema.clone()),
+            starts: Starts::default(),
+            survey: Survey::new(&blocks.schema),
+            failures: Vec::new(),
+            at_change_points: Listed::default(),
+        };
+        let progress = |done, total| Progress::Positions { done, total };
+        blocks
+            .each(
+                watch,
+                progress,
+                |_, block| block,
+                |mut block| {
+                    found.starts.follow(&mut angles, self, &mut block.table);
+                    found.survey.add(&block.table);
+                    found.survey.failures += block.failures.len();
+                    found.kept.append(&block.table, stride);
+                    let room = MOST_FAILURES - found.failures.len();
+                    found.failures.extend(block.failures.into_iter().take(room));
+                    block.at_change_points.into_iter().for_each(|index| found.at_change_points.add(index));
+                    Ok::<_, Infallible>(())
+                },
+            )
+            .map(|Ok(())| found)
+    }
+
+    /// All positions of an analysis in their order: `work` makes something of each block of rows, on any thread, and
+    /// `take` receives it in order; an error of `take` ends it.
+    ///
+    /// Where the analysis keeps all positions they are one block, and nothing is calculated again.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where `watch` breaks; the inner error is that of `take`.
+    pub fn each_block<T: Send, E>(
+        &self,
+        analysis: &Analysis,
+        watch: &mut Watch<'_>,
+        work: impl Fn(&Table) -> T + Sync,
+        mut take: impl FnMut(T) -> Result<(), E>,
+    ) -> Result<Result<(), E>, Stopped> {
+        if analysis.is_complete() {
+            return Ok(take(work(&analysis.positions)));
         }
-        Angles::new(found.table.schema()).follow(&self.linkage, &mut found.table);
-        Ok(found)
+        let progress = |done, total| Progress::Writing { done, total };
+        let continued = |number, mut block: crate::blocks::Block| {
+            analysis.starts.continue_block(number, self, &mut block.table);
+            work(&block.table)
+        };
+        Blocks::new(self).each(watch, progress, continued, &mut take)
     }
 }

@@ -50,6 +50,13 @@ pub enum Progress {
         /// How many there are.
         total: usize,
     },
+    /// The positions are calculated again, and written.
+    Writing {
+        /// How many are done.
+        done: usize,
+        /// How many there are.
+        total: usize,
+    },
     /// The samples of a motion are calculated.
     Samples {
         /// How many are done.

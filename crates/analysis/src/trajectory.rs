@@ -1,5 +1,7 @@
 //! The motion over time: every sample of a transient motion, one cycle of a steady one.
 
+use std::sync::Arc;
+
 use assur_dynamics::Instant;
 use assur_force::State;
 
@@ -7,7 +9,7 @@ use crate::angles::Angles;
 use crate::filler::{Filler, Obstacle};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
-use crate::results::Table;
+use crate::results::{Schema, Table};
 use crate::{Calculation, InputMotion, Progress};
 
 /// Samples of a motion that have no forces.
@@ -61,7 +63,9 @@ impl Calculation {
     /// The samples, with forces for a transient motion, because its positions have none; and where they are missing.
     pub(crate) fn trajectory(&self, watch: &mut Watch<'_>) -> Result<(Table, WithoutForces), Stopped> {
         let transient = matches!(self.motion, InputMotion::Transient(_));
-        let mut filler = Filler::new(self, self.families_of_motion(), transient);
+        let families = self.families_of_motion();
+        let schema = Arc::new(Schema::of(self, families));
+        let mut filler = Filler::new(self, families, schema, transient);
         let (mut table, mut without) = (filler.table(), WithoutForces::default());
         let instants = self.instants();
         let total = instants.len();

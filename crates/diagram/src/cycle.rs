@@ -39,39 +39,59 @@ pub struct Hodograph {
 /// Relative difference below which moduli count as equal.
 const TIE: f64 = 1e-9;
 
-impl Hodograph {
-    /// Greatest modulus, the first position that has it, and root mean square. `indices`: the numbers of the positions.
+/// The size of one reaction as its positions are added, in their order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sizes {
+    /// Moduli that are greater than all before them and near the greatest: size, position, coordinate.
+    records: Vec<(f64, usize, f64)>,
+    count: usize,
+    sum_of_squares: f64,
+    /// Integral of the square over the coordinate, by trapezoids.
+    integral: f64,
+    first: f64,
+    /// Coordinate and square of the last position.
+    last: [f64; 2],
+}
+
+impl Sizes {
+    /// Adds the force in a position of this number and coordinate.
+    pub fn add(&mut self, index: usize, coordinate: f64, force: [f64; 2]) {
+        let size = length(force);
+        let square = size * size;
+        let greatest = self.greatest();
+        if self.count == 0 || size > greatest {
+            self.records.retain(|record| record.0 >= size * (1.0 - TIE));
+            self.records.push((size, index, coordinate));
+        }
+        if self.count == 0 {
+            self.first = coordinate;
+        } else {
+            self.integral += 0.5 * (self.last[1] + square) * (coordinate - self.last[0]);
+        }
+        self.sum_of_squares += square;
+        self.last = [coordinate, square];
+        self.count += 1;
+    }
+
+    /// The greatest modulus, N.
+    pub fn greatest(&self) -> f64 {
+        self.records.last().map_or(0.0, |record| record.0)
+    }
+
+    /// Greatest modulus, the first position that has it, and root mean square; `None` without positions. `closed`:
+    /// whether the positions make a whole cycle.
     ///
     /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by
     /// trapezoids.
-    pub fn extreme(&self, indices: &[usize]) -> Extreme {
-        let sizes: Vec<f64> = self.points.iter().map(|force| length(*force)).collect();
-        let greatest = sizes.iter().copied().fold(0.0, f64::max);
+    pub fn extreme(&self, joint: String, on: String, closed: bool) -> Option<Extreme> {
         // A cycle often has two equal maxima; rounding must not decide between them.
-        let at = sizes.iter().position(|size| *size >= greatest * (1.0 - TIE)).unwrap_or(0);
-        let squares: Vec<[f64; 2]> = self
-            .coordinates
-            .iter()
-            .zip(&sizes)
-            .map(|(coordinate, size)| [*coordinate, size * size])
-            .collect();
-        Extreme {
-            joint: self.joint.clone(),
-            on: self.on.clone(),
-            greatest,
-            index: indices.get(at).copied().unwrap_or(at),
-            coordinate: self.coordinates.get(at).copied().unwrap_or(f64::NAN),
-            rms: mean(&squares, self.closed).sqrt(),
-        }
+        let (_, index, coordinate) = *self.records.first()?;
+        let range = self.last[0] - self.first;
+        let mean = if closed || range == 0.0 {
+            self.sum_of_squares / self.count as f64
+        } else {
+            self.integral / range
+        };
+        Some(Extreme { joint, on, greatest: self.greatest(), index, coordinate, rms: mean.sqrt() })
     }
-}
-
-/// Mean of values over the coordinate, rows (coordinate, value).
-fn mean(rows: &[[f64; 2]], closed: bool) -> f64 {
-    let range = rows.last().map_or(0.0, |last| last[0] - rows[0][0]);
-    if closed || range == 0.0 {
-        return rows.iter().map(|row| row[1]).sum::<f64>() / (rows.len().max(1) as f64);
-    }
-    let areas = rows.windows(2).map(|two| 0.5 * (two[0][1] + two[1][1]) * (two[1][0] - two[0][0]));
-    areas.sum::<f64>() / range
 }

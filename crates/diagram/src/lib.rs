@@ -24,7 +24,7 @@ mod split;
 mod text;
 
 pub use construction::construction_plans;
-pub use cycle::{Extreme, Hodograph};
+pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
 pub use joint::{JointForce, joint_forces};

@@ -11,6 +11,8 @@ use crate::DiagramError;
 
 /// A force below this part of the greatest is zero up to rounding, and has no side.
 const ROUNDING: f64 = 1e-12;
+/// Of more positions only so many are examined for changes.
+const MOST_POSITIONS: usize = 3600;
 /// Number of bisections: down to rounding.
 const HALVINGS: usize = 60;
 /// Least number of coordinates over the range of the input at which the forces are computed, even with fewer positions
@@ -70,7 +72,11 @@ pub fn sign_changes(
     let input = &solver.linkage.mechanism.input;
     // The position after the last is the first one of the next cycle.
     let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
-    let positions: Vec<f64> = (0..input.positions + closing).map(|index| input.coordinate(index)).collect();
+    let last = input.positions + closing - 1;
+    // Of very many positions every so many are enough to find the changes.
+    let stride = last.div_ceil(MOST_POSITIONS).max(1);
+    let numbers: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+    let positions: Vec<f64> = numbers.iter().map(|index| input.coordinate(*index)).collect();
     let samples = samples(solver.loads, &positions, state_at);
     let mut across = Across::new(*solver, slides, state_at);
     let forces: Vec<Vec<f64>> =
@@ -79,7 +85,33 @@ pub fn sign_changes(
         let forces = samples.iter().zip(&forces).map(|(sample, all)| (*sample, all[nth]));
         changes(&positions, &forces.collect::<Vec<_>>(), &mut |coordinate| Ok(across.all(coordinate)?[nth]))
     };
-    (0..slides.len()).map(of).collect()
+    let mut found: Vec<Vec<SignChange>> = (0..slides.len()).map(of).collect::<Result<_, _>>()?;
+    if stride > 1 {
+        let step = positions[1] - positions[0];
+        let mut force = |coordinate: f64, nth: usize| Ok::<_, DiagramError>(across.all(coordinate)?[nth]);
+        for (nth, changes) in found.iter_mut().enumerate() {
+            for change in changes {
+                // The positions beside the change, instead of the examined ones.
+                let passed = |index: usize| (input.coordinate(index) - change.coordinate) * step <= 0.0;
+                let range = numbers[change.after_index]..numbers[change.after_index + 1];
+                let before = last_that(range, passed);
+                change.after_index = before;
+                change.before = force(input.coordinate(before), nth)?;
+                change.after = force(input.coordinate(before + 1), nth)?;
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The last number of a range for which a condition holds that holds up to some number; the first if it never holds.
+fn last_that(range: std::ops::Range<usize>, holds: impl Fn(usize) -> bool) -> usize {
+    let (mut low, mut high) = (range.start, range.end);
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    low
 }
 
 /// A coordinate at which the forces are computed.

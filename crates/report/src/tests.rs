@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::csv::{Cell, CsvError, to_csv, write};
+use crate::csv::{Cell, CsvError, Sheet, of_positions, write};
 use crate::json::analysis::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
-    Analysis, Column, Cycle, InputReport, Owner, Quantity, Schema, Section, StructureReport, Table,
+    Analysis, Column, Cycle, InputReport, Owner, Quantity, Schema, Section, Starts, StructureReport, Survey,
+    Table,
 };
 use assur_mechanism::{Mechanism, PairId};
 
@@ -66,6 +67,8 @@ fn analysis(angle: f64) -> Analysis {
             pairs: 1,
             groups: Vec::new(),
         },
+        survey: Survey::of(&positions),
+        starts: Starts::default(),
         positions,
         failures: Vec::new(),
         trajectory: Table::new(Arc::new(motion)),
@@ -110,8 +113,6 @@ fn numbers_that_are_not_finite_are_never_written() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let fault = to_json(&analysis(bad), false).unwrap_err().to_string();
         assert!(fault.contains("`positions[0].links.größe.pf0` is not finite"), "{fault}");
-        let fault = to_csv(&analysis(bad), false).unwrap_err().to_string();
-        assert!(fault.contains("`positions[0].links.größe.pf0` is not finite"), "{fault}");
         let fault = write(&["a", "b"], [[Cell::Empty, Cell::Number(bad)]], false).unwrap_err();
         assert!(matches!(&fault, CsvError::NotFinite { column, row: 1 } if column == "b"), "{fault}");
         let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
@@ -122,9 +123,15 @@ fn numbers_that_are_not_finite_are_never_written() {
 
 #[test]
 fn csv_reads_back() {
-    let files = to_csv(&analysis(1.5), false).unwrap();
-    assert_eq!(files.iter().map(|file| file.name).collect::<Vec<_>>(), ["positions.csv", "reactions.csv"]);
-    let mut reader = ::csv::Reader::from_reader(files[0].text.as_bytes());
+    let analysis = analysis(1.5);
+    let sheets = of_positions(&analysis, false);
+    assert_eq!(sheets.iter().map(|sheet| sheet.file).collect::<Vec<_>>(), ["positions.csv", "reactions.csv"]);
+    let text = |sheet: &Sheet| {
+        let text = [sheet.header().unwrap(), sheet.rows(&analysis.positions)].concat();
+        String::from_utf8(text).unwrap()
+    };
+    let texts: Vec<String> = sheets.iter().map(text).collect();
+    let mut reader = ::csv::Reader::from_reader(texts[0].as_bytes());
     let header = reader.headers().unwrap().clone();
     let row = reader.records().next().unwrap().unwrap();
     let cell =
@@ -132,9 +139,9 @@ fn csv_reads_back() {
     assert_eq!(cell("coordinate_rad").to_bits(), (0.1_f64 + 0.2).to_bits());
     assert_eq!(cell("A_x_m").to_bits(), 1e-300_f64.to_bits());
     assert_eq!(cell("A_y_m").to_bits(), (2.0_f64 / 3.0).to_bits());
-    assert!(files[1].text.starts_with("index,coordinate_rad,balancing_Nm,ram/ground_ram_fx_N,"));
-    assert!(files[0].text.ends_with("\n5,7,7,7,7,7,7,7,7,7,7,\n"), "{}", files[0].text);
-    assert!(files[1].text.ends_with("\n5,7,4,,,,,\n"), "{}", files[1].text);
+    assert!(texts[1].starts_with("index,coordinate_rad,balancing_Nm,ram/ground_ram_fx_N,"));
+    assert!(texts[0].ends_with("\n5,7,7,7,7,7,7,7,7,7,7,\n"), "{}", texts[0]);
+    assert!(texts[1].ends_with("\n5,7,4,,,,,\n"), "{}", texts[1]);
 }
 
 #[test]

@@ -98,8 +98,9 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;
     let report = text::report(&analysis, &calculation.linkage.mechanism, true);
     clean("report", &report.map_err(|why| Finding::new("not finite", why))?, scene)?;
-    for file in csv::to_csv(&analysis, true).map_err(|why| Finding::new("CSV", why))? {
-        unique_columns(&file.text)?;
+    for sheet in csv::of_positions(&analysis, true).into_iter().chain(csv::of_trajectory(&analysis, true)) {
+        let header = sheet.header().map_err(|why| Finding::new("CSV", why))?;
+        unique_columns(&String::from_utf8_lossy(&header))?;
     }
     let messages = analysis.failures.iter().map(|failure| &failure.message).chain(&analysis.no_motion);
     for message in messages {

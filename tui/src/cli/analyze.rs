@@ -1,10 +1,11 @@
 //! `assur analyze`.
 
+use std::io::{self, Write};
 use std::path::Path;
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Check, Failure};
-use assur_report::{csv, json};
+use assur_analysis::results::{Analysis, Check, Failure, Table};
+use assur_report::{csv, json, parquet};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -16,11 +17,11 @@ use crate::progress::ProgressLine;
 
 /// Most failures that are printed in full; of the others only the numbers.
 const MOST: usize = 3;
+/// Most numbers of further failures.
+const MOST_NUMBERS: usize = 100;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
-    if args.format == Format::Csv && args.output.is_none() {
-        return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
-    }
+    let form = Form::of(args)?;
     let scene = &args.checked.scene;
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
     let study = scene::study(scene, style)?;
@@ -28,7 +29,6 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let line = ProgressLine::new();
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
     analysis.checks = study.checks(args.checked.checks.into(), &mut line.watch()).map_err(Fault::other)?;
-    drop(line);
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
     if let Err(problem) = json::analysis::finite(&analysis) {
         style.tell(&format!("error: {problem}"));
@@ -36,25 +36,121 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     }
     let found = analysis.failures.is_empty() && analysis.no_motion.is_none();
     let status = if found { added } else { Status::Failed };
-    let written = match args.format {
-        Format::Json => {
-            output.write(json::analysis::to_json(&analysis, style.ascii_data).map_err(Fault::other)?, status)
-        }
-        Format::Csv => {
-            output.write_folder(&csv::to_csv(&analysis, style.ascii_data).map_err(Fault::other)?, status)
-        }
-        Format::Text => {
+    let results = Results { study: &study, analysis: &analysis, line: &line, style };
+    let written = match form {
+        Form::Json => results.json(output, status),
+        Form::Csv => results.csv(output, status),
+        Form::Parquet => results.parquet(output, status),
+        Form::Text => {
             let report = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
             output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
         }
     };
+    drop(line);
     for note in &analysis.notes {
         style.tell(&format!("note: {note}"));
     }
-    tell_failures(&analysis.failures, style);
+    if form == Form::Parquet && !analysis.trajectory.is_empty() {
+        style.tell(
+            "note: Parquet has the positions; the motion over time is written by `--format csv -o FOLDER`.",
+        );
+    }
+    tell_failures(&analysis.failures, analysis.survey.failures, style);
     tell_no_motion(&study, &scene.scene, style);
     tell_checks(&analysis.checks, style);
     written.map(|()| status)
+}
+
+/// Form of the results, by the format and the name of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Text,
+    Json,
+    Csv,
+    Parquet,
+}
+
+impl Form {
+    fn of(args: &AnalyzeArgs) -> Result<Self, Fault> {
+        let ending = args.output.as_deref().and_then(|path| path.extension());
+        let parquet = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
+        match (args.format, parquet) {
+            (Format::Text, true) => Ok(Self::Parquet),
+            (_, true) => Err(Fault::other("*.parquet is a form of its own; leave `--format` out")),
+            (Format::Csv, _) if args.output.is_none() => {
+                Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"))
+            }
+            (Format::Csv, _) => Ok(Self::Csv),
+            (Format::Json, _) => Ok(Self::Json),
+            (Format::Text, _) => Ok(Self::Text),
+        }
+    }
+}
+
+/// Results to be written: positions that are not kept are calculated once more, block by block.
+struct Results<'a> {
+    study: &'a Calculation,
+    analysis: &'a Analysis,
+    line: &'a ProgressLine,
+    style: Style,
+}
+
+impl Results<'_> {
+    /// Writes something of each block of positions.
+    fn each<T: Send>(
+        &self,
+        work: impl Fn(&Table) -> T + Sync,
+        take: impl FnMut(T) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let done = self.study.each_block(self.analysis, &mut self.line.watch(), work, take);
+        done.map_err(io::Error::other)?
+    }
+
+    fn json(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+        let around =
+            json::analysis::Around::of(self.analysis, self.style.ascii_data).map_err(Fault::other)?;
+        output.write_by(status, |out| {
+            out.write_all(&around.before)?;
+            let mut first = true;
+            self.each(
+                |table| around.rows(table),
+                |rows| {
+                    // Each row stands after a comma, but the first of all.
+                    let skipped = usize::from(first && !rows.is_empty());
+                    first &= rows.is_empty();
+                    out.write_all(&rows[skipped..])
+                },
+            )?;
+            out.write_all(&around.after)
+        })
+    }
+
+    fn csv(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+        let ascii = self.style.ascii_data;
+        let sheets = csv::of_positions(self.analysis, ascii);
+        let trajectory = csv::of_trajectory(self.analysis, ascii);
+        let headers = sheets.iter().chain(&trajectory).map(csv::Sheet::header);
+        let headers = headers.collect::<Result<Vec<_>, _>>().map_err(Fault::other)?;
+        let names: Vec<&str> = sheets.iter().chain(&trajectory).map(|sheet| sheet.file).collect();
+        output.write_folder(status, &csv::FILES, &names, |outs| {
+            outs.iter_mut().zip(&headers).try_for_each(|(out, header)| out.write_all(header))?;
+            if let (Some(sheet), Some(out)) = (&trajectory, outs.last_mut()) {
+                out.write_all(&sheet.rows(&self.analysis.trajectory))?;
+            }
+            self.each(
+                |table| sheets.iter().map(|sheet| sheet.rows(table)).collect::<Vec<_>>(),
+                |texts| outs.iter_mut().zip(&texts).try_for_each(|(out, text)| out.write_all(text)),
+            )
+        })
+    }
+
+    fn parquet(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+        output.write_by(status, |out| {
+            let mut writer = parquet::Writer::new(self.analysis, out).map_err(io::Error::other)?;
+            self.each(Table::clone, |table| writer.add(&table).map_err(io::Error::other))?;
+            writer.finish().map_err(io::Error::other)
+        })
+    }
 }
 
 /// Checks that fail, or that could check nothing, are reported on standard error.
@@ -74,13 +170,15 @@ pub(crate) fn tell_no_motion(study: &Calculation, path: &Path, style: Style) {
     }
 }
 
-/// Positions without a solution are reported on standard error, the first ones in full.
-pub(crate) fn tell_failures(failures: &[Failure], style: Style) {
+/// Positions without a solution are reported on standard error, the first ones in full; `count`: how many there are.
+pub(crate) fn tell_failures(failures: &[Failure], count: usize, style: Style) {
     for Failure { message, .. } in failures.iter().take(MOST) {
         style.tell(&format!("error: {message}"));
     }
-    if failures.len() > MOST {
-        let rest: Vec<_> = failures[MOST..].iter().map(|failure| failure.index.to_string()).collect();
-        style.tell(&format!("error: no solution in {} more positions: {}", rest.len(), rest.join(", ")));
+    if let Some(more) = count.checked_sub(MOST).filter(|more| *more > 0) {
+        let rest: Vec<_> =
+            failures.iter().skip(MOST).take(MOST_NUMBERS).map(|failure| failure.index.to_string()).collect();
+        let dots = if rest.len() < more { ", ..." } else { "" };
+        style.tell(&format!("error: no solution in {more} more positions: {}{dots}", rest.join(", ")));
     }
 }

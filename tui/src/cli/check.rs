@@ -19,8 +19,8 @@ pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     if !judged {
         style.tell("not judged: no check could judge any position, so that nothing is proved");
     }
-    let failures = study.failures();
-    analyze::tell_failures(&failures, style);
+    let (failures, count) = study.failures();
+    analyze::tell_failures(&failures, count, style);
     analyze::tell_no_motion(&study, &args.scene.scene, style);
     let holds =
         failures.is_empty() && study.no_motion.is_none() && judged && !checks.iter().any(Check::failed);

@@ -1,9 +1,9 @@
 //! Writing results: to standard output, to a file, or into a folder.
 
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use assur_report::csv::CsvFile;
+use tempfile::NamedTempFile;
 
 use super::fault::{Fault, Status};
 use crate::files::{self, FileError};
@@ -37,26 +37,43 @@ impl<'a> Output<'a> {
 
     /// Writes one text or file; results of a command that fails never replace a file.
     pub(crate) fn write(self, content: impl AsRef<[u8]>, status: Status) -> Result<(), Fault> {
+        self.write_by(status, |out| out.write_all(content.as_ref()))
+    }
+
+    /// Writes one text or file by a function; results of a command that fails never replace a file.
+    pub(crate) fn write_by(
+        self,
+        status: Status,
+        fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+    ) -> Result<(), Fault> {
         let Some(path) = self.target else {
-            return print(&String::from_utf8_lossy(content.as_ref()));
+            let mut stdout = io::stdout();
+            return fill(&mut stdout).and_then(|()| stdout.flush()).map_err(Fault::stdout);
         };
         refuse_partial(path, status)?;
         files::remove_on_signals();
-        Ok(files::write(path, content)?)
+        Ok(files::write_by(path, fill)?)
     }
 
-    /// Writes CSV files into the folder; results of a command that fails never replace those of an earlier run.
-    pub(crate) fn write_folder(self, files: &[CsvFile], status: Status) -> Result<(), Fault> {
+    /// Writes some of all possible files into the folder by a function; results of a command that fails never replace
+    /// those of an earlier run.
+    pub(crate) fn write_folder(
+        self,
+        status: Status,
+        all: &[&str],
+        names: &[&str],
+        fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
+    ) -> Result<(), Fault> {
         let Some(folder) = self.target else {
             return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
         };
-        for name in assur_report::csv::FILES {
+        for name in all {
             let path = folder.join(name);
             self.refuse_scene(&path)?;
             refuse_partial(&path, status)?;
         }
         files::remove_on_signals();
-        Ok(files::write_folder(folder, files)?)
+        Ok(files::write_folder(folder, all, names, fill)?)
     }
 }
 

@@ -2,11 +2,10 @@
 //! it.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use assur_report::csv::{self, CsvFile};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
@@ -21,21 +20,33 @@ static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Writes a file completely: a failure leaves the old content in place. Devices and pipes are written to directly.
 pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), FileError> {
-    let (content, fault) = (content.as_ref(), |error| FileError::write(path, error));
-    match fs::metadata(path) {
-        Ok(found) if found.is_dir() => Err(FileError::write(path, "it is a folder; name a file")),
-        Ok(found) if !found.is_file() || is_stream(path) => {
-            stream(path, content).map_err(|error| match error.kind() {
-                io::ErrorKind::BrokenPipe => FileError::Reader,
-                _ => fault(error),
-            })
-        }
-        _ => Replacement::of(path, content).and_then(Replacement::put).map_err(fault),
+    write_by(path, |out| out.write_all(content.as_ref()))
+}
+
+/// Writes a file by a function, with the care of [`write`].
+pub(crate) fn write_by(
+    path: &Path,
+    fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> Result<(), FileError> {
+    let fault = |error: io::Error| match error.kind() {
+        io::ErrorKind::BrokenPipe => FileError::Reader,
+        _ => FileError::write(path, error),
+    };
+    if path.is_dir() {
+        return Err(FileError::write(path, "it is a folder; name a file"));
     }
+    if let Some(stream) = open_stream(path) {
+        return stream.and_then(|mut stream| fill(&mut stream).and_then(|()| stream.flush())).map_err(fault);
+    }
+    let replacement = Replacement::of(path).and_then(|mut replacement| {
+        fill(&mut replacement.content)?;
+        replacement.content.as_file().sync_all().map(|()| replacement)
+    });
+    replacement.and_then(Replacement::put).map_err(fault)
 }
 
 /// A device, a pipe or an open stream, to be written to as it is; `None` where a path means a file.
-pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write>>> {
+pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write + Send>>> {
     let special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
     if !special && !is_stream(path) {
         return None;
@@ -43,7 +54,7 @@ pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write>>> {
     if is_standard_output(path) {
         return Some(Ok(Box::new(io::stdout())));
     }
-    Some(OpenOptions::new().append(true).open(path).map(|file| Box::new(file) as Box<dyn Write>))
+    Some(OpenOptions::new().append(true).open(path).map(|file| Box::new(file) as Box<dyn Write + Send>))
 }
 
 /// Puts a complete file in the place of another one, or where none is, with the care of [`write`].
@@ -52,37 +63,56 @@ pub(crate) fn put(complete: &Path, path: &Path) -> Result<(), FileError> {
     take_place(complete, &real).map_err(|error| FileError::write(path, error))
 }
 
-/// Writes CSV files into a folder: all of them, or none. Files of an earlier run that this run does not write are
-/// removed.
-pub(crate) fn write_folder(folder: &Path, files: &[CsvFile]) -> Result<(), FileError> {
+/// Writes some files into a folder by a function: all of them, or none. Files of `all` that an earlier run left and this
+/// run does not write are removed.
+pub(crate) fn write_folder(
+    folder: &Path,
+    all: &[&str],
+    names: &[&str],
+    fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
+) -> Result<(), FileError> {
     if fs::metadata(folder).is_ok_and(|found| !found.is_dir()) {
-        return Err(FileError::write(folder, "csv goes into a folder, and this is a file"));
+        return Err(FileError::write(folder, "several files go into a folder, and this is a file"));
     }
     let created = !folder.exists();
     if created {
         fs::create_dir(folder).map_err(|error| FileError::write(folder, error))?;
     }
-    // Replacing several files is not atomic, so everything that can be checked is checked first.
-    let all = files.iter().map(|file| {
-        let path = folder.join(file.name);
-        Replacement::of(&path, file.text.as_bytes()).map_err(|error| FileError::write(&path, error))
-    });
-    let all: Vec<Replacement> = all.collect::<Result<_, _>>().inspect_err(|_| {
+    // Replacing several files is not atomic, so everything that can fail before is done first.
+    let ready = filled(folder, names, fill).inspect_err(|_| {
         if created {
             let _ = fs::remove_dir(folder);
         }
     })?;
-    for replacement in all {
+    for replacement in ready {
         let path = replacement.path.clone();
         replacement.put().map_err(|error| FileError::write(&path, error))?;
     }
-    for name in csv::FILES.iter().filter(|name| files.iter().all(|file| file.name != **name)) {
+    for name in all.iter().filter(|name| !names.contains(name)) {
         let stale = folder.join(name);
         if fs::symlink_metadata(&stale).is_ok_and(|found| found.is_file()) {
             fs::remove_file(&stale).map_err(|error| FileError::write(&stale, error))?;
         }
     }
     Ok(())
+}
+
+/// Files that are complete, but not in their places yet.
+fn filled(
+    folder: &Path,
+    names: &[&str],
+    fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
+) -> Result<Vec<Replacement>, FileError> {
+    let open = |name: &&str| {
+        let path = folder.join(name);
+        Replacement::of(&path).map_err(|error| FileError::write(&path, error))
+    };
+    let mut all = names.iter().map(open).collect::<Result<Vec<_>, _>>()?;
+    let mut outs: Vec<_> = all.iter_mut().map(|one| BufWriter::new(&mut one.content)).collect();
+    let done = fill(&mut outs).and_then(|()| outs.iter_mut().try_for_each(BufWriter::flush));
+    drop(outs);
+    let synced = done.and_then(|()| all.iter().try_for_each(|one| one.content.as_file().sync_all()));
+    synced.map_err(|error| FileError::write(folder, error)).map(|()| all)
 }
 
 /// Whether two paths lead to one file, also through links and other spellings.
@@ -122,15 +152,6 @@ fn is_standard_output(path: &Path) -> bool {
     stream_of(path).is_some_and(|stream| names.contains(&stream.as_path()))
 }
 
-/// Writes to what exists: to a file that is open as a stream at its end, because its owner opened it.
-fn stream(path: &Path, content: &[u8]) -> io::Result<()> {
-    if is_standard_output(path) {
-        let mut stdout = io::stdout().lock();
-        return stdout.write_all(content).and_then(|()| stdout.flush());
-    }
-    OpenOptions::new().append(true).open(path)?.write_all(content)
-}
-
 /// New content next to its target; removed unless it replaces the target.
 struct Replacement {
     content: NamedTempFile,
@@ -138,8 +159,8 @@ struct Replacement {
 }
 
 impl Replacement {
-    /// Writes the content into a temporary file next to the target; a symbolic link stays, and its target is replaced.
-    fn of(path: &Path, content: &[u8]) -> io::Result<Self> {
+    /// An empty temporary file next to the target; a symbolic link stays, and its target is replaced.
+    fn of(path: &Path) -> io::Result<Self> {
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if let Ok(old) = fs::metadata(&path) {
             if !old.is_file() {
@@ -165,10 +186,7 @@ impl Replacement {
         };
         let file = builder.tempfile_in(folder)?;
         temporaries().push(file.path().to_owned());
-        let mut replacement = Self { content: file, path };
-        replacement.content.write_all(content)?;
-        replacement.content.as_file().sync_all()?;
-        Ok(replacement)
+        Ok(Self { content: file, path })
     }
 
     /// Replaces the content of the target.

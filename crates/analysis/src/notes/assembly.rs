@@ -5,7 +5,7 @@ use std::fmt::Write;
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Motion, Range};
 
-use super::listed;
+use super::Listed;
 use crate::Calculation;
 
 /// Change points of several groups nearer than this count as one, rad or m.
@@ -28,14 +28,15 @@ impl Calculation {
         let words: Vec<String> = places.iter().map(|(at, groups)| self.change_point(*at, groups)).collect();
         let input = &linkage.mechanism.input;
         let across = |index: &usize| linkage.is_interpolated(input.coordinate(*index));
-        let positions: Vec<usize> = (0..input.positions).filter(across).collect();
-        let interpolated = match &positions[..] {
-            [] => String::new(),
-            numbers => format!(
+        let positions: Listed = (0..input.positions).filter(across).collect();
+        let interpolated = if positions.is_empty() {
+            String::new()
+        } else {
+            format!(
                 " In {} the equations of the group say nothing or little (0/0): the motion there is interpolated \
                  from both sides.",
-                listed("position", numbers)
-            ),
+                positions.words()
+            )
         };
         (!words.is_empty()).then(|| {
             format!(
@@ -54,14 +55,18 @@ impl Calculation {
         // Nothing is solved again if no position is beyond a gap.
         (0..input.positions).find(|index| linkage.barrier(input.coordinate(*index)).is_some())?;
         let mut position = linkage.position();
-        let mut solves = |index: usize| linkage.solve_index(index, Order::Place, &mut position).is_ok();
-        let solved: Vec<bool> = (0..input.positions).map(&mut solves).collect();
-        let behind = |index: &usize| solved[*index] && linkage.barrier(input.coordinate(*index)).is_some();
-        let behind: Vec<usize> = (0..input.positions).filter(behind).collect();
-        let (end, failure) = linkage.barrier(input.coordinate(*behind.first()?))?;
-        let (back, beyond): (Vec<usize>, Vec<usize>) =
-            behind.into_iter().partition(|index| linkage.reaches(input.coordinate(*index)));
-        if beyond.is_empty() && solved.contains(&false) {
+        let (mut back, mut beyond, mut unsolved, mut first) = (Runs::default(), Runs::default(), false, None);
+        for index in 0..input.positions {
+            if linkage.solve_index(index, Order::Place, &mut position).is_err() {
+                unsolved = true;
+            } else if linkage.barrier(input.coordinate(index)).is_some() {
+                first.get_or_insert(index);
+                let reached = linkage.reaches(input.coordinate(index));
+                if reached { &mut back } else { &mut beyond }.add(index);
+            }
+        }
+        let (end, failure) = linkage.barrier(input.coordinate(first?))?;
+        if beyond.is_empty() && unsolved {
             return None;
         }
         let gap = match failure.source {
@@ -74,12 +79,12 @@ impl Calculation {
             linkage.structure.group_name(&linkage.mechanism, failure.group)
         );
         if !back.is_empty() {
-            let are = if back.len() == 1 { "is" } else { "are" };
-            let _ = write!(note, " {} {are} reached by turning back only.", runs(&back));
+            let are = if back.is_single() { "is" } else { "are" };
+            let _ = write!(note, " {} {are} reached by turning back only.", back.words());
         }
         if !beyond.is_empty() {
-            let are = if beyond.len() == 1 { "is a place" } else { "are places" };
-            let _ = write!(note, " {} {are} of the mechanism, but not of that motion.", runs(&beyond));
+            let are = if beyond.is_single() { "is a place" } else { "are places" };
+            let _ = write!(note, " {} {are} of the mechanism, but not of that motion.", beyond.words());
         }
         Some(note)
     }
@@ -154,12 +159,32 @@ impl Calculation {
     }
 }
 
-/// Increasing numbers of positions in words: "Positions 3, 11 to 47", "Position 3".
-fn runs(numbers: &[usize]) -> String {
-    let parts = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
-        [first, .., last] => format!("{first} to {last}"),
-        _ => run.iter().map(ToString::to_string).collect(),
-    });
-    let plural = if numbers.len() == 1 { "" } else { "s" };
-    format!("Position{plural} {}", parts.collect::<Vec<_>>().join(", "))
+/// Increasing numbers of positions, as runs of consecutive ones.
+#[derive(Debug, Default)]
+struct Runs(Vec<[usize; 2]>);
+
+impl Runs {
+    fn add(&mut self, number: usize) {
+        match self.0.last_mut() {
+            Some([_, last]) if *last + 1 == number => *last = number,
+            _ => self.0.push([number; 2]),
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    fn is_single(&self) -> bool {
+        matches!(self.0[..], [[first, last]] if first == last)
+    }
+
+    /// "Positions 3, 11 to 47", "Position 3".
+    fn words(&self) -> String {
+        let part = |[first, last]: &[usize; 2]| {
+            if first == last { first.to_string() } else { format!("{first} to {last}") }
+        };
+        let plural = if self.is_single() { "" } else { "s" };
+        format!("Position{plural} {}", self.0.iter().map(part).collect::<Vec<_>>().join(", "))
+    }
 }

@@ -3,7 +3,7 @@
 use assur_group::Order;
 use assur_mechanism::Spring;
 
-use super::listed;
+use super::Listed;
 use crate::Calculation;
 
 impl Calculation {
@@ -23,14 +23,14 @@ impl Calculation {
         };
         let pushing = mechanism.springs.iter().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0);
         let words = pushing.filter_map(|spring| {
-            let found: Vec<usize> =
+            let found: Listed =
                 (0..mechanism.input.positions).filter(|index| meets(spring, *index)).collect();
             (!found.is_empty()).then(|| {
                 format!(
                     "The ends of spring `{}` meet in {}: it has no direction and gives no force there, though its free length \
                      is {} m; place one end elsewhere.",
                     spring.name,
-                    listed("position", &found),
+                    found.words(),
                     spring.length
                 )
             })

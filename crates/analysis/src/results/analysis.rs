@@ -3,7 +3,7 @@
 use assur_check::Check;
 use serde::Serialize;
 
-use crate::results::{Cycle, Dynamics, Integration, StructureReport, Table};
+use crate::results::{Cycle, Dynamics, Integration, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,8 +14,12 @@ pub struct Analysis {
     pub input: InputReport,
     /// Mobility, groups, formula.
     pub structure: StructureReport,
-    /// The positions that exist, in order, each with its number.
+    /// Positions that exist, in order, each with its number: all, or of very many every so many.
     pub positions: Table,
+    /// What is known about all positions.
+    pub survey: Survey,
+    /// What lets single blocks of positions be calculated again.
+    pub starts: Starts,
     /// Positions that have no solution.
     pub failures: Vec<Failure>,
     /// Transient and steady motion: samples over time.
@@ -35,6 +39,11 @@ pub struct Analysis {
 }
 
 impl Analysis {
+    /// Whether all positions are kept.
+    pub fn is_complete(&self) -> bool {
+        self.positions.len() == self.survey.rows
+    }
+
     /// Whether a position, the motion, or a check, failed.
     pub fn failed(&self) -> bool {
         self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(Check::failed)

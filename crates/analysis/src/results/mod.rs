@@ -27,8 +27,10 @@ mod motion;
 mod named;
 mod schema;
 mod structure;
+mod survey;
 mod table;
 
+pub use crate::blocks::Starts;
 pub use analysis::{Analysis, Failure, InputReport};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
@@ -39,4 +41,5 @@ pub use motion::{Energy, Integration};
 pub use named::Named;
 pub use schema::{Base, Column, Owner, Part, Quantity, Schema, Section, Unit};
 pub use structure::{GroupReport, StructureReport};
+pub use survey::Survey;
 pub use table::{Cells, Table};

@@ -39,11 +39,17 @@ impl Table {
         Cells { table: self, column: 0 }
     }
 
-    /// Adds the rows of another table of the same schema at the end.
-    pub(crate) fn append(&mut self, rows: &Self) {
-        self.numbers.extend_from_slice(&rows.numbers);
-        self.columns.iter_mut().zip(&rows.columns).for_each(|(own, more)| own.extend_from_slice(more));
-        self.present.iter_mut().zip(&rows.present).for_each(|(own, more)| own.extend_from_slice(more));
+    /// Adds rows of another table of the same schema at the end: those whose number is a multiple of `stride`.
+    pub(crate) fn append(&mut self, more: &Self, stride: usize) {
+        let rows: Vec<usize> =
+            (0..more.len()).filter(|row| more.numbers[*row].is_multiple_of(stride)).collect();
+        self.numbers.extend(rows.iter().map(|row| more.numbers[*row]));
+        for (own, more) in self.columns.iter_mut().zip(&more.columns) {
+            own.extend(rows.iter().map(|row| more[*row]));
+        }
+        for (own, more) in self.present.iter_mut().zip(&more.present) {
+            own.extend(rows.iter().map(|row| more[*row]));
+        }
     }
 
     /// Replaces the numbers of a column; each row keeps whether it has one.

@@ -2,7 +2,7 @@ use assur_force::{Loads, State, analyzers};
 use assur_group::Wrench;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
-use crate::{Hodograph, joint_forces, split};
+use crate::{Extreme, Hodograph, Sizes, joint_forces, split};
 
 /// The polar diagram of the reaction in the pin on the arm in the positions of the scene.
 fn hodograph(scene: &str, closed: bool) -> Hodograph {
@@ -65,11 +65,19 @@ fn causes_are_named_weight_inertia_and_loads() {
 const ROTOR: &str = "gravity = 10\n[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0, A = 0.5 }\nmass = 2\ncenter = 'A'\n\
     [input]\nlink = 'arm'\npositions = 8\n[motion]\nspeed = 3\n";
 
+/// The extreme of a reaction in positions that are numbered from `first` on.
+fn extreme(curve: &Hodograph, first: usize) -> Extreme {
+    let mut sizes = Sizes::default();
+    for (index, (coordinate, force)) in curve.coordinates.iter().zip(&curve.points).enumerate() {
+        sizes.add(first + index, *coordinate, *force);
+    }
+    sizes.extreme(curve.joint.clone(), curve.on.clone(), curve.closed).unwrap()
+}
+
 #[test]
 fn greatest_and_root_mean_square_of_a_rotor() {
     let curve = hodograph(ROTOR, true);
-    let numbers: Vec<usize> = (10..18).collect();
-    let found = curve.extreme(&numbers);
+    let found = extreme(&curve, 10);
     // Centripetal 2 * 9 * 0.5 = 9 N, weight 20 N: 29 N below (position 6, 270 degrees); mean square 20^2 + 9^2.
     assert!((found.greatest - 29.0).abs() < 1e-12 && found.index == 16);
     assert!((found.coordinate - 1.5 * std::f64::consts::PI).abs() < 1e-12);
@@ -80,8 +88,8 @@ fn greatest_and_root_mean_square_of_a_rotor() {
 
 #[test]
 fn over_a_range_the_mean_is_by_trapezoids() {
-    let found =
-        hodograph(&ROTOR.replace("positions = 8", "to = 2\npositions = 3"), false).extreme(&[0, 1, 2]);
+    let curve = hodograph(&ROTOR.replace("positions = 8", "to = 2\npositions = 3"), false);
+    let found = extreme(&curve, 0);
     // |R|^2 = 481 - 2 * 9 * 20 sin q at q = 0, 1, 2, weights 1/4, 1/2, 1/4.
     let square = |q: f64| 481.0 - 360.0 * q.sin();
     let wanted = 0.25 * square(0.0) + 0.5 * square(1.0) + 0.25 * square(2.0);

@@ -3,37 +3,40 @@
 use assur_analysis::results::{Analysis, Base, Column, Owner, Part, Quantity, Schema, Table};
 
 use super::{CsvError, header, number};
-use crate::json::analysis::finite;
 use crate::template::{Template, Templates};
 
-/// The names of all files that [`to_csv`] may give.
+/// The names of all files that an analysis may have.
 pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
 
-/// One CSV file: its name and its text.
+/// One CSV file: its columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct CsvFile {
+pub struct Sheet {
     /// `positions.csv`
-    pub name: &'static str,
-    /// The rows.
-    pub text: String,
+    pub file: &'static str,
+    /// Columns of the table, and their names.
+    columns: Vec<(usize, String)>,
+    /// Whether the number of the position stands in front.
+    numbered: bool,
+    ascii: bool,
 }
 
-/// The files that apply: `positions.csv`, `reactions.csv`, `trajectory.csv`.
-///
-/// # Errors
-///
-/// [`CsvError`] for a number that is not finite.
-pub fn to_csv(analysis: &Analysis, ascii: bool) -> Result<Vec<CsvFile>, CsvError> {
-    let analysis = finite(analysis)?;
-    let (positions, trajectory) = (&analysis.positions, &analysis.trajectory);
-    let mut files = vec![CsvFile { name: FILES[0], text: text(positions, &places(positions), true, ascii)? }];
-    if positions.schema().find(Column::BALANCING).is_some_and(|balancing| positions.has(balancing)) {
-        files.push(CsvFile { name: FILES[1], text: text(positions, &reactions(positions), true, ascii)? });
+/// The files of the positions: `positions.csv`, and `reactions.csv` where it applies; `ascii`: no character beyond ASCII.
+pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<Sheet> {
+    let schema = analysis.positions.schema();
+    let has = |column: usize| analysis.survey.has(schema.section_of(column));
+    let sheet = |file, columns| Sheet { file, columns, numbered: true, ascii };
+    let mut sheets = vec![sheet(FILES[0], places(schema, &has))];
+    if schema.find(Column::BALANCING).is_some_and(has) {
+        sheets.push(sheet(FILES[1], reactions(schema, &has)));
     }
-    if !trajectory.is_empty() {
-        files.push(CsvFile { name: FILES[2], text: text(trajectory, &samples(trajectory), false, ascii)? });
-    }
-    Ok(files)
+    sheets
+}
+
+/// The file of the motion over time, `trajectory.csv`, where it applies.
+pub fn of_trajectory(analysis: &Analysis, ascii: bool) -> Option<Sheet> {
+    let table = &analysis.trajectory;
+    let columns = samples(table.schema(), &|column| table.has(column));
+    (!table.is_empty()).then_some(Sheet { file: FILES[2], columns, numbered: false, ascii })
 }
 
 /// Whether a column is about forces.
@@ -41,52 +44,65 @@ fn is_reaction(column: Column) -> bool {
     matches!(column.quantity, Quantity::Force | Quantity::Moment | Quantity::Balancing)
 }
 
+/// Whether any row has a number in a column.
+type Has<'a> = dyn Fn(usize) -> bool + 'a;
+
 /// Columns that CSV has, with numbers in any row, in the order of the schema.
-fn shown(table: &Table, wanted: impl Fn(Column) -> bool) -> Vec<(usize, String)> {
-    let schema = table.schema();
-    let each = schema.select(|column| wanted(*column)).into_iter().filter(|column| table.has(*column));
+fn shown(schema: &Schema, has: &Has<'_>, wanted: impl Fn(Column) -> bool) -> Vec<(usize, String)> {
+    let each = schema.select(|column| wanted(*column)).into_iter().filter(|column| has(*column));
     each.filter_map(|column| Some((column, name(schema, schema.columns()[column])?))).collect()
 }
 
-fn places(table: &Table) -> Vec<(usize, String)> {
-    shown(table, |column| !is_reaction(column))
+fn places(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
+    shown(schema, has, |column| !is_reaction(column))
 }
 
-fn reactions(table: &Table) -> Vec<(usize, String)> {
+fn reactions(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
     // The balancing load stands before the reactions.
-    let mut all =
-        shown(table, |column| column == Column::COORDINATE || column.quantity == Quantity::Balancing);
-    all.extend(shown(table, |column| is_reaction(column) && column.quantity != Quantity::Balancing));
+    let is_first = |column: Column| column == Column::COORDINATE || column.quantity == Quantity::Balancing;
+    let mut all = shown(schema, has, is_first);
+    all.extend(shown(schema, has, |column| is_reaction(column) && !is_first(column)));
     all
 }
 
-fn samples(table: &Table) -> Vec<(usize, String)> {
-    let mut all = places(table);
+fn samples(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
+    let mut all = places(schema, has);
     // The balancing load of a motion is what the drive does.
-    let drive = shown(table, |column| column.quantity == Quantity::Balancing).into_iter();
+    let drive = shown(schema, has, |column| column.quantity == Quantity::Balancing).into_iter();
     all.extend(drive.map(|(column, name)| (column, name.replace("balancing", "drive"))));
-    all.extend(shown(table, |column| is_reaction(column) && column.quantity != Quantity::Balancing));
+    all.extend(shown(schema, has, |column| is_reaction(column) && column.quantity != Quantity::Balancing));
     all
 }
 
-/// The header and the rows; `numbered`: the number of the position in front.
-fn text(table: &Table, columns: &[(usize, String)], numbered: bool, ascii: bool) -> Result<String, CsvError> {
-    let index = numbered.then_some("index");
-    let names = index.into_iter().chain(columns.iter().map(|(_, name)| name.as_str()));
-    let mut out = header(&names.collect::<Vec<_>>(), ascii)?;
-    let mut templates = Templates::new(table, columns.iter().map(|(column, _)| *column));
-    for row in 0..table.len() {
-        if numbered {
-            out.extend_from_slice(table.numbers()[row].to_string().as_bytes());
-        }
-        templates.of(table, row, |has| template(columns, numbered, has)).write(table, row, &mut out, number);
+impl Sheet {
+    /// The header row.
+    ///
+    /// # Errors
+    ///
+    /// [`CsvError`] if the writer fails.
+    pub fn header(&self) -> Result<Vec<u8>, CsvError> {
+        let index = self.numbered.then_some("index");
+        let names = index.into_iter().chain(self.columns.iter().map(|(_, name)| name.as_str()));
+        Ok(header(&names.collect::<Vec<_>>(), self.ascii)?)
     }
-    // Only UTF-8 was written.
-    Ok(String::from_utf8_lossy(&out).into_owned())
+
+    /// The rows of a table, whose numbers are finite.
+    pub fn rows(&self, table: &Table) -> Vec<u8> {
+        let mut templates = Templates::new(table, self.columns.iter().map(|(column, _)| *column));
+        let mut out = Vec::new();
+        for row in 0..table.len() {
+            if self.numbered {
+                out.extend_from_slice(table.numbers()[row].to_string().as_bytes());
+            }
+            let make = |has: &Has<'_>| template(&self.columns, self.numbered, has);
+            templates.of(table, row, make).write(table, row, &mut out, number);
+        }
+        out
+    }
 }
 
 /// Commas between the numbers; a column without a number leaves its cell empty.
-fn template(columns: &[(usize, String)], numbered: bool, has: &dyn Fn(usize) -> bool) -> Template {
+fn template(columns: &[(usize, String)], numbered: bool, has: &Has<'_>) -> Template {
     let (mut text, mut pieces) = (String::new(), Vec::new());
     for (place, (column, _)) in columns.iter().enumerate() {
         if numbered || place > 0 {

@@ -12,7 +12,8 @@ use ::csv::Writer;
 use crate::json::NotFinite;
 use crate::to_ascii;
 
-pub use analysis::{CsvFile, FILES, to_csv};
+pub(crate) use analysis::name;
+pub use analysis::{FILES, Sheet, of_positions, of_trajectory};
 pub use geometry::geometry;
 pub use shaking::shaking;
 

@@ -5,8 +5,8 @@ use assur_analysis::results::{
 };
 use serde::Serialize;
 
-use super::rows::{self, Form, POSITIONS, Rows, TRAJECTORY};
-use super::{JsonError, NotFinite, quoted, serialized};
+use super::rows::{self, POSITIONS, Rows, TRAJECTORY};
+use super::{JsonError, NotFinite, serialized};
 
 /// The version of the format that is written.
 const FORMAT: u32 = 1;
@@ -63,44 +63,74 @@ impl<'a> Tail<'a> {
 ///
 /// [`NotFinite`] with the first number that is not.
 pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
-    finite_rows(&analysis.positions, "positions")?;
-    finite_rows(&analysis.trajectory, "trajectory")?;
+    let place = |list: &str, table: &Table, (row, column): (usize, usize)| {
+        let schema = table.schema();
+        let path = rows::path(schema, schema.columns()[column]).unwrap_or_default();
+        NotFinite { place: format!("{list}[{row}]{}", rows::spelled(&path)) }
+    };
+    if let Some(at) = analysis.survey.not_finite {
+        return Err(place("positions", &analysis.positions, at));
+    }
+    if let Some(at) = analysis.trajectory.not_finite() {
+        return Err(place("trajectory", &analysis.trajectory, at));
+    }
     super::finite(&Failures { failures: &analysis.failures })?;
     super::finite(&Tail::of(analysis))?;
     Ok(analysis)
 }
 
-fn finite_rows(table: &Table, list: &str) -> Result<(), NotFinite> {
-    let Some((row, column)) = table.not_finite() else { return Ok(()) };
-    let schema = table.schema();
-    let path = rows::path(schema, schema.columns()[column]).unwrap_or_default();
-    Err(NotFinite { place: format!("{list}[{row}]{}", rows::spelled(&path)) })
+/// The text of results around that of their positions.
+#[derive(Debug)]
+pub struct Around {
+    rows: Rows,
+    /// The text before the positions.
+    pub before: Vec<u8>,
+    /// The text after them.
+    pub after: Vec<u8>,
 }
 
-/// The results as one line of JSON; `ascii`: other characters are escaped.
+impl Around {
+    /// Of an analysis; `ascii`: other characters are escaped.
+    ///
+    /// # Errors
+    ///
+    /// [`JsonError`] for a number that is not finite.
+    pub fn of(analysis: &Analysis, ascii: bool) -> Result<Self, JsonError> {
+        let Analysis { title, input, structure, failures, trajectory, .. } = finite(analysis)?;
+        let mut before = vec![b'{'];
+        members(&mut before, &Head { format: FORMAT, title, input, structure }, ascii)?;
+        before.extend_from_slice(b",\"positions\":[");
+        let mut after = vec![b']'];
+        members(&mut after, &Failures { failures }, ascii)?;
+        if !trajectory.is_empty() {
+            after.extend_from_slice(b",\"trajectory\":[");
+            let rows = Rows::new(trajectory.schema(), TRAJECTORY, ascii).text(trajectory);
+            after.extend_from_slice(rows.get(1..).unwrap_or_default());
+            after.push(b']');
+        }
+        members(&mut after, &Tail::of(analysis), ascii)?;
+        after.extend_from_slice(b"}\n");
+        let rows = Rows::new(analysis.positions.schema(), POSITIONS, ascii);
+        Ok(Self { rows, before, after })
+    }
+
+    /// The text of some positions, each after a comma: the first of all stands without it.
+    pub fn rows(&self, table: &Table) -> Vec<u8> {
+        self.rows.text(table)
+    }
+}
+
+/// Results that keep all positions as one line of JSON; `ascii`: other characters are escaped.
 ///
 /// # Errors
 ///
 /// [`JsonError`] for a number that is not finite.
 pub fn to_json(analysis: &Analysis, ascii: bool) -> Result<String, JsonError> {
-    let analysis = finite(analysis)?;
-    let mut out = vec![b'{'];
-    let head = Head {
-        format: FORMAT,
-        title: &analysis.title,
-        input: &analysis.input,
-        structure: &analysis.structure,
-    };
-    members(&mut out, &head, ascii)?;
-    rows(&mut out, "positions", &analysis.positions, POSITIONS, ascii);
-    members(&mut out, &Failures { failures: &analysis.failures }, ascii)?;
-    if !analysis.trajectory.is_empty() {
-        rows(&mut out, "trajectory", &analysis.trajectory, TRAJECTORY, ascii);
-    }
-    members(&mut out, &Tail::of(analysis), ascii)?;
-    out.extend_from_slice(b"}\n");
+    let Around { rows, before, after } = Around::of(analysis, ascii)?;
+    let rows = rows.text(&analysis.positions);
+    let text = [&before, rows.get(1..).unwrap_or_default(), &after].concat();
     // Only UTF-8 was written.
-    Ok(String::from_utf8_lossy(&out).into_owned())
+    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 /// Adds the members of an object to the open one.
@@ -112,11 +142,4 @@ fn members<T: Serialize>(out: &mut Vec<u8>, object: &T, ascii: bool) -> Result<(
     }
     out.extend_from_slice(members);
     Ok(())
-}
-
-/// Adds an array of the rows of a table.
-fn rows(out: &mut Vec<u8>, key: &str, table: &Table, form: Form, ascii: bool) {
-    out.extend_from_slice(format!(",{}:[", quoted(key, ascii)).as_bytes());
-    Rows::new(table, form, ascii).write(table, true, out);
-    out.push(b']');
 }

@@ -111,17 +111,16 @@ pub(super) fn spelled(path: &[Step<'_>]) -> String {
     })
 }
 
-/// Writes the rows of tables of one schema as the items of an array.
+/// The rows of tables of one schema as the items of an array.
+#[derive(Debug)]
 pub(super) struct Rows {
     form: Form,
     ascii: bool,
-    templates: Templates,
     columns: Vec<usize>,
 }
 
 impl Rows {
-    pub(super) fn new(table: &Table, form: Form, ascii: bool) -> Self {
-        let schema = table.schema();
+    pub(super) fn new(schema: &Schema, form: Form, ascii: bool) -> Self {
         let rank = |column: &usize| {
             let path = path(schema, schema.columns()[*column]);
             path.and_then(|path| KEYS.iter().position(|key| path[0] == Step::Key((*key).into())))
@@ -129,25 +128,28 @@ impl Rows {
         let mut columns: Vec<usize> =
             (0..schema.columns().len()).filter(|column| rank(column).is_some()).collect();
         columns.sort_by_key(rank);
-        Self { form, ascii, templates: Templates::new(table, columns.iter().copied()), columns }
+        Self { form, ascii, columns }
     }
 
-    /// Adds the rows of a table, each but the `first` of all after a comma.
-    pub(super) fn write(&mut self, table: &Table, mut first: bool, out: &mut Vec<u8>) {
-        let Self { form, ascii, templates, columns } = self;
+    /// The rows of a table, each after a comma.
+    pub(super) fn text(&self, table: &Table) -> Vec<u8> {
+        let Self { form, ascii, columns } = self;
+        let mut templates = Templates::new(table, columns.iter().copied());
+        let mut out = Vec::new();
         for row in 0..table.len() {
             let make = |has: &dyn Fn(usize) -> bool| {
-                template(table.schema(), columns.iter().copied().filter(|column| has(*column)), *form, *ascii)
+                let columns = columns.iter().copied().filter(|column| has(*column));
+                template(table.schema(), columns, *form, *ascii)
             };
             let template = templates.of(table, row, make);
-            out.extend_from_slice(if first { b"{" } else { b",{" });
-            first = false;
+            out.extend_from_slice(b",{");
             if form.numbered {
                 out.extend_from_slice(b"\"index\":");
                 out.extend_from_slice(table.numbers()[row].to_string().as_bytes());
             }
-            template.write(table, row, out, number);
+            template.write(table, row, &mut out, number);
         }
+        out
     }
 }
 

@@ -147,8 +147,7 @@ fn greatest(source: &Source<'_>, page: &mut Page) {
 }
 
 fn balancing(source: &Source<'_>, page: &mut Page) {
-    let table = &source.analysis.positions;
-    let Some((row, greatest)) = greatest_balancing(table) else { return };
+    let Some((number, greatest)) = source.analysis.survey.greatest_balancing else { return };
     let moment = source.analysis.input.balancing_is_moment;
     let (name, sign, unit) = if moment { ("moment", "Mb", MOMENT) } else { ("force", "Fb", FORCE) };
     page.section(&format!("Balancing {name}"));
@@ -164,20 +163,10 @@ fn balancing(source: &Source<'_>, page: &mut Page) {
         "Greatest: {} {} in position {} ({} {})",
         single(greatest),
         unit.name,
-        table.numbers()[row],
-        single(table.get(row, Values::COORDINATE).unwrap_or_default() * coordinate.factor),
+        number,
+        single(source.mechanism.input.coordinate(number) * coordinate.factor),
         coordinate.name
     ));
-}
-
-/// The row with the greatest modulus, the first of those that are equal up to rounding (a cycle often has two), and the
-/// value.
-fn greatest_balancing(table: &Table) -> Option<(usize, f64)> {
-    let with = table.each(table.schema().find(Values::BALANCING)?).enumerate();
-    let greater = |best: (usize, f64), next: (usize, f64)| {
-        if next.1.abs() > best.1.abs() * (1.0 + 1e-9) { next } else { best }
-    };
-    with.filter_map(|(row, value)| Some((row, value?))).reduce(greater)
 }
 
 /// The share of each cause.

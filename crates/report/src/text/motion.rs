@@ -35,8 +35,18 @@ pub(super) fn keys(source: &Source<'_>) -> [Column; 2] {
 }
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
-    if source.analysis.positions.is_empty() {
+    let analysis = source.analysis;
+    if analysis.positions.is_empty() {
         return;
+    }
+    if !analysis.is_complete() {
+        page.section("Shown positions");
+        page.paragraph(&format!(
+            "The tables show {} of {} positions, equally spaced; greatest values are those of all. All positions are written \
+             by `-o FILE.parquet`, `--format csv -o FOLDER` or `--format json`.",
+            analysis.positions.len(),
+            analysis.survey.rows
+        ));
     }
     // Besides the input.
     if source.analysis.positions.schema().owners(Quantity::Transfer(0)).len() > 1 {

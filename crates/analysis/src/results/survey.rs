@@ -1,0 +1,90 @@
+//! What is known about all positions, of which only some are kept.
+
+use assur_diagram::Sizes;
+use assur_mechanism::{LinkId, PairId};
+
+use super::{Column, Owner, Part, Quantity, Schema, Section, Table};
+
+/// What is known about all positions of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    /// Positions that have a solution.
+    pub rows: usize,
+    /// Failures: positions without a solution, or without forces.
+    pub failures: usize,
+    /// The balancing load of greatest modulus, N m or N, the first of those that are equal up to rounding (a cycle often
+    /// has two), with the number of its position.
+    pub greatest_balancing: Option<(usize, f64)>,
+    /// The first number that is not finite: its place among the rows and its column.
+    pub not_finite: Option<(usize, usize)>,
+    /// By section, whether any row has its numbers.
+    present: Vec<bool>,
+    /// Sizes of the reactions, by pair and link.
+    pub(crate) sizes: Vec<(PairId, LinkId, Sizes)>,
+}
+
+/// Relative difference below which balancing loads count as equal.
+const TIE: f64 = 1e-9;
+
+impl Survey {
+    /// Of no positions yet.
+    pub(crate) fn new(schema: &Schema) -> Self {
+        let sizes = schema.owners(Quantity::Force).into_iter().filter_map(|owner| match owner {
+            Owner::PairOn(pair, link) => Some((pair, link, Sizes::default())),
+            _ => None,
+        });
+        Self {
+            rows: 0,
+            failures: 0,
+            greatest_balancing: None,
+            not_finite: None,
+            present: vec![false; schema.sections()],
+            sizes: sizes.collect(),
+        }
+    }
+
+    /// Of positions that are all kept.
+    pub fn of(positions: &Table) -> Self {
+        let mut survey = Self::new(positions.schema());
+        survey.add(positions);
+        survey
+    }
+
+    /// Adds the next rows.
+    pub(crate) fn add(&mut self, rows: &Table) {
+        if self.not_finite.is_none() {
+            self.not_finite = rows.not_finite().map(|(row, column)| (self.rows + row, column));
+        }
+        self.rows += rows.len();
+        for (section, any) in self.present.iter_mut().enumerate() {
+            *any |= rows.present(Section(section)).contains(&true);
+        }
+        let schema = rows.schema();
+        if let Some(balancing) = schema.find(Column::BALANCING) {
+            let loads = rows.numbers().iter().zip(rows.each(balancing));
+            for (number, load) in loads.filter_map(|(number, load)| Some((*number, load?))) {
+                let least = self.greatest_balancing.map(|(_, load)| load.abs() * (1.0 + TIE));
+                if least.is_none_or(|least| load.abs() > least) {
+                    self.greatest_balancing = Some((number, load));
+                }
+            }
+        }
+        let Some(coordinate) = schema.find(Column::COORDINATE) else { return };
+        for (pair, link, sizes) in &mut self.sizes {
+            let force = Column::of(Quantity::Force, Owner::PairOn(*pair, *link));
+            let [Some(x), Some(y)] = [Part::X, Part::Y].map(|part| schema.find(force.part(part))) else {
+                continue;
+            };
+            let (coordinates, x_values, y_values) = (rows.values(coordinate), rows.values(x), rows.values(y));
+            let present = rows.present(schema.section_of(x));
+            for row in (0..rows.len()).filter(|row| present[*row]) {
+                sizes.add(rows.numbers()[row], coordinates[row], [x_values[row], y_values[row]]);
+            }
+        }
+    }
+
+    /// Whether any position has numbers in a section.
+    pub fn has(&self, section: Section) -> bool {
+        self.present.get(section.0).copied().unwrap_or(false)
+    }
+}
