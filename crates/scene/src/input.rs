@@ -12,8 +12,8 @@ use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 const KEYS: &[&str] = &["link", "from", "positions", "cycle", "direction", "to"];
-/// More positions than anyone reads; the limit keeps a typing error from filling the memory.
-pub(crate) const MOST: usize = 1_000_000;
+/// Positions take no memory, but time and a place on a disk: more would fill terabytes.
+const MOST: usize = 1_000_000_000;
 
 /// Reads the input; `None` if its link or pair is not known.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {

@@ -3,12 +3,13 @@
 use assur_mechanism::{Motion, Until};
 
 use crate::context::Context;
-use crate::input::MOST;
 use crate::numbers::Bound;
 use crate::text::{brief, shown};
 use crate::units::{Dimension, UnitError, is_bare, quantity};
 use crate::walk::{Entry, Section};
 
+/// Samples of a motion are kept in memory; the limit keeps a typing error from filling it.
+const MOST_SAMPLES: usize = 1_000_000;
 const ALL_KEYS: &[&str] = &[
     "kind",
     "speed",
@@ -84,7 +85,7 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
-    let samples = section.get("samples").and_then(|entry| entry.count(1, MOST)).unwrap_or(100);
+    let samples = section.get("samples").and_then(|entry| entry.count(1, MOST_SAMPLES)).unwrap_or(100);
     let integrator = section.get("integrator").and_then(|entry| entry.text("the name of an integrator"));
     let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use assur_analysis::MOST_KEPT;
 use assur_figure::Bounds;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
@@ -83,6 +84,13 @@ impl Scene {
     pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
+        let positions = mechanism.input.positions;
+        if positions > MOST_KEPT {
+            return Err(format!(
+                "error: the scene has {positions} positions, and the terminal UI shows at most {MOST_KEPT}; take fewer \
+                 `positions` in [input], or write them all: assur analyze {name} -o positions.parquet\n"
+            ));
+        }
         let linkage = Linkage::compile(mechanism).map_err(|error| {
             let located = match &error {
                 CompileError::Structure(error) => crate::files::located(&name, text, error),
