@@ -1,5 +1,5 @@
 use assur_force::{Loads, State, find};
-use assur_group::Order;
+use assur_group::{Order, Wrench};
 
 use crate::{Chosen, Coverage, SAMPLE, notable};
 
@@ -54,7 +54,8 @@ fn the_worst_condition_and_the_greatest_values_are_notable() {
         let mut wrenches = loads.total(state, &position.bodies);
         let mut reactions = assur_force::Reactions::new(&linkage);
         method.instance.solve(&linkage, &position, &mut wrenches, &mut reactions).unwrap();
-        let reaction = reactions.pairs.iter().map(|r| r.fx.hypot(r.fy) + r.m.abs() / linkage.structure.scale);
+        let size = |r: &Wrench<f64>| r.fx.abs() + r.fy.abs() + r.m.abs() / linkage.structure.scale;
+        let reaction = reactions.pairs.iter().map(size);
         let values = [condition, reactions.balancing.abs(), reaction.fold(0.0, f64::max)];
         for (most, value) in greatest.iter_mut().zip(values) {
             if value > most.0 {
