@@ -67,6 +67,10 @@ impl Linkage {
     /// Groups that are not needed are neither assembled nor solved, and don't limit the range; the bodies of their
     /// links and their health are undefined. No needed group may depend on one of them.
     ///
+    /// Following takes nearly all of the time: 720 samples a turn for each group, eight at once. The chain in 32 digits
+    /// is compiled only where the places in `[assembly]` don't tell two ways apart in 16 digits, and where a determinant
+    /// comes near zero between two samples; groups that keep away from singular positions never need it.
+    ///
     /// # Errors
     ///
     /// [`CompileError`] if a group's lengths don't form a group of its kind.

@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError};
 use assur_mechanism::GROUND;
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real as _};
 
 use crate::branch::Branch;
 
@@ -89,22 +89,8 @@ impl<'a> Samples<'a> {
         self.health.extend(found.abs().0);
         let mut moved = [0.0; Lanes::WIDTH];
         for &link in &kernel.frame().links {
-            let before = branch.poses[link].last();
             let body = &bodies[link];
-            let numbers = [body.x, body.y, body.c, body.s];
-            let earlier = before.map_or_else(
-                || numbers.map(|now| now.0[0]),
-                |before| [before.x, before.y, before.c, before.s],
-            );
-            let steps = [0, 1, 2, 3].map(|k| numbers[k] - shifted(earlier[k], numbers[k]));
-            let by = Lanes::from_f64(1.0 / self.scale);
-            let (dx, dy) = (steps[0] * by, steps[1] * by);
-            let squares = [dx * dx + dy * dy, steps[2] * steps[2] + steps[3] * steps[3]];
-            for square in squares {
-                for (most, square) in moved.iter_mut().zip(square.0) {
-                    *most = if square > *most { square } else { *most };
-                }
-            }
+            raise(&mut moved, branch.poses[link].last(), body, 1.0 / self.scale);
             branch.poses[link].push_block(body);
         }
         self.moved.extend(moved);
@@ -202,8 +188,21 @@ pub(crate) fn pose_distance(
     one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }
 
-/// The number before each of eight.
-fn shifted(before: f64, numbers: Lanes) -> Lanes {
-    let [a, b, c, d, e, f, g, _] = numbers.0;
-    Lanes([before, a, b, c, d, e, f, g])
+/// Raises each number to the square of the distance of a pose from the one before, if that is greater; `by`: factor of
+/// places.
+fn raise(moved: &mut [f64; Lanes::WIDTH], before: Option<Body<f64>>, body: &Body<Lanes>, by: f64) {
+    let numbers = [body.x.0, body.y.0, body.c.0, body.s.0];
+    let mut earlier = numbers;
+    let first = before.map_or(numbers.map(|now| now[0]), |before| [before.x, before.y, before.c, before.s]);
+    for k in 0..numbers.len() {
+        earlier[k][0] = first[k];
+        earlier[k][1..].copy_from_slice(&numbers[k][..Lanes::WIDTH - 1]);
+    }
+    for lane in 0..Lanes::WIDTH {
+        let step = |k: usize| numbers[k][lane] - earlier[k][lane];
+        let (dx, dy, dc, ds) = (by * step(0), by * step(1), step(2), step(3));
+        let (place, turn) = (dx * dx + dy * dy, dc * dc + ds * ds);
+        let most = if place > turn { place } else { turn };
+        moved[lane] = if most > moved[lane] { most } else { moved[lane] };
+    }
 }

@@ -43,13 +43,30 @@ pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
     places.sort_unstable_by_key(|place| place.link);
     let mut longest = 0.0_f64;
     for of_link in places.chunk_by(|a, b| a.link == b.link) {
-        for (i, a) in of_link.iter().enumerate() {
-            for b in &of_link[..i] {
-                longest = longest.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));
+        let far = outlying(of_link);
+        for (i, a) in far.iter().enumerate() {
+            for b in &far[..i] {
+                longest = longest.max((a[0] - b[0]).hypot(a[1] - b[1]));
             }
         }
     }
     if longest > 0.0 { longest } else { 1.0 }
+}
+
+/// The places that may have the greatest distance from each other: two places are as far apart as the longer side of
+/// the box around all, so a place from which no corner of the box is that far is none of the farthest two.
+fn outlying(places: &[Place]) -> Vec<[f64; 2]> {
+    let bound =
+        |k: usize, better: fn(f64, f64) -> f64| places.iter().map(|p| p.at[k]).reduce(better).unwrap_or(0.0);
+    let [low, high] =
+        [f64::min as fn(f64, f64) -> f64, f64::max].map(|better| [bound(0, better), bound(1, better)]);
+    let side = (high[0] - low[0]).max(high[1] - low[1]);
+    let reach = |at: &[f64; 2]| {
+        let [x, y] = [0, 1].map(|k| (at[k] - low[k]).max(high[k] - at[k]));
+        x.hypot(y)
+    };
+    // A little less than the side, because of rounding.
+    places.iter().map(|place| place.at).filter(|at| !(reach(at) < 0.999 * side)).collect()
 }
 
 /// Where a pin or slide lies in its bodies: in `a`, which for a slide is the sliding link, and in `b`.

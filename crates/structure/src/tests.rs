@@ -143,3 +143,32 @@ fn a_long_ladder_is_taken_apart_in_any_order_of_the_scene() {
         }
     }
 }
+
+/// Slider on the ground beside these points, so that the greatest distance is that of the points.
+fn scale(points: &[[f64; 2]]) -> f64 {
+    let named: Vec<_> =
+        points.iter().enumerate().map(|(i, [x, y])| format!("P{i} = [{x:?}, {y:?}]")).collect();
+    let text = format!(
+        "[ground]\npoints = {{ {} }}\n[link.m]\npoints = {{ Q = 0 }}\n[[slide]]\nlink = \"m\"\non = \"ground\"\n\
+         [input]\nlink = \"m\"\nfrom = 0\nto = 1\n",
+        named.join(", ")
+    );
+    structure(&text).unwrap().scale
+}
+
+#[test]
+fn the_typical_length_is_the_greatest_distance_of_two_points() {
+    let circle = |i: u32| (0.1 * f64::from(i)).sin_cos();
+    let figures: [Vec<[f64; 2]>; 4] = [
+        (0..50).map(|i| [0.5 * f64::from(i), 0.0]).collect(),
+        (0..63).map(|i| [circle(i).0, circle(i).1]).collect(),
+        (0..49).map(|i| [f64::from(i % 7), f64::from(i / 7)]).collect(),
+        vec![[0.0, 0.0], [1.0, 0.9], [0.9, 1.0], [0.5, 0.5]],
+    ];
+    for points in figures {
+        let distances =
+            points.iter().flat_map(|a| points.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+        let longest = distances.fold(0.0, f64::max);
+        assert!((scale(&points) - longest).abs() <= 1e-15 * longest, "{longest}");
+    }
+}
