@@ -87,7 +87,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
     let at = last_place(mechanism);
     let name = "load".to_owned();
     let force = |direction, value| Force { name: name.clone(), at, direction, value };
-    let moment = |value| Moment { name: name.clone(), link: at.link, value };
+    let moment = |value| Moment { name: name.clone(), link: at.link, value, brake: None };
     match kind {
         "weights" => mechanism.gravity = Some([1.0, -9.81]),
         "constant force" => mechanism.forces.push(force(Direction::Link(0.4), Value::Constant(80.0))),

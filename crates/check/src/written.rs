@@ -1,8 +1,10 @@
 //! The loads, computed independently from the scene, without the compiled loads that the methods use.
 
+use std::f64::consts::PI;
+
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
-use assur_mechanism::{Contact, Direction, Force, GROUND, Mechanism, Place, Spring, Value};
+use assur_mechanism::{Brake, Contact, Direction, Force, GROUND, Mechanism, Moment, Place, Spring, Value};
 
 use crate::by_cause::{ByCause, Key};
 use crate::stroke::{At, Extremes, extremes, sizes};
@@ -82,6 +84,7 @@ impl<'a> Writer<'a> {
         for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
             let m = now.given(Cause::Moment(id), moment.link).m;
             let m = self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m);
+            let m = moment.brake.map_or(m, |brake| self.brake(&now, id, moment, &brake));
             let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: m.abs() / self.scale };
             items.push(((Cause::Moment(id), moment.link), item));
         }
@@ -198,6 +201,20 @@ impl<'a> Writer<'a> {
         self.at(body, force.at.at, along.map(|a| size * a), size.abs() * terms)
     }
 
+    /// The moment of a brake: against the rotation of its link.
+    fn brake(&self, now: &Now<'_>, id: usize, moment: &Moment, brake: &Brake) -> f64 {
+        let given = now.given(Cause::Moment(id), moment.link).m;
+        let body = &now.bodies[moment.link];
+        let speed = body.w1 * now.state.speed;
+        let place = Place { link: moment.link, at: [0.0; 2] };
+        let lever = -speed.signum() * brake.lever();
+        // At rest up to rounding the moment is zero, or of either sense.
+        let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
+        let found = if lever == 0.0 || rests { given.abs() } else { given / lever };
+        let size = self.size(now, &moment.value, place, None, found);
+        if rests && given.abs() <= (brake.lever() * size).abs() { given } else { lever * size }
+    }
+
     fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Vec<(Key, Item)>) {
         let ends = spring.ends.map(|end| &now.bodies[end.link]);
         let places = [0, 1].map(|k| ends[k].point(spring.ends[k].at));
@@ -224,7 +241,7 @@ impl<'a> Writer<'a> {
         let center = contact.center;
         let body = &now.bodies[center.link];
         let given = now.given(Cause::Contact(id), center.link).force();
-        let (s, c) = contact.angle.sin_cos();
+        let (s, c) = self.contact_angle(now, contact, given).sin_cos();
         let along = [s + contact.friction * c, c - contact.friction * s];
         let square = along[0] * along[0] + along[1] * along[1];
         let found = (given[0] * along[0] + given[1] * along[1]) / square;
@@ -241,6 +258,15 @@ impl<'a> Writer<'a> {
         wrench.add_at(arm, along.map(|a| size * a), 0.0);
         let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
         Item { wrench, size: size.abs() * square.sqrt() * lever }
+    }
+
+    /// The angle of a contact: the one of the given force, if the scene allows it.
+    fn contact_angle(&self, now: &Now<'_>, contact: &Contact, given: [f64; 2]) -> f64 {
+        let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY);
+        // The force may point either way along its line.
+        let apart = given[0].atan2(given[1]) - contact.friction.atan() - of_scene;
+        let apart = if given == [0.0; 2] { 0.0 } else { apart - PI * (apart / PI).round() };
+        self.size(now, &contact.angle, contact.center, None, of_scene + apart)
     }
 
     /// Whether there is contact; `None` at an end of the interval.

@@ -129,7 +129,9 @@ impl Compiler<'_> {
             let mut breaks = Breaks::default();
             if along == Along::AgainstMotion {
                 needs_motion(mechanism, &force.name, "a force against the motion")?;
-                breaks = self.rests(force.at);
+                let at = force.at.at;
+                breaks = self
+                    .rests(move |body| (body.first(body.arm(at)), body.second(body.arm(at))), force.at.link);
             }
             loads.laws.push(self.law(&force.name, Some(force.at), &force.value)?);
             loads.forces.push(PointForce { id, at: force.at, along, rests: breaks });
@@ -141,7 +143,12 @@ impl Compiler<'_> {
         let mechanism = self.mechanism;
         for (id, moment) in mechanism.moments.iter().enumerate().filter(|(_, moment)| moment.link != GROUND) {
             loads.laws.push(self.law(&moment.name, None, &moment.value)?);
-            loads.moments.push(LinkMoment { id, link: moment.link });
+            let mut brake = None;
+            if let Some(found) = moment.brake {
+                needs_motion(mechanism, &moment.name, "a brake")?;
+                brake = Some((found, self.rests(|body| ([body.w1, 0.0], [body.w2, 0.0]), moment.link)));
+            }
+            loads.moments.push(LinkMoment { id, link: moment.link, brake });
         }
         Ok(())
     }
@@ -149,18 +156,19 @@ impl Compiler<'_> {
     fn contacts(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
         let mechanism = self.mechanism;
         for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
-            let (s, c) = contact.angle.sin_cos();
-            let (r, f) = (contact.radius, contact.friction);
             let (breaks, touching) = contact_breaks(contact.during, loads.period);
             loads.laws.push(self.law(&contact.name, Some(contact.center), &contact.force)?);
             loads.contacts.push(ArcContact {
                 id,
                 center: contact.center,
-                to_contact: [-r * s, -r * c],
-                force: [s + f * c, c - f * s],
+                radius: contact.radius,
+                friction: contact.friction,
                 breaks,
                 touching,
             });
+        }
+        for contact in mechanism.contacts.iter().filter(|contact| contact.center.link != GROUND) {
+            loads.laws.push(self.law(&contact.name, None, &contact.angle)?);
         }
         Ok(())
     }
@@ -257,12 +265,12 @@ impl Compiler<'_> {
     }
 
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
-    fn rests(&mut self, at: Place) -> Breaks {
+    fn rests(&mut self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
         if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
             return Breaks::default();
         }
         let Some(&span) = self.spans().first() else { return Breaks::default() };
-        rests(&mut |q| self.body(q, at.link), at.at, &span)
+        rests(&mut |q| self.body(q, link).map(|body| motion(&body)), &span)
     }
 
     /// The interval of a stroke: a cycle and, where the scene gives a range, the range.

@@ -1,6 +1,6 @@
 //! The loads of a mechanism as flat data.
 
-use assur_mechanism::{LinkId, Mechanism, Place};
+use assur_mechanism::{Brake, LinkId, Mechanism, Place};
 
 use crate::breaks::Breaks;
 use crate::law::Law;
@@ -14,7 +14,7 @@ pub struct Loads {
     pub(crate) moments: Vec<LinkMoment>,
     pub(crate) springs: Vec<SpringDamper>,
     pub(crate) contacts: Vec<ArcContact>,
-    /// One for each force, then for each moment, then for each contact.
+    /// One for each force, then for each moment, then for the force of each contact, then for its angle.
     pub(crate) laws: Vec<Law>,
     /// Direction of the input where the speed is zero, +1 or -1.
     pub(crate) sense: f64,
@@ -63,10 +63,12 @@ pub(crate) enum Along {
 }
 
 /// A moment on a moving link.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LinkMoment {
     pub(crate) id: usize,
     pub(crate) link: LinkId,
+    /// Of a brake: its shoe, and where the link rests.
+    pub(crate) brake: Option<(Brake, Breaks)>,
 }
 
 /// A spring with a damper.
@@ -84,10 +86,10 @@ pub(crate) struct SpringDamper {
 pub(crate) struct ArcContact {
     pub(crate) id: usize,
     pub(crate) center: Place,
-    /// From the center to the point of contact, ground, m.
-    pub(crate) to_contact: [f64; 2],
-    /// Force for F = 1, ground.
-    pub(crate) force: [f64; 2],
+    /// Radius of the arc, m.
+    pub(crate) radius: f64,
+    /// Coefficient of friction.
+    pub(crate) friction: f64,
     /// Interval of contact; `None`: always in contact.
     pub(crate) breaks: Breaks,
     /// Index of the interval of `breaks` in which there is contact.

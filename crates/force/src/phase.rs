@@ -12,7 +12,7 @@ use crate::loads::{Along, Loads};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phase {
     pub(crate) actives: Vec<Active>,
-    /// For each force: the interval of the coordinate in which its point does not reverse.
+    /// For each force, then for each moment: the interval of the coordinate in which its point or link does not reverse.
     pub(crate) sides: Vec<[f64; 2]>,
     pub(crate) contacts: Vec<bool>,
     pub(crate) sense: f64,
@@ -25,7 +25,7 @@ impl Loads {
     pub fn phase(&self) -> Phase {
         Phase {
             actives: vec![Active::ONLY; self.laws.len()],
-            sides: vec![EVERYWHERE; self.forces.len()],
+            sides: vec![EVERYWHERE; self.forces.len() + self.moments.len()],
             contacts: vec![true; self.contacts.len()],
             sense: self.sense,
         }
@@ -47,8 +47,11 @@ impl Loads {
             *active = law.enter(state, &side, self.period, &mut bounds);
         }
         let ahead = side.coordinate(state, self.period);
-        for (force, side) in self.forces.iter().zip(&mut phase.sides) {
-            *side = force.rests.interval(ahead).ends;
+        let rests = self.forces.iter().map(|force| Some(&force.rests));
+        let rests =
+            rests.chain(self.moments.iter().map(|moment| moment.brake.as_ref().map(|(_, rests)| rests)));
+        for (rests, side) in rests.zip(&mut phase.sides) {
+            *side = rests.map_or(EVERYWHERE, |rests| rests.interval(ahead).ends);
             cut(&mut bounds.coordinate, *side);
         }
         for (contact, touches) in self.contacts.iter().zip(&mut phase.contacts) {
@@ -63,9 +66,10 @@ impl Loads {
         bounds
     }
 
-    /// Whether a load depends on the sign of the speed: a force against the motion, or a stroke.
+    /// Whether a load depends on the sign of the speed: a load against the motion, or a stroke.
     pub fn turns_with_speed(&self) -> bool {
         let against = self.forces.iter().any(|force| force.along == Along::AgainstMotion);
-        against || self.laws.iter().any(|law| matches!(law, crate::law::Law::Stroke(_)))
+        let brakes = self.moments.iter().any(|moment| moment.brake.is_some());
+        against || brakes || self.laws.iter().any(|law| matches!(law, crate::law::Law::Stroke(_)))
     }
 }

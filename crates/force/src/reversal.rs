@@ -1,9 +1,9 @@
-//! Where a point comes to rest while the input moves: there a load against its motion reverses.
+//! Where a point or a link comes to rest while the input moves: there a load against its motion reverses.
 
 use assur_number::search::try_newton_root;
 
 use crate::breaks::Breaks;
-use crate::stroke::{BodyAt, Span};
+use crate::stroke::Span;
 
 /// Number of places of the cycle between which a rest is bracketed.
 const GRID: u32 = 720;
@@ -11,12 +11,13 @@ const GRID: u32 = 720;
 /// A minimum of the velocity below this part of its greatest value over the cycle counts as a rest.
 const REST: f64 = 1e-9;
 
-/// The rests of a point; coordinates without a position of the mechanism are skipped.
-pub(crate) fn rests(body: &mut BodyAt<'_>, at: [f64; 2], span: &Span) -> Breaks {
+/// The rests of a point or link, from its PF1 and PF2; coordinates without a position of the mechanism are skipped.
+pub(crate) fn rests(
+    motion: &mut dyn FnMut(f64) -> Result<([f64; 2], [f64; 2]), String>,
+    span: &Span,
+) -> Breaks {
     let mut slope = |q: f64| -> Result<[f64; 2], String> {
-        let body = body(q)?;
-        let arm = body.arm(at);
-        let (v, a) = (body.first(arm), body.second(arm));
+        let (v, a) = motion(q)?;
         Ok([v[0].hypot(v[1]), v[0] * a[0] + v[1] * a[1]])
     };
     let mut greatest = 0.0_f64;

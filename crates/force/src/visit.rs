@@ -3,6 +3,8 @@
 use assur_group::Body;
 use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 
+use assur_mechanism::Brake;
+
 use crate::LoadNumber;
 use crate::choice::{Choice, Formulas};
 use crate::law::Law;
@@ -36,7 +38,10 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             self.force(index, force, sink);
         }
         for (index, moment) in loads.moments.iter().enumerate() {
-            let size = self.size(loads.forces.len() + index, [T::ZERO; 2]);
+            let size = match &moment.brake {
+                None => self.size(loads.forces.len() + index, [T::ZERO; 2]),
+                Some((brake, _)) => self.brake(loads.forces.len() + index, moment.link, brake),
+            };
             sink.cause(Cause::Moment(moment.id));
             sink.moment(moment.link, &self.bodies[moment.link], size);
         }
@@ -99,6 +104,20 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         sink.force(force.at.link, body, arm, along);
     }
 
+    /// The moment of a brake, against the rotation of its link.
+    #[inline]
+    fn brake(&self, index: usize, link: usize, brake: &Brake) -> T {
+        let body = &self.bodies[link];
+        self.by_lane(|formulas, lane| {
+            let [w1, w2] = [body.w1, body.w2].map(|number| number.lane(lane));
+            // Of the rim of the disc, for the comparison with lengths.
+            let lengths = [w1, w2].map(|number| brake.radius * number.abs());
+            let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
+            let sense = if w1 < 0.0 { -turn } else { turn };
+            sense * brake.lever() * self.value(formulas, index, lane, [T::ZERO; 2])
+        })
+    }
+
     /// The two forces of a spring with a damper.
     #[inline(always)]
     fn spring<S: Sink<T>>(&self, spring: &SpringDamper, sink: &mut S) {
@@ -141,9 +160,12 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
                     if touches(formulas, lane) { self.value(formulas, law, lane, point) } else { 0.0 }
                 },
             );
-        let arm = plus(center, vector(contact.to_contact));
+        let (s, c) = self.size(law + self.loads.contacts.len(), point).sin_cos();
+        let arm = minus(center, scaled(T::from_f64(contact.radius), [s, c]));
+        let friction = T::from_f64(contact.friction);
+        let along = [s + friction * c, c - friction * s];
         sink.cause(Cause::Contact(contact.id));
-        sink.force(contact.center.link, body, arm, scaled(size, vector(contact.force)));
+        sink.force(contact.center.link, body, arm, scaled(size, along));
     }
 }
 

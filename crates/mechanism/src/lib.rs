@@ -9,7 +9,7 @@ mod motion;
 mod numbers;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
-pub use load::{Balance, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
+pub use load::{Balance, Brake, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
 pub use motion::{Motion, Until, passage};
 pub use numbers::links_of_length_zero;
 

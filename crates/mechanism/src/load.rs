@@ -144,8 +144,26 @@ pub struct Moment {
     pub name: String,
     /// The link.
     pub link: LinkId,
-    /// Its size, N m, counter-clockwise positive.
+    /// Its size, N m, counter-clockwise positive; of a brake the pressing force, N.
     pub value: Value,
+    /// A brake: the moment is that of its shoe, against the rotation of the link, and none at rest.
+    pub brake: Option<Brake>,
+}
+
+/// The shoe on the disc of a brake.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Brake {
+    /// Radius of the disc, m.
+    pub radius: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+impl Brake {
+    /// Braking moment of a pressing force of 1 N, m.
+    pub fn lever(&self) -> f64 {
+        self.friction * self.radius
+    }
 }
 
 /// A spring with a damper between points of two links.
@@ -173,7 +191,7 @@ pub struct Contact {
     /// Radius R, m.
     pub radius: f64,
     /// Angle a, rad: the force acts at K = N + R (-sin a, -cos a).
-    pub angle: f64,
+    pub angle: Value,
     /// Contact force F, N, which acts along (sin a, cos a) on the link.
     pub force: Value,
     /// Coefficient of friction f, which adds f F along (cos a, -sin a).

@@ -1,8 +1,8 @@
 //! The numbers of a mechanism, one after another, and the one condition that ties some of them together.
 
 use crate::{
-    Balance, Contact, Direction, Drive, Force, GROUND, Input, Link, LinkId, Mechanism, Moment, Motion, Motor,
-    Place, Point, Range, RatedMotor, Slide, Solve, Spring, Torque, Value,
+    Balance, Brake, Contact, Direction, Drive, Force, GROUND, Input, Link, LinkId, Mechanism, Moment, Motion,
+    Motor, Place, Point, Range, RatedMotor, Slide, Solve, Spring, Torque, Value,
 };
 
 /// Pins nearer than this, relative to the greatest coordinate of the mechanism, coincide.
@@ -54,8 +54,9 @@ impl Mechanism {
             }
             in_value(value, visit);
         }
-        for Moment { name: _, link: _, value } in moments {
+        for Moment { name: _, link: _, value, brake } in moments {
             in_value(value, visit);
+            brake.iter_mut().flat_map(|Brake { radius, friction }| [radius, friction]).for_each(&mut *visit);
         }
         for Spring { name: _, ends, stiffness, length, damping } in springs {
             ends.iter_mut().for_each(|end| in_place(end, visit));
@@ -63,8 +64,8 @@ impl Mechanism {
         }
         for Contact { name: _, center, radius, angle, force, friction, during: _ } in contacts {
             in_place(center, visit);
-            [radius, angle, friction].into_iter().for_each(&mut *visit);
-            in_value(force, visit);
+            [radius, friction].into_iter().for_each(&mut *visit);
+            [angle, force].into_iter().for_each(|value| in_value(value, visit));
         }
         if let Some(Balance::Force { at, angle }) = balance {
             in_place(at, visit);

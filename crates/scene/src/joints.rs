@@ -1,6 +1,6 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring};
+use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
 
 use crate::context::Context;
 use crate::linkage::{Linkage, pair};
@@ -109,7 +109,11 @@ fn contact(
     let linkage = context.linkage;
     let radius =
         section.need("radius").and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
-    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
+    let angle = match section.get("angle") {
+        None => Some(Value::Constant(0.0)),
+        Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context),
+        Some(entry) => entry.bounded(Dimension::Angle, Bound::Direction).map(Value::Constant),
+    };
     let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
     let force = section.need("force").and_then(|entry| value::read(&entry, Dimension::Force, false, context));
     let during = section.get("during").and_then(|entry| interval(&entry, context));
@@ -119,7 +123,7 @@ fn contact(
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let on = &linkage.links[link.unwrap_or(GROUND)].name;
     let name = names.read(section, || format!("contact {} on {on}", index + 1));
-    Some(Contact { name, center: center?, radius: radius?, angle, force: force?, friction, during })
+    Some(Contact { name, center: center?, radius: radius?, angle: angle?, force: force?, friction, during })
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {

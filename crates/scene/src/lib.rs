@@ -42,7 +42,7 @@ pub const STARTER: &str = include_str!("starter.toml");
 
 const KEYS: &[&str] = &[
     "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
-    "contact", "balance", "motion", "drive", "output",
+    "contact", "brake", "balance", "motion", "drive", "output",
 ];
 
 /// Reads a scene. `file_name` appears only in errors.
@@ -105,7 +105,10 @@ fn scene(root: &Section<'_>) -> Mechanism {
         assembly: wishes::assembly(root, &linkage),
         gravity: loads::gravity(root),
         forces: loads::forces(root, &context, names),
-        moments: loads::moments(root, &context, names),
+        moments: {
+            let moments = loads::moments(root, &context, names);
+            moments.into_iter().chain(loads::brakes(root, &context, names)).collect()
+        },
         springs: joints::springs(root, &context, names),
         contacts: joints::contacts(root, &context, names),
         balance: wishes::balance(root, &linkage),

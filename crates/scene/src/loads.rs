@@ -1,6 +1,6 @@
-//! `gravity`, `[[force]]`, `[[moment]]`: loads on single links.
+//! `gravity`, `[[force]]`, `[[moment]]`, `[[brake]]`: loads on single links.
 
-use assur_mechanism::{Direction, Force, Moment};
+use assur_mechanism::{Brake, Direction, Force, Moment};
 
 use crate::context::Context;
 use crate::linkage::pair;
@@ -12,6 +12,7 @@ use crate::value;
 use crate::walk::Section;
 
 const FORCE_KEYS: &[&str] = &["name", "link", "at", "angle", "frame", "value", "against_motion"];
+const BRAKE_KEYS: &[&str] = &["name", "link", "radius", "force", "friction"];
 const MOMENT_KEYS: &[&str] = &["name", "link", "value"];
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
@@ -89,5 +90,34 @@ fn moment(
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let on = link.map_or("?", |link| &context.linkage.links[link].name);
     let name = names.read(section, || format!("moment {} on {}", index + 1, on));
-    Some(Moment { name, link: link?, value: value? })
+    Some(Moment { name, link: link?, value: value?, brake: None })
+}
+
+/// Reads a `[[brake]]`: a moment against the motion.
+pub(crate) fn brakes(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Moment> {
+    let sections = root.get("brake").map(|entry| entry.sections("a brake", BRAKE_KEYS)).unwrap_or_default();
+    sections.iter().enumerate().filter_map(|(index, section)| brake(section, index, context, names)).collect()
+}
+
+fn brake(
+    section: &Section<'_>,
+    index: usize,
+    context: &Context<'_>,
+    names: &mut LoadNames,
+) -> Option<Moment> {
+    let bounded =
+        |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::NotNegative));
+    let radius = bounded("radius", Dimension::Length);
+    let friction = bounded("friction", Dimension::Number);
+    let force = section.need("force");
+    if let Some(entry) = &force {
+        context.need_motion(entry, "a brake");
+    }
+    let force = force.and_then(|entry| value::read(&entry, Dimension::Force, false, context));
+    let ground = "the ground does not turn";
+    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
+    let on = link.map_or("?", |link| &context.linkage.links[link].name);
+    let name = names.read(section, || format!("brake {} on {}", index + 1, on));
+    let brake = Brake { radius: radius?, friction: friction? };
+    Some(Moment { name, link: link?, value: force?, brake: Some(brake) })
 }

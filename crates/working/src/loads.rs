@@ -3,7 +3,7 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Direction, LinkId, Place};
+use assur_mechanism::{Direction, LinkId, Place, Value};
 use assur_worksheet::{Expr, Load, Point, symbol_of};
 
 use crate::Work;
@@ -176,14 +176,19 @@ impl Work<'_> {
         let contact = self.linkage.mechanism.contacts[id].clone();
         let (link, name) = (contact.center.link, symbol_of(&contact.name));
         let center = self.sheet.point(link, contact.center.at);
-        let a = self.sheet.fixed_angle(&format!("a_{name}"), contact.angle, "where the force acts");
+        let angle = match contact.angle {
+            Value::Constant(angle) => angle,
+            // F along (sin a, cos a), friction along (cos a, -sin a).
+            _ => wrench.fx.atan2(wrench.fy) - contact.friction.atan(),
+        };
+        let a = self.sheet.fixed_angle(&format!("a_{name}"), angle, "where the force acts");
         let radius = self.sheet.given(&format!("R_{name}"), contact.radius, "m", "radius");
         let f = if contact.friction == 0.0 {
             Expr::zero()
         } else {
             self.sheet.given(&format!("f_{name}"), contact.friction, "", "friction")
         };
-        let [c, s]: [f64; 2] = direction(contact.angle);
+        let [c, s]: [f64; 2] = direction(angle);
         let along = [s + contact.friction * c, c - contact.friction * s];
         let size =
             (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);

@@ -4,6 +4,7 @@ use assur_force::{Construction, Drawing, Step, StepKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
+use assur_mechanism::Value;
 
 use crate::deliver::{at_a, at_b};
 use crate::layout::{End, Layout};
@@ -42,7 +43,15 @@ impl<'a> Scene<'a> {
         let mut places: Vec<_> = forces.map(|force| bodies[layout.coupler].point(force.at.at)).collect();
         for contact in mechanism.contacts.iter().filter(|contact| contact.center.link == layout.coupler) {
             let center = bodies[layout.coupler].point(contact.center.at);
-            let (s, c) = contact.angle.sin_cos();
+            let angle = match contact.angle {
+                Value::Constant(angle) => angle,
+                // Of a coupler without other loads; where there are others, the place lies on no line of action and is not taken.
+                _ => {
+                    let [fx, fy] = loads[layout.coupler].force();
+                    fx.atan2(fy) - contact.friction.atan()
+                }
+            };
+            let (s, c) = angle.sin_cos();
             places.push(plus(center, [-contact.radius * s, -contact.radius * c]));
         }
         places.push(bodies[layout.coupler].point(mechanism.links[layout.coupler].center));

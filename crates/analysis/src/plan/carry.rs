@@ -63,7 +63,8 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> 
 pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
     let far = |link: LinkId| link != GROUND && link != mechanism.input.link;
     let against = |direction| matches!(direction, assur_mechanism::Direction::AgainstMotion);
-    mechanism.forces.iter().any(|force| against(force.direction) && far(force.at.link))
+    let brakes = mechanism.moments.iter().any(|moment| moment.brake.is_some() && far(moment.link));
+    brakes || mechanism.forces.iter().any(|force| against(force.direction) && far(force.at.link))
 }
 
 /// Whether a link of a group has mass.

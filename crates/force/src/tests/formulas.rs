@@ -92,3 +92,42 @@ fn what_can_not_be_located_is_refused() {
     assert!(refused("{ formula = 'abs(x - q/10)', axis = 0 }", TRANSIENT).is_some());
     assert_eq!(refused("{ formula = 'abs(x - sin(q)/10)', axis = 0 }", TRANSIENT), None);
 }
+
+/// The angle of a contact by formula: force and place follow it.
+#[test]
+fn a_contact_follows_its_angle() {
+    let text = assur_fixtures::scene("press-compression");
+    let (linkage, loads) = compiled(text);
+    for q in [2.2, 1.7, 1.0_f64] {
+        let bodies = bodies(&linkage, q);
+        let rod = bodies[linkage.mechanism.link("rod").unwrap()];
+        let a = (8.0 * (130.0_f64.to_radians() - q) / 80.0_f64.to_radians()).to_radians();
+        let (s, c) = a.sin_cos();
+        let force = [20e3 * (s + 0.1 * c), 20e3 * (c - 0.1 * s)];
+        let arm = rod.arm([0.06, 0.0]);
+        let arm = [arm[0] - 0.3 * s, arm[1] - 0.3 * c];
+        let found = applied(&loads, &at(q, -1.0), &bodies)[2];
+        near(found.fx, force[0], 1e4);
+        near(found.fy, force[1], 1e4);
+        near(found.m, arm[0] * force[1] - arm[1] * force[0], 1e4);
+    }
+}
+
+#[test]
+fn a_brake_is_against_the_rotation_and_absent_at_rest() {
+    let motion = "[motion]\nkind = 'transient'\nspeed = 1\nuntil = '1 s'\n\
+                  [[brake]]\nlink = 'rod'\nradius = 0.2\nforce = { formula = '50 + t' }\nfriction = 0.3";
+    let text = scene("0", motion);
+    let (linkage, loads) = compiled(&text);
+    for (q, speed) in [(0.4, 3.0), (0.4, -3.0), (2.6, 3.0), (2.6, -3.0)] {
+        let bodies = bodies(&linkage, q);
+        let wrench = applied(&loads, &State { time: 10.0, ..at(q, speed) }, &bodies)[2];
+        near(wrench.m, -(bodies[2].w1 * speed).signum() * 0.3 * 0.2 * 60.0, 10.0);
+    }
+    let bodies = bodies(&linkage, 0.4);
+    near(applied(&loads, &State { side: crate::Side::Prescribed, ..at(0.4, 0.0) }, &bodies)[2].m, 0.0, 1.0);
+    // The rod rests where the crank is normal to the guide; there the moment changes its sense.
+    let found = piece(&text, &at(0.4, 3.0));
+    near(found.coordinate[1], std::f64::consts::FRAC_PI_2, 1.0);
+    assert_eq!(found.speed[0], 0.0);
+}

@@ -107,8 +107,13 @@ fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         list.push(remark(format!("force `{}`", force.name), how));
     }
     for moment in &mechanism.moments {
-        let how = format!("on `{}`, {}", link(moment.link), law(&moment.value));
-        list.push(remark(format!("moment `{}`", moment.name), how));
+        let (on, law) = (link(moment.link), law(&moment.value));
+        list.push(if moment.brake.is_some() {
+            let how = format!("a shoe on the disc of `{on}`, its moment always against the rotation, the pressing force {law}");
+            remark(format!("brake `{}`", moment.name), how)
+        } else {
+            remark(format!("moment `{}`", moment.name), format!("on `{on}`, {law}"))
+        });
     }
     for spring in &mechanism.springs {
         let [one, two] = spring.ends.map(|end| link(end.link));

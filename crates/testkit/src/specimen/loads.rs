@@ -36,7 +36,7 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
     for index in 0..draft.rng.below(3) {
         let link = moving(draft, mechanism);
         let value = value(draft, mechanism, draft.size, false);
-        mechanism.moments.push(Moment { name: format!("moment {index}"), link, value });
+        mechanism.moments.push(Moment { name: format!("moment {index}"), link, value, brake: None });
     }
     for index in 0..draft.rng.below(3) {
         mechanism.springs.extend(spring(draft, mechanism, index));
@@ -151,7 +151,7 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
         name: "contact".to_owned(),
         center,
         radius: draft.rng.range(0.0, 1.0) * draft.size,
-        angle: draft.rng.signed(0.0, 0.5),
+        angle: Value::Constant(draft.rng.signed(0.0, 0.5)),
         force,
         friction: draft.rng.signed(0.0, 0.3),
         during,

@@ -158,7 +158,7 @@ fn write_joints(text: &mut String, m: &Mechanism) -> Out {
         writeln!(text, "\n[[contact]]\nname = {:?}", contact.name)?;
         let center = &contact.center;
         writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
-        writeln!(text, "radius = {:?}\nangle = {:?}", contact.radius, contact.angle)?;
+        writeln!(text, "radius = {:?}\nangle = {}", contact.radius, value(m, &contact.angle))?;
         writeln!(text, "force = {}\nfriction = {:?}", value(m, &contact.force), contact.friction)?;
         if let Some(during) = contact.during {
             writeln!(text, "during = {}", pair(during))?;
