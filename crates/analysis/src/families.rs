@@ -4,10 +4,11 @@
 //! is a further family in [`POSITIONS`], [`TRANSIENT`] or [`STEADY`]; the writers need a name for it.
 
 use assur_dynamics::Holding;
-use assur_force::{Reactions, State};
+use assur_force::{Cause, Reactions, State};
+use assur_group::{Order, Wrench};
 use assur_integrator::Reduced;
 use assur_kinematics::{Position, ScalarMotion};
-use assur_mechanism::PairId;
+use assur_mechanism::{LinkId, Mechanism, PairId};
 
 use crate::joints::{Joints, ends};
 use crate::reader::Motions;
@@ -47,6 +48,9 @@ pub(crate) const POSITIONS: &[Family] = &[
     SLIDES,
     Family { applies: |calculation| calculation.positions_move() && calculation.plan.velocities, ..RATES },
     REDUCED,
+    LOADS,
+    INERTIA_LOADS,
+    SHAKING,
     Family {
         applies: |calculation| calculation.positions_have_forces() && (REACTIONS.applies)(calculation),
         ..REACTIONS
@@ -179,6 +183,93 @@ const REDUCED: Family = Family {
     },
 };
 
+/// Values of the loads of the scene.
+const LOADS: Family = Family {
+    applies: |calculation| calculation.positions_have_forces() && calculation.knows_all_loads(),
+    columns: |_, schema| {
+        let loads = (0..schema.loads()).map(|load| Column::of(Quantity::Load, Owner::Load(load)));
+        let loads: Vec<Column> = loads.collect();
+        schema.add(Section::ALWAYS, loads);
+    },
+    fill: |row, cells| {
+        let Mechanism { forces, moments, springs, contacts, .. } = &row.calculation.linkage.mechanism;
+        let starts = [0, forces.len(), moments.len(), springs.len()];
+        let starts: Vec<usize> = starts
+            .iter()
+            .scan(0, |sum, count| {
+                *sum += count;
+                Some(*sum)
+            })
+            .collect();
+        let mut sizes = vec![0.0; starts[3] + contacts.len()];
+        if let Some(loads) = &row.calculation.loads {
+            loads.sizes(&row.state, &row.position.bodies, |cause, size| {
+                let load = match cause {
+                    Cause::Force(id) => starts[0] + id,
+                    Cause::Moment(id) => starts[1] + id,
+                    Cause::Spring(id) => starts[2] + id,
+                    Cause::Contact(id) => starts[3] + id,
+                    Cause::Weight(_) | Cause::Inertia(_) => return,
+                };
+                sizes[load] = size;
+            });
+        }
+        cells.all(sizes);
+    },
+};
+
+/// Inertia loads of the links with mass.
+const INERTIA_LOADS: Family = Family {
+    applies: |calculation| calculation.has_inertia_loads(),
+    columns: |calculation, schema| {
+        for link in heavy(&calculation.linkage.mechanism) {
+            schema.add(Section::ALWAYS, Column::vector(Quantity::InertiaForce, Owner::Link(link)));
+            schema.add(Section::ALWAYS, [Column::of(Quantity::InertiaMoment, Owner::Link(link))]);
+        }
+    },
+    fill: |row, cells| {
+        for link in heavy(&row.calculation.linkage.mechanism) {
+            let (force, moment) = inertia_load(row, link);
+            cells.all(force);
+            cells.all([moment]);
+        }
+    },
+};
+
+/// What all inertia loads together do to the ground.
+const SHAKING: Family = Family {
+    applies: |calculation| calculation.has_inertia_loads(),
+    columns: |_, schema| {
+        schema.add(Section::ALWAYS, Column::vector(Quantity::ShakingForce, Owner::Input));
+        schema.add(Section::ALWAYS, [Column::of(Quantity::ShakingMoment, Owner::Input)]);
+    },
+    fill: |row, cells| {
+        let mechanism = &row.calculation.linkage.mechanism;
+        let mut sum = Wrench::ZERO;
+        for link in heavy(mechanism) {
+            let (force, moment) = inertia_load(row, link);
+            sum.add_at(row.position.bodies[link].point(mechanism.links[link].center), force, moment);
+        }
+        cells.all([sum.fx, sum.fy, sum.m]);
+    },
+};
+
+/// The moving links with mass or moment of inertia.
+fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
+    let links = mechanism.links.iter().enumerate().skip(1);
+    links.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0).map(|(id, _)| id)
+}
+
+/// Force at the center of mass, and moment: -m a and -I e.
+fn inertia_load(row: &Row<'_>, link: LinkId) -> ([f64; 2], f64) {
+    let (found, body) = (&row.calculation.linkage.mechanism.links[link], &row.position.bodies[link]);
+    let (square, acceleration) = (row.state.speed * row.state.speed, row.state.acceleration);
+    let arm = body.arm(found.center);
+    let (first, second) = (body.first(arm), body.second(arm));
+    let force = [0, 1].map(|axis| -found.mass * (second[axis] * square + first[axis] * acceleration));
+    (force, -found.inertia * (body.w2 * square + body.w1 * acceleration))
+}
+
 /// Forces and moments of the pins and slides.
 const REACTIONS: Family = Family {
     applies: |calculation| {
@@ -268,6 +359,17 @@ impl Calculation {
     /// Whether the positions have a speed.
     fn positions_move(&self) -> bool {
         self.motion.moves(&self.linkage.mechanism)
+    }
+
+    /// Whether all loads can be evaluated: groups that nothing wanted depends on are not solved.
+    fn knows_all_loads(&self) -> bool {
+        self.loads.is_some() && self.linkage.mechanism.output.is_none()
+    }
+
+    /// Whether the positions have inertia loads.
+    fn has_inertia_loads(&self) -> bool {
+        let solved = self.plan.groups_needed.iter().all(|needed| *needed);
+        self.plan.order == Order::Second && solved && self.knows_all_loads() && self.positions_move()
     }
 
     /// Whether there is a force analysis.

@@ -278,3 +278,32 @@ fn a_regime_that_is_not_finite_is_no_motion() {
         assert_eq!(found.positions.len(), 12, "{start}: what does not depend on the motion is calculated");
     }
 }
+
+/// The ground takes the weights, the applied loads and the shaking force.
+#[test]
+fn loads_and_shaking_force_are_what_the_ground_takes() {
+    let found = analyzed(&text("shaper"));
+    let table = &found.positions;
+    let shaking = Column::vector(Quantity::ShakingForce, Owner::Input);
+    let cutting = Column::of(Quantity::Load, Owner::Load(0));
+    let weight = 9.81 * (4.0 + 1.5 + 12.0 + 1.2 + 30.0);
+    let mut working = 0;
+    for row in 0..table.len() {
+        let taken = ends(table).into_iter().filter(|(_, link)| *link == 0);
+        let sum = taken.map(|(pair, link)| force(table, row, pair, link));
+        let sum = sum.fold([0.0; 2], |sum, force| [sum[0] + force[0], sum[1] + force[1]]);
+        let [x, y] = shaking.map(|column| table.get(row, column).unwrap());
+        let load = table.get(row, cutting).unwrap();
+        assert!((sum[0] - x - load).abs() < 1e-9 && (sum[1] - y + weight).abs() < 1e-9, "row {row}");
+        assert!(load == 0.0 || (load - 1500.0).abs() < 1e-9);
+        working += usize::from(load > 0.0);
+    }
+    assert!((20..30).contains(&working), "{working} positions under load");
+    // The ram translates: its inertia load is the mass times the acceleration of the slide.
+    let ram = table.schema().owners(Quantity::InertiaForce).pop().unwrap();
+    let forces = table.schema().find(Column::vector(Quantity::InertiaForce, ram)[0]).unwrap();
+    let forces: Vec<f64> = table.each(forces).flatten().collect();
+    for (force, acceleration) in forces.iter().zip(values(&found, Quantity::Acceleration, "ram/ground")) {
+        assert!((force + 30.0 * acceleration).abs() < 1e-9);
+    }
+}

@@ -19,6 +19,12 @@ pub(crate) trait Sink<T> {
     fn force(&mut self, link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]);
     /// A moment, N m.
     fn moment(&mut self, link: usize, body: &Body<T>, moment: T);
+    /// Whether the [size](Self::size) of each load is wanted.
+    const SIZES: bool = false;
+    /// The size of a load: of a force along its direction (or against the motion), of a moment, of a contact, N or N m; of a
+    /// spring its tension.
+    #[inline]
+    fn size(&mut self, _size: T) {}
 }
 
 /// The states at which the loads are visited, and which formulas apply there.
@@ -43,6 +49,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
                 Some((brake, _)) => self.brake(loads.forces.len() + index, moment.link, brake),
             };
             sink.cause(Cause::Moment(moment.id));
+            sink.size(size);
             sink.moment(moment.link, &self.bodies[moment.link], size);
         }
         for spring in &loads.springs {
@@ -101,6 +108,19 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             }
         };
         sink.cause(Cause::Force(force.id));
+        if S::SIZES {
+            sink.size(match force.along {
+                Along::Ground(_) | Along::Link(_) => self.size(index, point),
+                Along::AgainstMotion => {
+                    let lengths = [body.first(arm), body.second(arm)].map(|of| dot(of, of).sqrt());
+                    self.by_lane(|formulas, lane| {
+                        let lengths = lengths.map(|length| length.lane(lane));
+                        let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
+                        turn.abs() * self.value(formulas, index, lane, point)
+                    })
+                }
+            });
+        }
         sink.force(force.at.link, body, arm, along);
     }
 
@@ -137,6 +157,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             T::of_lanes(|lane| if length.lane(lane) == 0.0 { 0.0 } else { per_length.lane(lane) });
         let pull = scaled(per_length, between);
         sink.cause(Cause::Spring(spring.id));
+        sink.size(tension);
         sink.force(spring.ends[0].link, one, arms[0], pull);
         sink.force(spring.ends[1].link, two, arms[1], opposite(pull));
     }
@@ -165,6 +186,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let friction = T::from_f64(contact.friction);
         let along = [s + friction * c, c - friction * s];
         sink.cause(Cause::Contact(contact.id));
+        sink.size(size);
         sink.force(contact.center.link, body, arm, scaled(size, along));
     }
 }

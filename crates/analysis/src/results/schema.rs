@@ -36,6 +36,16 @@ pub enum Quantity {
     Holding,
     /// The greatest size that [`Holding`](Self::Holding) can have.
     HoldingBound,
+    /// Value of a load: of a force along its direction, of a moment counter-clockwise, of a spring its tension.
+    Load,
+    /// Principal vector of the inertia loads of a link, at its center of mass: -m a.
+    InertiaForce,
+    /// Principal moment of the inertia loads of a link: -I e.
+    InertiaMoment,
+    /// Force on the ground of all inertia loads.
+    ShakingForce,
+    /// Moment on the ground of all inertia loads, about the origin.
+    ShakingMoment,
     /// 1 / |dimensionless determinant| of a group: infinite at a singular position.
     Condition,
 }
@@ -58,6 +68,8 @@ pub enum Owner {
     PairOn(PairId, LinkId),
     /// A group, by its index in solving order.
     Group(usize),
+    /// A load of the scene, by its index among [`Schema::loads`].
+    Load(usize),
 }
 
 /// Which part of a quantity.
@@ -162,6 +174,7 @@ pub struct Schema {
     links: Vec<String>,
     points: Vec<String>,
     slides: Vec<String>,
+    loads: Vec<(String, Base)>,
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
@@ -179,6 +192,7 @@ impl Schema {
             links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
+            loads: loads(mechanism),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
             causes: Vec::new(),
@@ -251,7 +265,13 @@ impl Schema {
             | Owner::Pair(PairId::Slide(slide))
             | Owner::PairOn(PairId::Slide(slide), _) => self.slides[slide].as_str().into(),
             Owner::Group(group) => group.to_string().into(),
+            Owner::Load(load) => self.loads[load].0.as_str().into(),
         }
+    }
+
+    /// How many loads the scene has: forces, moments, springs, contacts, in this order.
+    pub fn loads(&self) -> usize {
+        self.loads.len()
     }
 
     /// The name of a link.
@@ -285,7 +305,22 @@ impl Schema {
             Quantity::Offset => plain(Base::Meter),
             Quantity::Balancing if self.balances_by_moment => plain(Base::NewtonMeter),
             Quantity::Balancing => plain(Base::Newton),
+            Quantity::InertiaForce | Quantity::ShakingForce => plain(Base::Newton),
+            Quantity::InertiaMoment | Quantity::ShakingMoment => plain(Base::NewtonMeter),
+            Quantity::Load => match column.owner {
+                Owner::Load(load) => plain(self.loads[load].1),
+                _ => plain(Base::Newton),
+            },
             Quantity::Condition => plain(Base::One),
         }
     }
+}
+
+/// Names and units of the loads of a scene: forces, moments, springs, contacts.
+fn loads(mechanism: &Mechanism) -> Vec<(String, Base)> {
+    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), Base::Newton));
+    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), Base::NewtonMeter));
+    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), Base::Newton));
+    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), Base::Newton));
+    forces.chain(moments).chain(springs).chain(contacts).collect()
 }

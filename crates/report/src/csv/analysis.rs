@@ -151,6 +151,11 @@ pub(crate) fn name(schema: &Schema, column: Column) -> Option<String> {
         (Q::Force, Owner::PairOn(_, link)) => format!("{owner}_{}_f{part}", schema.link(link)),
         (Q::Moment, _) => format!("{owner}_moment"),
         (Q::Balancing, _) => "balancing".to_owned(),
+        (Q::Load, _) => format!("load_{owner}"),
+        (Q::InertiaForce, _) => format!("{owner}_inertia_f{part}"),
+        (Q::InertiaMoment, _) => format!("{owner}_inertia_moment"),
+        (Q::ShakingForce, _) => format!("shaking_f{part}"),
+        (Q::ShakingMoment, _) => "shaking_moment".to_owned(),
         (Q::Condition, _) => format!("condition_{owner}"),
         _ => return None,
     };

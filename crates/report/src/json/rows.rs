@@ -9,7 +9,7 @@ use super::quoted;
 use crate::template::{Template, Templates};
 
 /// The keys of a row, in their order.
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 19] = [
     "time",
     "coordinate",
     "speed",
@@ -20,6 +20,9 @@ const KEYS: [&str; 16] = [
     "velocities",
     "accelerations",
     "reduced",
+    "loads",
+    "inertia_loads",
+    "shaking",
     "reactions",
     "balancing",
     "reactions_by_cause",
@@ -89,6 +92,11 @@ pub(super) fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
         },
         (Q::Holding, _) => vec![key("holding"), key("moment")],
         (Q::HoldingBound, _) => vec![key("holding"), key("bound")],
+        (Q::Load, _) => vec![key("loads"), name()],
+        (Q::InertiaForce, _) => vec![key("inertia_loads"), name(), key("force")],
+        (Q::InertiaMoment, _) => vec![key("inertia_loads"), name(), key("moment")],
+        (Q::ShakingForce, _) => vec![key("shaking"), key("force")],
+        (Q::ShakingMoment, _) => vec![key("shaking"), key("moment")],
         (Q::Condition, _) => vec![key("condition"), name()],
         _ => return None,
     };

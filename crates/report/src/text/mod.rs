@@ -8,6 +8,7 @@ mod drive;
 mod forces;
 mod geometry;
 mod layout;
+mod loads;
 mod measured;
 mod motion;
 mod number;
@@ -52,6 +53,7 @@ pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> Result
     motion::write(&source, &mut page);
     course::write(&source, &mut page);
     drive::write(&source, &mut page);
+    loads::write(&source, &mut page);
     forces::write(&source, &mut page);
     contact::write(&source, &mut page);
     motion::condition(&source, &mut page);
