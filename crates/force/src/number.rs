@@ -56,7 +56,12 @@ impl LoadNumber for Lanes {
     }
 
     #[inline(always)]
-    fn of_lanes(number: impl FnMut(usize) -> f64) -> Self {
-        Self::of(number)
+    fn of_lanes(mut number: impl FnMut(usize) -> f64) -> Self {
+        // A plain loop is inlined, and so keeps the instructions of its caller.
+        let mut all = [0.0; Self::WIDTH];
+        for (lane, one) in all.iter_mut().enumerate() {
+            *one = number(lane);
+        }
+        Self(all)
     }
 }

@@ -41,7 +41,7 @@ impl Loads {
     /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
     #[inline]
     pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
-        Visit { loads: self, choice: phase, states: state, bodies }.evaluate()
+        f64::evaluate(Visit { loads: self, choice: phase, states: state, bodies })
     }
 
     /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.
