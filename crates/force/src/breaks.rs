@@ -63,7 +63,7 @@ impl Breaks {
     }
 
     /// Sum of the whole cycles between the cycle of the points and this coordinate.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn shift(&self, coordinate: f64) -> f64 {
         match (self.period, self.points.first()) {
             // Most coordinates are in the first cycle; the rest pays for division and floor.
@@ -75,7 +75,7 @@ impl Breaks {
     }
 
     /// The interval that holds a coordinate; a break belongs to the interval after it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn interval(&self, coordinate: f64) -> Interval {
         let Some(&first) = self.points.first() else {
             let (start, end) = (f64::NEG_INFINITY, f64::INFINITY);

@@ -33,7 +33,7 @@ pub(crate) struct Live;
 impl Choice for Live {
     type Formulas = Selection;
 
-    #[inline]
+    #[inline(always)]
     fn weigh(&self, loads: &Loads, state: &State, number: impl Fn(&Selection) -> f64) -> f64 {
         match loads.selections(state) {
             Selections::One(selection) => number(&selection),
@@ -47,19 +47,19 @@ impl Choice for Live {
 impl Choice for Phase {
     type Formulas = Self;
 
-    #[inline]
+    #[inline(always)]
     fn weigh(&self, _: &Loads, _: &State, number: impl Fn(&Self) -> f64) -> f64 {
         number(self)
     }
 }
 
 impl Formulas for Selection {
-    #[inline]
+    #[inline(always)]
     fn active(&self, loads: &Loads, law: usize, state: &State) -> Active {
         loads.laws[law].at(state, self, loads.period)
     }
 
-    #[inline]
+    #[inline(always)]
     fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool {
         let contact = &loads.contacts[contact];
         let ahead = self.coordinate(state, loads.period);
@@ -67,7 +67,7 @@ impl Formulas for Selection {
         contact.touches(ahead) || (self.closed && contact.touches(behind))
     }
 
-    #[inline]
+    #[inline(always)]
     fn against(&self, loads: &Loads, _: usize, _: &State, [first, second]: [f64; 2]) -> f64 {
         /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
         const AT_REST: f64 = 1e-12;
@@ -77,17 +77,17 @@ impl Formulas for Selection {
 }
 
 impl Formulas for Phase {
-    #[inline]
+    #[inline(always)]
     fn active(&self, _: &Loads, law: usize, _: &State) -> Active {
         self.actives[law]
     }
 
-    #[inline]
+    #[inline(always)]
     fn touches(&self, _: &Loads, contact: usize, _: &State) -> bool {
         self.contacts[contact]
     }
 
-    #[inline]
+    #[inline(always)]
     fn against(&self, _: &Loads, force: usize, state: &State, _: [f64; 2]) -> f64 {
         let [low, high] = self.sides[force];
         // Beyond a rest PF1 has reversed; the formula of the piece has not.
@@ -98,7 +98,7 @@ impl Formulas for Phase {
 
 impl ArcContact {
     /// Whether there is contact at a coordinate.
-    #[inline]
+    #[inline(always)]
     fn touches(&self, coordinate: f64) -> bool {
         self.breaks.interval(coordinate).index == self.touching
     }
@@ -115,7 +115,7 @@ pub(crate) enum Selections {
 
 impl Loads {
     /// The formulas in use at a state: those of one side, or of both where the motion is held.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn selections(&self, state: &State) -> Selections {
         let (speed, acceleration) = (state.speed, state.acceleration);
         let sign = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };

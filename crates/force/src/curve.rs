@@ -47,7 +47,7 @@ impl Curve {
     }
 
     /// Index of the segment that contains `x`: the number of rows at or before it. At a jump, the segment after it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn segment(&self, x: f64) -> usize {
         self.arguments.partition_point(|argument| *argument <= x)
     }
@@ -59,7 +59,7 @@ impl Curve {
     }
 
     /// Value at `x` by the formula of a segment, which is extrapolated beyond its ends.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, segment: usize, x: f64) -> f64 {
         let line = &self.lines[segment];
         line.value + line.slope * (x - line.argument)

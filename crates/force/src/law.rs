@@ -88,7 +88,7 @@ impl Law {
     }
 
     /// The formula on a side of a state.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
         match self {
             Self::Constant(_) => Active::ONLY,
@@ -138,7 +138,7 @@ impl Law {
     }
 
     /// The size of the load by one formula, continued beyond its ends; `point`: its place, m.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, active: Active, state: &State, point: [f64; 2]) -> f64 {
         match self {
             Self::Constant(value) => *value,
@@ -151,7 +151,7 @@ impl Law {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2]) {
     let interval = breaks.interval(ahead);
     // Rounding of the shift must not put a repeated table before its first row.

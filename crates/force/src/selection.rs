@@ -21,20 +21,20 @@ pub(crate) struct Selection {
 
 impl Selection {
     /// The coordinate at which the formula of a law is chosen.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn coordinate(&self, state: &State, period: Option<f64>) -> f64 {
         // A position that should lie on a row may miss it by rounding.
         state.coordinate + self.ahead * self.sense * tolerance(state.coordinate, period)
     }
 
     /// The time at which the formula of a law is chosen.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn time(&self, state: &State) -> f64 {
         state.time + self.ahead * tolerance(state.time, None)
     }
 
     /// The speed at which the formula of a law is chosen.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn speed(&self, state: &State) -> f64 {
         if self.speed_side == 0.0 { state.speed } else { beside(state.speed, self.speed_side) }
     }

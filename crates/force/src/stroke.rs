@@ -268,7 +268,7 @@ impl Stroke {
     }
 
     /// The formula at a coordinate for this direction of the input, and the coordinates between which it is valid.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn piece(&self, coordinate: f64, sense: f64) -> (Segment, [f64; 2]) {
         let pieces = &self.senses[usize::from(sense < 0.0)];
         let interval = pieces.breaks.interval(coordinate);
@@ -276,7 +276,7 @@ impl Stroke {
     }
 
     /// The load at a position in the ground's frame by one formula.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, piece: Segment, point: [f64; 2]) -> f64 {
         self.tables[usize::from(piece.back)].value(piece.segment, self.travel.part(point))
     }
