@@ -58,7 +58,7 @@ impl Calculation {
         if ((regime.mean_speed - wanted) / wanted).abs() > MET {
             let given = if regime.ratio.is_some() { "ratio" } else { "moment" };
             notes.push(format!(
-                "The wanted mean speed of {wanted:.6} {unit} is not met: with the given {given} it is {:.6} {unit}. Power, \
+                "The requested mean speed of {wanted:.6} {unit} is not met: with the given {given} it is {:.6} {unit}. Power, \
                  flywheel and the course are those of the regime found.",
                 regime.mean_speed
             ));

@@ -121,6 +121,9 @@ pub(crate) struct Comparison<'a> {
     /// The largest PF0, PF1, PF2 of anything on each link, in its unit, at least 1: what stands still on a fast link is a
     /// difference of what moves.
     sizes: Vec<[f64; 3]>,
+    /// How far the mechanism is from the origin, in its own size, at least 1: everything follows from differences of places,
+    /// which are rounded by that distance.
+    distance: f64,
 }
 
 impl<'a> Comparison<'a> {
@@ -143,7 +146,9 @@ impl<'a> Comparison<'a> {
                 }
             }
         }
-        Self { subject, one, around, found, sizes }
+        let far = one.position.bodies.iter().map(|body| body.x.hypot(body.y)).fold(0.0, f64::max);
+        let distance = (far / subject.linkage.structure.scale).max(1.0);
+        Self { subject, one, around, found, sizes, distance }
     }
 
     pub(crate) fn deviations(&self, all: &[Element], heavy: bool) -> Vec<Deviation> {
@@ -173,7 +178,7 @@ impl<'a> Comparison<'a> {
         let Self { subject, around, found, sizes, .. } = self;
         let unit = subject.unit(order, element.is_length());
         let below_unit = subject.unit(order - 1, element.is_length());
-        let floor = |number: f64, unit: f64| FLOOR * f64::EPSILON * (number.abs() + unit);
+        let floor = |number: f64, unit: f64| FLOOR * f64::EPSILON * (number.abs() + unit * self.distance);
         let links = element.links(subject.linkage);
         let size = links.map(|link| sizes[link][order]).into_iter().fold(1.0, f64::max);
         let components = 0..element.components();

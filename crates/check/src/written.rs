@@ -34,6 +34,8 @@ pub(crate) type Given = ByCause<Wrench<f64>>;
 pub(crate) struct Writer<'a> {
     mechanism: &'a Mechanism,
     scale: f64,
+    /// PF1 of a point that is rounding: 1e-14 of the size of the mechanism in a unit of the coordinate.
+    standing: f64,
     strokes: Vec<Option<Extremes>>,
 }
 
@@ -67,7 +69,8 @@ impl<'a> Writer<'a> {
             _ => None,
         };
         let strokes = mechanism.forces.iter().map(stroke).collect();
-        Self { mechanism, scale: subject.linkage.structure.scale, strokes }
+        let standing = 1e-14 * subject.unit(1, true);
+        Self { mechanism, scale: subject.linkage.structure.scale, standing, strokes }
     }
 
     /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a force
@@ -178,7 +181,7 @@ impl<'a> Writer<'a> {
                 let speed = v[0].hypot(v[1]);
                 let parts = body.x1.hypot(body.y1) + body.w1.abs() * arm[0].hypot(arm[1]);
                 // At rest up to rounding: no force, or a force in any direction, which may be the difference of both.
-                if now.state.speed == 0.0 || speed <= 1e-11 * parts {
+                if now.state.speed == 0.0 || speed <= 1e-11 * parts || speed <= self.standing {
                     let bounds = [f64::NEG_INFINITY, f64::INFINITY];
                     let sizes =
                         bounds.map(|any| self.size(now, &force.value, force.at, self.strokes[id], any));

@@ -91,7 +91,7 @@ pub enum DynamicsError {
     },
     /// The loads alone determine a mean speed other than the requested one.
     #[error(
-        "the wanted mean speed of {wanted:.6} can't be met: without a drive the loads alone fix it, at {found:.6}; give a drive \
+        "the requested mean speed of {wanted:.6} can't be met: without a drive the loads alone fix it, at {found:.6}; give a drive \
          (`torque = \"balance\"` or a motor), or that speed"
     )]
     OtherSpeed {
@@ -112,7 +112,7 @@ pub enum DynamicsError {
     },
     /// No flywheel and ratio are found.
     #[error(
-        "no ratio and flywheel give the wanted regime: after {trials} trials the mean speed misses by {:.3e} % and the \
+        "no ratio and flywheel give the requested regime: after {trials} trials the mean speed misses by {:.3e} % and the \
          unevenness by {:.3e} %; give one of them", 100.0 * mean_miss, 100.0 * unevenness_miss
     )]
     NotTuned {
