@@ -24,7 +24,7 @@ pub fn notable(
     loop {
         let block: Vec<_> = states.by_ref().take(Lanes::WIDTH).collect();
         let Some(last) = block.last() else { break };
-        scan.add(&block, std::array::from_fn(|lane| block.get(lane).unwrap_or(last).1));
+        scan.add(&block, &std::array::from_fn(|lane| block.get(lane).unwrap_or(last).1));
     }
     let mut numbers: Vec<usize> = scan.greatest.into_iter().flatten().map(|(_, number)| number).collect();
     numbers.sort_unstable();
@@ -42,13 +42,13 @@ struct Scan<'a> {
 
 impl Scan<'_> {
     /// Adds up to eight numbered states; `states` has the last of them in the lanes that are left over.
-    fn add(&mut self, numbered: &[(usize, State)], states: [State; Lanes::WIDTH]) {
+    fn add(&mut self, numbered: &[(usize, State)], states: &[State; Lanes::WIDTH]) {
         let coordinates = Lanes::of(|lane| states[lane].coordinate);
         let unsolved = self.linkage.solve_lanes(coordinates, Order::Second, &mut self.position);
         let unsolved: Vec<usize> = unsolved.err().into_iter().flatten().map(|(lane, _)| lane).collect();
         let mut found = [[0.0; Lanes::WIDTH]; QUANTITIES];
         self.motion(&mut found);
-        self.reactions(&states, &mut found);
+        self.reactions(states, &mut found);
         for (lane, (number, _)) in numbered.iter().enumerate().filter(|(lane, _)| !unsolved.contains(lane)) {
             for (most, values) in self.greatest.iter_mut().zip(&found) {
                 if values[lane] > most.map_or(0.0, |(value, _)| value) {

@@ -55,7 +55,9 @@ impl Subject<'_> {
             }
         }
         let mut all: Vec<Check> = closure.finish().chain(test_pf.finish()).collect();
-        all.iter_mut().for_each(|check| check.sample = self.positions.share());
+        for check in &mut all {
+            check.sample = self.positions.share();
+        }
         if let Some(loads) = self.loads {
             let mut forces = Forces::new(self, loads);
             for index in self.states.iter() {

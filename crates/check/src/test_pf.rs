@@ -1,6 +1,8 @@
 //! `TestPf` (S, stage 3): PF1 and PF2 of every element against numerical differentiation of PF0 and PF1, and the derivative of
 //! the reduced inertia against differences of the reduced inertia.
 
+use std::cell::OnceCell;
+
 use assur_kinematics::Position;
 use assur_number::Dd;
 
@@ -38,7 +40,7 @@ pub(crate) struct TestPf<'a> {
     scratch: Position,
     double: Option<Differences<'a, f64>>,
     /// Compiled at the first position that needs it.
-    double_double: Option<Option<Differences<'a, Dd>>>,
+    double_double: OnceCell<Option<Differences<'a, Dd>>>,
 }
 
 impl<'a> TestPf<'a> {
@@ -52,7 +54,7 @@ impl<'a> TestPf<'a> {
             heavy: moving.any(|link| link.mass > 0.0 || link.inertia > 0.0),
             scratch: linkage.position(),
             double: Differences::of(subject),
-            double_double: None,
+            double_double: OnceCell::new(),
         }
     }
 
@@ -82,9 +84,10 @@ impl<'a> TestPf<'a> {
         if let Some(found) = found.filter(|found| found.iter().all(Deviation::is_judged_in_double)) {
             return Some(found);
         }
-        match self.double_double.get_or_insert_with(|| Differences::of(subject)) {
-            Some(double_double) => double_double.around(all, one).map(deviations),
-            None => interpolated(subject, all, one, &mut self.scratch).map(deviations),
+        self.double_double.get_or_init(|| Differences::of(subject));
+        match self.double_double.get_mut() {
+            Some(Some(double_double)) => double_double.around(all, one).map(deviations),
+            _ => interpolated(subject, all, one, &mut self.scratch).map(deviations),
         }
     }
 

@@ -17,6 +17,7 @@ mod error;
 mod first;
 mod follow;
 mod follower;
+mod gaps;
 mod guesses;
 mod interpolant;
 mod interpolants;

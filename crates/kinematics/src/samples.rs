@@ -65,7 +65,9 @@ impl<'a> Samples<'a> {
         self.moved.truncate(first);
         self.failure = None;
         let links = &self.kernels.single.frame().links;
-        links.iter().for_each(|&link| branch.poses[link].truncate(first));
+        for &link in links {
+            branch.poses[link].truncate(first);
+        }
         while self.health.len() < branch.samples && self.failure.is_none() {
             let is_whole = self.health.len().is_multiple_of(Lanes::WIDTH)
                 && self.health.len() + Lanes::WIDTH <= branch.samples;

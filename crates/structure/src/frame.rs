@@ -66,7 +66,7 @@ fn outlying(places: &[Place]) -> Vec<[f64; 2]> {
         x.hypot(y)
     };
     // A little less than the side, because of rounding.
-    places.iter().map(|place| place.at).filter(|at| !(reach(at) < 0.999 * side)).collect()
+    places.iter().map(|place| place.at).filter(|at| reach(at) >= 0.999 * side).collect()
 }
 
 /// Where a pin or slide lies in its bodies: in `a`, which for a slide is the sliding link, and in `b`.

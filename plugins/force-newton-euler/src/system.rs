@@ -247,7 +247,9 @@ fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
     let pairs: Vec<(PairId, Vec<LinkId>)> = pins.chain(slides).collect();
     let mut of_link = vec![Vec::new(); mechanism.links.len()];
     for (k, (_, links)) in pairs.iter().enumerate() {
-        links.iter().for_each(|&link| of_link[link].push(k));
+        for &link in links {
+            of_link[link].push(k);
+        }
     }
     // Breadth first from the input link, not through the ground. Pairs that are not reached come first.
     let mut is_met = vec![false; mechanism.links.len()];
