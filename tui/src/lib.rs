@@ -9,6 +9,7 @@ pub mod screen;
 mod clock;
 mod files;
 mod locale;
+mod note;
 mod progress;
 
 use assur_figure::number;

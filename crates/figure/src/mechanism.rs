@@ -11,6 +11,8 @@ use crate::model::{Ink, Item, Point, Sign, Stroke};
 
 /// A guide is longer than the stroke of its slider by this part, at each end.
 const BEYOND: f64 = 0.08;
+/// Of more points only the names that cover nothing are written.
+const MOST_NAMES: usize = 40;
 /// Least excess of a guide, as part of the size of the mechanism.
 const LEAST_BEYOND: f64 = 0.02;
 
@@ -45,7 +47,8 @@ impl Drawing<'_> {
         items.extend(self.pins(bodies));
         for (id, point) in self.linkage.mechanism.points.iter().enumerate() {
             let at = self.linkage.point_motion(id, pose).pf0;
-            items.push(Item::name(at, &point.name, Ink::Title));
+            let needed = self.linkage.mechanism.points.len() <= MOST_NAMES;
+            items.push(Item::Name { at, text: point.name.clone(), ink: Ink::Title, needed });
         }
         items.extend(numbers.into_iter().map(|(at, link)| Item::Name {
             at,
@@ -122,11 +125,10 @@ impl Drawing<'_> {
     }
 
     fn springs(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
-        self.linkage.mechanism.springs.iter().flat_map(|spring| {
+        self.linkage.mechanism.springs.iter().map(|spring| {
             let [from, to] = spring.ends.map(|end| bodies[end.link].point(end.at));
-            let elastic = (spring.stiffness != 0.0).then_some(Item::Spring { from, to });
-            let damped = (spring.damping != 0.0).then_some(Item::Damper { from, to });
-            [elastic, damped].into_iter().flatten()
+            let (elastic, damped) = (spring.stiffness != 0.0, spring.damping != 0.0);
+            Item::Spring { from, to, elastic, damped }
         })
     }
 

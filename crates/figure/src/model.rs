@@ -25,6 +25,20 @@ impl Figure {
         Self { panels: vec![panel], columns: 1, ..Self::default() }
     }
 
+    /// The figure with its headings, its legend and the names of its axes in other words.
+    pub(crate) fn translated(&self, words: &dyn Fn(&str) -> String) -> Self {
+        let mut figure = self.clone();
+        figure.title = words(&figure.title);
+        figure.legend.iter_mut().for_each(|key| key.text = words(&key.text));
+        for panel in &mut figure.panels {
+            panel.title = words(&panel.title);
+            if let Frame::Axes { x, y, .. } = &mut panel.frame {
+                (x.label, y.label) = (words(&x.label), words(&y.label));
+            }
+        }
+        figure
+    }
+
     /// Number of rows of panels.
     pub fn rows(&self) -> usize {
         self.panels.len().div_ceil(self.columns.max(1))
@@ -186,19 +200,16 @@ pub enum Item {
         /// The other end.
         to: Point,
     },
-    /// A spring between two points.
+    /// A spring, a damper, or both beside each other between two points.
     Spring {
         /// One end.
         from: Point,
         /// The other end.
         to: Point,
-    },
-    /// A damper between two points.
-    Damper {
-        /// One end.
-        from: Point,
-        /// The other end.
-        to: Point,
+        /// Whether it has a spring.
+        elastic: bool,
+        /// Whether it has a damper.
+        damped: bool,
     },
     /// A sign at a point.
     Sign {
@@ -248,8 +259,7 @@ impl Item {
             Self::Sign { at, .. } | Self::Name { at, .. } => vec![*at],
             Self::Arrow { from, to, .. }
             | Self::Guide { from, to }
-            | Self::Spring { from, to }
-            | Self::Damper { from, to } => vec![*from, *to],
+            | Self::Spring { from, to, .. } => vec![*from, *to],
         }
     }
 }

@@ -111,10 +111,10 @@ fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
     for mark in marks {
         if let Mark::Sign { at, along, sign, ink } = mark {
             match sign {
-                Sign::Hatch => {}
-                Sign::Block => names.avoid(&block(*at, *along, EM)),
-                Sign::Bearing => names.avoid(&square(shifted(*at, [0.0, 1.0], 0.6 * EM), 1.1 * EM)),
-                _ => names.avoid(&square(*at, 0.25 * EM)),
+                Sign::Hatch => names.avoid(&[*at, shifted(*at, *along, 0.4 * EM)]),
+                Sign::Block => names.keep(*at, 0.5 * EM),
+                Sign::Bearing => names.keep(shifted(*at, [0.0, 1.0], 0.75 * EM), 0.75 * EM),
+                _ => names.keep(*at, 0.2 * EM),
             }
             elements.extend(sign_elements(*at, *along, *sign, *ink));
         }
@@ -127,12 +127,6 @@ fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
         }
     }
     elements
-}
-
-/// The outline of a square.
-fn square([x, y]: Point, half: f64) -> [Point; 5] {
-    let corner = |right: f64, down: f64| [x + right * half, y + down * half];
-    [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0)]
 }
 
 /// The elements of a line; it is interrupted where a point is not finite.

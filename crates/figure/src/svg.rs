@@ -10,8 +10,21 @@ const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
 
 /// A figure on a page of this width and height, mm.
 pub fn write(figure: &Figure, size: [f64; 2]) -> String {
-    let all = elements(figure, size);
+    write_in(figure, size, &str::to_owned)
+}
+
+/// A figure whose texts are translated by `words`.
+pub fn write_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) -> String {
+    let all = elements_in(figure, size, words);
     document(figure, size, all.iter().map(|element| markup(element, "")))
+}
+
+/// The elements of a figure in the words of a language.
+fn elements_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) -> Vec<Element> {
+    // Long texts are translated before they are laid out, numbers of axes and scales when they are there.
+    let mut all = elements(&figure.translated(words), size);
+    all.iter_mut().filter(|element| !element.text.is_empty()).for_each(|element| element.text = words(&element.text));
+    all
 }
 
 /// A figure that moves: its frames follow each other in equal times and repeat; `seconds` is the time of all.
@@ -19,7 +32,12 @@ pub fn write(figure: &Figure, size: [f64; 2]) -> String {
 /// What is equal in all frames is written once; between two frames everything moves in straight lines. A frame that does
 /// not have the elements of the first one is left out.
 pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64) -> String {
-    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements(frame, size)).collect();
+    animate_in(frames, size, seconds, &str::to_owned)
+}
+
+/// A figure that moves, whose texts are translated by `words`.
+pub fn animate_in(frames: &[Figure], size: [f64; 2], seconds: f64, words: &dyn Fn(&str) -> String) -> String {
+    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements_in(frame, size, words)).collect();
     let Some(first) = all.first().cloned() else { return String::new() };
     let names = |frame: &[Element]| frame.iter().map(|element| element.name).collect::<Vec<_>>();
     all.retain(|frame| names(frame) == names(&first));

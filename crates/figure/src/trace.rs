@@ -10,6 +10,8 @@ pub(crate) const BLOCK: [f64; 2] = [1.0, 0.55];
 const TURNS: usize = 6;
 /// Half width of a spring and of a damper's cylinder, in text sizes.
 const COIL: f64 = 0.4;
+/// Distance of a spring and of a damper from the line between their ends, where there are both, in text sizes.
+const BESIDE: f64 = 0.55;
 /// Length of the straight ends of a spring, as part of its length.
 const ENDS: f64 = 0.15;
 /// Distance of the strokes of a hatching, in text sizes.
@@ -62,8 +64,9 @@ impl<F: Fn(Point) -> Point> Paper<F> {
             }
             Item::Arrow { from, to, stroke, ink } => self.arrow(place(*from), place(*to), *stroke, *ink),
             Item::Guide { from, to } => self.guide(place(*from), place(*to)),
-            Item::Spring { from, to } => vec![line(self.spring(place(*from), place(*to)))],
-            Item::Damper { from, to } => self.damper(place(*from), place(*to)),
+            Item::Spring { from, to, elastic, damped } => {
+                self.suspension(place(*from), place(*to), *elastic, *damped)
+            }
             Item::Sign { at, along, sign, ink } => {
                 let tip = place([at[0] + along[0], at[1] + along[1]]);
                 let at = place(*at);
@@ -105,6 +108,28 @@ impl<F: Fn(Point) -> Point> Paper<F> {
             let at = shifted(from, along, step / steps * length);
             marks.push(Mark::Sign { at, along: out, sign: Sign::Hatch, ink: Ink::Ground });
             step += 1.0;
+        }
+        marks
+    }
+
+    /// A spring, a damper, or both beside each other.
+    fn suspension(&self, from: Point, to: Point, elastic: bool, damped: bool) -> Vec<Mark> {
+        let (along, _) = unit(from, to);
+        let across = [along[1], -along[0]];
+        let aside = if elastic && damped { BESIDE * self.em } else { 0.0 };
+        let both = |by: f64| [from, to].map(|end| shifted(end, across, by));
+        let mut marks = Vec::new();
+        if elastic {
+            let [from, to] = both(aside);
+            marks.push(line(self.spring(from, to)));
+        }
+        if damped {
+            let [from, to] = both(-aside);
+            marks.extend(self.damper(from, to));
+        }
+        if aside > 0.0 {
+            let ([a, b], [c, d]) = (both(aside), both(-aside));
+            marks.extend([line(vec![a, c]), line(vec![b, d])]);
         }
         marks
     }

@@ -144,8 +144,7 @@ fn any_size_and_any_number_is_drawn_without_a_fault() {
             chart("title", &[value, 1.0, value], 0.0),
             plane(vec![
                 Item::Arrow { from: [0.0; 2], to: [value, 1.0], stroke: Stroke::Dashed, ink: Ink::First },
-                Item::Spring { from: [value, 0.0], to: [1.0, 1.0] },
-                Item::Damper { from: [0.0; 2], to: [1.0, value] },
+                Item::Spring { from: [value, 0.0], to: [1.0, value], elastic: true, damped: true },
                 Item::Guide { from: [0.0; 2], to: [value, value] },
                 Item::sign([value, 0.0], Sign::Bearing, Ink::Ground),
                 Item::name([value, 0.0], "name", Ink::Title),

@@ -15,6 +15,7 @@ mod links;
 mod loads;
 mod motion;
 mod names;
+mod note;
 mod numbers;
 mod render;
 mod slides;
@@ -35,6 +36,7 @@ use names::LoadNames;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
+pub use note::Note;
 pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
 
 /// A commented, complete scene as a start for a new one.
@@ -42,7 +44,7 @@ pub const STARTER: &str = include_str!("starter.toml");
 
 const KEYS: &[&str] = &[
     "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
-    "contact", "brake", "balance", "motion", "drive", "output",
+    "contact", "brake", "balance", "motion", "drive", "output", "note",
 ];
 
 /// Reads a scene. `file_name` appears only in errors.
@@ -63,6 +65,15 @@ const KEYS: &[&str] = &[
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
     document::read(file_name, text, "a scene", KEYS, scene)
+}
+
+/// What a scene says about its explanatory note. `file_name` appears only in errors.
+///
+/// # Errors
+///
+/// [`SceneErrors`] with the faults of the TOML syntax and of `[note]`.
+pub fn note(file_name: &str, text: &str) -> Result<Note, SceneErrors> {
+    document::read(file_name, text, "a scene", KEYS, |root| note::read(root, None))
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
@@ -100,6 +111,7 @@ fn scene(root: &Section<'_>) -> Mechanism {
     let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
     let names = &mut LoadNames::default();
     let motion = motion::read(root, &context);
+    note::read(root, input.as_ref().map(|input| input.positions));
     let mechanism = Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),

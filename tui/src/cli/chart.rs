@@ -33,9 +33,17 @@ pub(crate) struct ChartArgs {
     /// Form of the chart
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write to this file instead of standard output
+    /// Write to this file instead of standard output; one that ends in .svg or .png is a picture: error over time
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// Width and height of the picture, mm.
+const PAGE: [f64; 2] = [240.0, 200.0];
+
+/// Whether the ending of a name is that of a picture.
+fn is_picture(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg") || ending.eq_ignore_ascii_case("png"))
 }
 
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
@@ -51,6 +59,12 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let stopped = stop.load(Ordering::Relaxed);
     if stopped {
         style.tell("stopped: what had been measured follows");
+    }
+    if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
+        let figure = crate::screen::view::accuracy::figure(&data);
+        let status = if stopped { Status::Code(INTERRUPTED) } else { Status::Done };
+        let picture = crate::screen::command::picture(&figure, path, PAGE).map_err(Fault::other)?;
+        return output.write(picture, status).map(|()| status);
     }
     let text = match args.format {
         Format::Text => style.text(&chart::text(&data, style.ascii, chart::WIDTH)).into_owned(),

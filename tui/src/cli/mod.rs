@@ -13,6 +13,7 @@ mod lists;
 mod options;
 mod output;
 mod plans;
+mod report;
 mod scene;
 mod shaking;
 mod shell;
@@ -83,6 +84,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Geometry(args)) => geometry::run(&args, style),
         Some(Command::Shaking(args)) => shaking::run(&args, style),
+        Some(Command::Report(args)) => report::run(&args, style),
         Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),

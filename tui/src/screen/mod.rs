@@ -6,15 +6,15 @@
 //! `still` draws a view without a terminal; `session` waits for events and redraws only after an event that changed something. Nothing here calculates; reading
 //! and calculating run in a worker thread (`work`).
 
-mod command;
+pub(crate) mod command;
 mod config;
 mod draw;
 mod input;
 mod session;
-mod state;
+pub(crate) mod state;
 pub(crate) mod still;
 mod terminal;
-mod view;
+pub(crate) mod view;
 mod work;
 
 #[cfg(test)]

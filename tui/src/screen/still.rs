@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use assur_figure::{Figure, svg};
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Keymap, Look, Pane, PlanKind, Purpose, Report, Source, State, View, Wish};
+use super::state::{Cancel, Job, Keymap, Look, Pane, PlanKind, Purpose, Report, Source, State, View, Wish};
 use super::{ScreenError, view, work};
 
 /// What is drawn.
@@ -57,7 +57,8 @@ pub(crate) fn views() -> Vec<&'static str> {
 ///
 /// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
 pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
-    let mut state = analyzed(scene, request)?;
+    let methods = [request.analyzer.clone(), request.integrator.clone()];
+    let mut state = analyzed(scene, methods, false)?;
     let size = request.size.unwrap_or(PAGE);
     let wrong = |error: String| StillError::Request(error);
     state.view = View::all().find(|view| view.command() == request.view).unwrap_or(View::Mechanism);
@@ -83,19 +84,34 @@ pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<V
     picture(&figure, output, size).map_err(|error| wrong(error.to_string()))
 }
 
-/// The state of a scene with its analysis done; the checks are left out.
-fn analyzed(scene: PathBuf, request: &Request) -> Result<State, StillError> {
+/// The state of a scene with its analysis done, by a force analyzer and an integrator, and with its checks where they
+/// are wanted.
+///
+/// # Errors
+///
+/// A scene that can't be read.
+pub(crate) fn analyzed(
+    scene: PathBuf,
+    [analyzer, integrator]: [Option<String>; 2],
+    checks: bool,
+) -> Result<State, StillError> {
     let scene = work::open(Source::File(scene)).map_err(ScreenError::Scene)?;
     let mut state = State::new(Some(scene), Look::default(), COMMANDS, Keymap::of(COMMANDS));
-    state.analyzer.clone_from(&request.analyzer);
-    state.integrator.clone_from(&request.integrator);
+    (state.analyzer, state.integrator) = (analyzer, integrator);
     command::ask(&mut state, Purpose::Main);
     for wish in std::mem::take(&mut state.wishes) {
         let Wish::Work(job) = wish else { continue };
+        let cancel = if let Job::Calculate(request) = &job { request.cancel.clone() } else { Cancel::default() };
         let reports = RefCell::new(Vec::new());
-        let last = work::run(&job, &|report| reports.borrow_mut().push(report));
+        let last = work::run(&job, &|report| {
+            if matches!(report, Report::Analyzed { .. }) && !checks {
+                cancel.stop();
+            }
+            reports.borrow_mut().push(report);
+        });
         for report in reports.into_inner().into_iter().chain([last]) {
-            if matches!(report, Report::Analyzed { .. }) {
+            let wanted = checks || !matches!(report, Report::Checked { .. });
+            if wanted && !matches!(report, Report::Counted { .. }) {
                 command::take(&mut state, report);
             }
         }

@@ -4,6 +4,7 @@ mod compare;
 mod forces;
 mod frames;
 mod keys;
+mod pictures;
 mod reading;
 mod running;
 mod sizes;

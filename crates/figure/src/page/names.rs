@@ -43,7 +43,7 @@ pub(super) struct Names {
     room: Room,
     /// Pieces of lines.
     lines: Vec<[Point; 2]>,
-    /// Left, top, right, bottom of texts.
+    /// Left, top, right, bottom of texts and signs.
     texts: Vec<[f64; 4]>,
 }
 
@@ -55,6 +55,11 @@ impl Names {
     /// Remembers a line that names must not cover.
     pub(super) fn avoid(&mut self, points: &[Point]) {
         self.lines.extend(points.windows(2).map(|two| [two[0], two[1]]));
+    }
+
+    /// Remembers a sign that names must not cover: a square of this half side around a point.
+    pub(super) fn keep(&mut self, [x, y]: Point, half: f64) {
+        self.texts.push([x - half, y - half, x + half, y + half]);
     }
 
     /// The place and the anchor of a name beside a point; `None` if it is not needed and would cover something.

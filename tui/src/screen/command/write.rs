@@ -95,7 +95,7 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
             }
             Ok(writer.into_inner()?)
         }
-        (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
+        (View::Plans | View::Motion | View::Drive | View::Accuracy, ..) if figure.is_some() => {
             points(figure.map_or(&[][..], |figure| &figure.panels))
         }
         _ => table(scene, 0..scene.column_count()),

@@ -93,7 +93,8 @@ pub(crate) fn figure(state: &State) -> Option<Figure> {
         View::Motion => motion::figure(state, scene, usize::MAX),
         View::Drive => drive::figure(state, scene, 1),
         View::Structure => structure::figure(state, scene),
-        View::Menu | View::Checks | View::Accuracy | View::Table | View::Values => return None,
+        View::Accuracy => accuracy::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
+        View::Menu | View::Checks | View::Table | View::Values => return None,
     };
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }

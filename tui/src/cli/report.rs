@@ -1,0 +1,57 @@
+//! `assur report`: the explanatory note.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::fault::{Fault, Status};
+use super::options::SceneArgs;
+use super::output::Output;
+use super::scene;
+use super::style::Style;
+use crate::files;
+use crate::note;
+use crate::screen::still::{self, StillError};
+
+/// Arguments of `report`.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct ReportArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Language of the note: en, uk, ru (default: `[note] language` of the scene)
+    #[arg(long, value_name = "NAME", value_parser = ["en", "uk", "ru"])]
+    language: Option<String>,
+    /// File to write: one HTML file with all figures in it
+    #[arg(short, long, value_name = "FILE.html")]
+    output: PathBuf,
+}
+
+/// The languages, as the note names them.
+const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
+
+pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
+    let path = &args.scene.scene;
+    let output = Output::of(Some(&args.output), path)?;
+    if args.output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("html")) {
+        return Err(Fault::other(format!("`{}` must end in .html", args.output.display())));
+    }
+    scene::options(&args.scene.methods)?;
+    let text = files::read(path)?;
+    let name = path.display().to_string();
+    let mut note = assur_scene::note(&name, &text).map_err(|errors| scene::faults(&errors, style))?;
+    if let Some(language) = LANGUAGES.into_iter().find(|known| args.language.as_deref() == Some(known)) {
+        note.language = language;
+    }
+    let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
+    let mut state = match still::analyzed(path.clone(), methods, true) {
+        Ok(state) => state,
+        Err(StillError::Scene(error)) => return Err(error.into()),
+        Err(error) => return Err(Fault::Scene(error.to_string())),
+    };
+    let failed = state.found().is_none_or(|found| {
+        found.analysis.no_motion.is_some() || found.checks.iter().any(assur_analysis::results::Check::failed)
+    });
+    let status = if failed { Status::Failed } else { Status::Done };
+    let content = note::write(&mut state, &note).map_err(Fault::other)?;
+    output.write(content, status).map(|()| status)
+}
