@@ -120,10 +120,12 @@ fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
         }
     }
     for mark in marks {
-        if let Mark::Name { at, text: name, ink, needed } = mark
-            && let Some((at, anchor)) = names.place(*at, name, *needed)
-        {
-            elements.push(text(at, name, *ink, anchor));
+        if let Mark::Name { at, text: name, ink, needed } = mark {
+            let (at, seen) = names.place(*at, name, *needed);
+            let mut element = text(at, name, *ink, "start");
+            // A name that is not seen stays, so that all frames of an animation have the same elements.
+            element.attributes.push(("visibility", if seen { "visible" } else { "hidden" }.to_owned()));
+            elements.push(element);
         }
     }
     elements

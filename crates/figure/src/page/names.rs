@@ -62,8 +62,9 @@ impl Names {
         self.texts.push([x - half, y - half, x + half, y + half]);
     }
 
-    /// The place and the anchor of a name beside a point; `None` if it is not needed and would cover something.
-    pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> Option<(Point, &'static str)> {
+    /// The place of a name beside a point, where its baseline begins, and whether it is seen: not where it is not needed
+    /// and would cover something.
+    pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
         let (width, away) = (text_width(name), APART * EM);
         let mut best: Option<(usize, [f64; 4])> = None;
         for ring in [1.0, 2.0, 3.0] {
@@ -91,12 +92,14 @@ impl Names {
                 break;
             }
         }
-        let (covered, spot) = best?;
-        if covered > 0 && !needed {
-            return None;
+        let seen = |(covered, _): &(usize, [f64; 4])| *covered == 0 || needed;
+        match best.filter(seen) {
+            Some((_, spot)) => {
+                self.texts.push(spot);
+                ([spot[0], spot[3]], true)
+            }
+            None => (at, false),
         }
-        self.texts.push(spot);
-        Some(([spot[0], spot[3]], "start"))
     }
 
     /// Number of lines and texts that a text would cover; `None` outside the room.
