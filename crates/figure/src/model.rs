@@ -257,9 +257,9 @@ impl Item {
             Self::Line { points, .. } => points.clone(),
             Self::Area { outline, .. } => outline.clone(),
             Self::Sign { at, .. } | Self::Name { at, .. } => vec![*at],
-            Self::Arrow { from, to, .. }
-            | Self::Guide { from, to }
-            | Self::Spring { from, to, .. } => vec![*from, *to],
+            Self::Arrow { from, to, .. } | Self::Guide { from, to } | Self::Spring { from, to, .. } => {
+                vec![*from, *to]
+            }
         }
     }
 }

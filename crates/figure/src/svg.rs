@@ -23,7 +23,9 @@ pub fn write_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String)
 fn elements_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) -> Vec<Element> {
     // Long texts are translated before they are laid out, numbers of axes and scales when they are there.
     let mut all = elements(&figure.translated(words), size);
-    all.iter_mut().filter(|element| !element.text.is_empty()).for_each(|element| element.text = words(&element.text));
+    all.iter_mut()
+        .filter(|element| !element.text.is_empty())
+        .for_each(|element| element.text = words(&element.text));
     all
 }
 

@@ -28,7 +28,9 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) = root.get("note").and_then(|entry| entry.section("the note", KEYS)) else { return note };
+    let Some(section) = root.get("note").and_then(|entry| entry.section("the note", KEYS)) else {
+        return note;
+    };
     let line = |key: &str| section.get(key).and_then(|entry| entry.line());
     (note.author, note.group, note.variant) = (line("author"), line("group"), line("variant"));
     if let Some(language) = section.get("language").and_then(|entry| entry.choice(&LANGUAGES)) {
@@ -37,7 +39,10 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     if let Some(entry) = section.get("positions") {
         let listed = entry.list("a list of numbers of positions");
         if listed.len() > MOST_POSITIONS {
-            entry.fault(format!("a note has at most {MOST_POSITIONS} positions"), format!("here are {}", listed.len()));
+            entry.fault(
+                format!("a note has at most {MOST_POSITIONS} positions"),
+                format!("here are {}", listed.len()),
+            );
         }
         let most = positions.unwrap_or(usize::MAX).saturating_sub(1);
         note.positions = listed.iter().filter_map(|entry| entry.count(0, most)).collect();

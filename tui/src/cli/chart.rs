@@ -43,7 +43,8 @@ const PAGE: [f64; 2] = [240.0, 200.0];
 
 /// Whether the ending of a name is that of a picture.
 fn is_picture(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg") || ending.eq_ignore_ascii_case("png"))
+    path.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("svg") || ending.eq_ignore_ascii_case("png"))
 }
 
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {

@@ -61,7 +61,8 @@ impl Context<'_> {
         position: usize,
         set: impl FnOnce(&mut State),
     ) -> Option<(Figure, String)> {
-        let before = (self.state.view, self.state.position, self.state.chosen, self.state.pane, self.state.plan);
+        let before =
+            (self.state.view, self.state.position, self.state.chosen, self.state.pane, self.state.plan);
         (self.state.view, self.state.position) = (shown, position);
         set(self.state);
         let figure = view::figure(self.state);
@@ -89,7 +90,8 @@ impl Context<'_> {
     /// The coordinate of a position with its unit.
     pub(super) fn coordinate(&self, position: usize) -> String {
         let series = self.state.scene.as_ref().map(|scene| &scene.series[0]);
-        let text = series.map(|series| format!("{} {}", crate::number::plain(series.at(position)), series.unit));
+        let text =
+            series.map(|series| format!("{} {}", crate::number::plain(series.at(position)), series.unit));
         self.words.phrase(&text.unwrap_or_default())
     }
 }

@@ -36,7 +36,8 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         blocks.push(Block::table(words, "iteration", head, rows));
     }
     let methods = dynamics.flywheel_methods.iter().map(|row| {
-        let off = row.difference.map_or_else(String::new, |part| words.number(&format!("{:+.2} %", 1e2 * part)));
+        let off =
+            row.difference.map_or_else(String::new, |part| words.number(&format!("{:+.2} %", 1e2 * part)));
         vec![row.method.to_string(), number(row.flywheel), off]
     });
     let methods: Vec<_> = methods.collect();
@@ -45,7 +46,13 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         blocks.push(Block::table(words, "flywheel-methods", head, methods));
     }
     let caption = words.get("speed-and-moments");
-    blocks.extend(context.picture(View::Motion, position, CURVES, |_, _| caption, |state| state.pane = Pane::Curves));
+    blocks.extend(context.picture(
+        View::Motion,
+        position,
+        CURVES,
+        |_, _| caption,
+        |state| state.pane = Pane::Curves,
+    ));
     let caption = words.get("characteristic-and-moments");
     blocks.extend(context.picture(View::Drive, position, CURVES, |_, _| caption, |_| {}));
     blocks
@@ -64,9 +71,9 @@ fn numbers(context: &Context<'_>, dynamics: &Dynamics) -> Vec<Vec<String>> {
         ("ratio", dynamics.ratio),
         ("flywheel", dynamics.flywheel),
     ];
-    let told = all.into_iter().filter_map(|(id, value)| {
-        Some(vec![words.get(id), words.number(&digits(value?, DIGITS))])
-    });
+    let told = all
+        .into_iter()
+        .filter_map(|(id, value)| Some(vec![words.get(id), words.number(&digits(value?, DIGITS))]));
     let motor = dynamics.motor.as_ref().map(|motor| vec![words.get("motor"), motor.designation.clone()]);
     told.chain(motor).collect()
 }

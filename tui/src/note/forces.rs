@@ -13,9 +13,12 @@ const CURVE: [f64; 2] = [160.0, 85.0];
 /// balancing load; nothing without forces.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let words = context.words;
-    let Some(found) = context.state.found().filter(|found| !found.reactions.is_empty()) else { return Vec::new() };
+    let Some(found) = context.state.found().filter(|found| !found.reactions.is_empty()) else {
+        return Vec::new();
+    };
     let values = [("analyzer", found.analyzer.clone())];
-    let mut blocks = vec![Block::Heading(words.get("forces")), Block::Text(words.with("forces-text", &values))];
+    let mut blocks =
+        vec![Block::Heading(words.get("forces")), Block::Text(words.with("forces-text", &values))];
     let all: Vec<usize> = found
         .reactions
         .iter()
@@ -53,15 +56,27 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let position = context.positions[0];
     if let Some(index) = greatest {
         let caption = words.with("reaction-curve", &[("of", words.phrase(&name))]);
-        blocks.extend(context.picture(View::Forces, position, CURVE, |_, _| caption, |state| {
-            (state.pane, state.chosen.reaction) = (Pane::Table, index);
-        }));
+        blocks.extend(context.picture(
+            View::Forces,
+            position,
+            CURVE,
+            |_, _| caption,
+            |state| {
+                (state.pane, state.chosen.reaction) = (Pane::Table, index);
+            },
+        ));
     }
     if let Some(index) = balancing {
         let caption = words.get("balancing");
-        blocks.extend(context.picture(View::Forces, position, CURVE, |_, _| caption, |state| {
-            (state.pane, state.chosen.reaction) = (Pane::Curves, index);
-        }));
+        blocks.extend(context.picture(
+            View::Forces,
+            position,
+            CURVE,
+            |_, _| caption,
+            |state| {
+                (state.pane, state.chosen.reaction) = (Pane::Curves, index);
+            },
+        ));
         blocks.extend(extreme(context, index));
     }
     blocks
@@ -73,7 +88,11 @@ fn extreme(context: &Context<'_>, reaction: usize) -> Option<Block> {
     let series = &found.series[*found.reactions[reaction].series.first()?];
     let finite = (0..scene.positions()).filter(|position| series.at(*position).is_finite());
     let at = finite.max_by(|one, other| series.at(*one).abs().total_cmp(&series.at(*other).abs()))?;
-    let head = [words.get("quantity"), format!("{}, {}", words.get("greatest"), series.unit), words.with("at", &[("unit", words.phrase(&scene.series[0].unit))])];
+    let head = [
+        words.get("quantity"),
+        format!("{}, {}", words.get("greatest"), series.unit),
+        words.with("at", &[("unit", words.phrase(&scene.series[0].unit))]),
+    ];
     let row = vec![
         words.phrase(&series.of),
         words.number(&digits(series.at(at), 5)),

@@ -3,8 +3,8 @@
 use assur_figure::svg::escaped;
 use assur_force::{Loads, State as Instant};
 use assur_mechanism::Motion;
-use assur_worksheet::{Entry, Line};
 use assur_working::Working;
+use assur_worksheet::{Entry, Line};
 
 use super::Context;
 use super::document::Block;
@@ -99,7 +99,9 @@ fn symbol(name: &str) -> String {
         "beta" => "β",
         "pi" => "π",
         "sqrt" => "√",
-        function @ ("sin" | "cos" | "tan" | "atan2" | "asin" | "acos" | "abs" | "sign") => return function.to_owned(),
+        function @ ("sin" | "cos" | "tan" | "atan2" | "asin" | "acos" | "abs" | "sign") => {
+            return function.to_owned();
+        }
         other => other,
     };
     let below = below.replace('_', ", ");

@@ -21,9 +21,17 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         let values = [("position", position.to_string()), ("at", context.coordinate(position))];
         let caption = words.with("mechanism-at", &values);
         blocks.extend(context.picture(View::Mechanism, position, MECHANISM, |_, _| caption, |_| {}));
-        for (kind, id) in [(PlanKind::Velocity, "velocity-plan"), (PlanKind::Acceleration, "acceleration-plan")] {
+        for (kind, id) in
+            [(PlanKind::Velocity, "velocity-plan"), (PlanKind::Acceleration, "acceleration-plan")]
+        {
             let caption = words.with(id, &[("position", position.to_string())]);
-            blocks.extend(context.picture(View::Plans, position, PLAN, |_, _| caption, |state| state.plan = kind));
+            blocks.extend(context.picture(
+                View::Plans,
+                position,
+                PLAN,
+                |_, _| caption,
+                |state| state.plan = kind,
+            ));
         }
     }
     let position = context.positions[0];
@@ -55,8 +63,10 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
 /// Head of a table of quantities in the chosen positions.
 pub(super) fn head(context: &Context<'_>) -> Vec<String> {
     let words = context.words;
-    let positions =
-        context.positions.iter().map(|position| words.with("position", &[("position", position.to_string())]));
+    let positions = context
+        .positions
+        .iter()
+        .map(|position| words.with("position", &[("position", position.to_string())]));
     [words.get("quantity"), words.get("unit")].into_iter().chain(positions).collect()
 }
 

@@ -42,7 +42,8 @@ pub(crate) fn write(state: &mut State, note: &Note) -> Result<String, String> {
     let exists = |position: &usize| scene.poses.get(*position).is_some_and(Option::is_some);
     let count = scene.positions();
     // Two positions in different parts of the cycle, unless the scene chooses.
-    let chosen = if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };
+    let chosen =
+        if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };
     let mut positions: Vec<usize> = chosen.into_iter().filter(exists).collect();
     if positions.is_empty() {
         positions.push(scene.first_position());
@@ -71,13 +72,19 @@ fn checks(context: &Context<'_>) -> Vec<Block> {
                 (false, true) => words.get("ok"),
                 (false, false) => words.get("not-judged"),
             };
-            let [residual, limit] = [check.residual, check.limit].map(|size| words.number(&format!("{size:.2e}")));
+            let [residual, limit] =
+                [check.residual, check.limit].map(|size| words.number(&format!("{size:.2e}")));
             vec![check.name.to_owned(), residual, limit, verdict]
         });
         let rows = rows.collect();
         blocks.push(Block::Heading(words.get("checks")));
         blocks.push(Block::Text(words.get("checks-text")));
-        blocks.push(Block::table(words, "checks", ["check", "residual", "limit", "verdict"].map(|id| words.get(id)), rows));
+        blocks.push(Block::table(
+            words,
+            "checks",
+            ["check", "residual", "limit", "verdict"].map(|id| words.get(id)),
+            rows,
+        ));
     }
     blocks.push(Block::Heading(words.get("model")));
     blocks.push(Block::Text(words.get("model-text")));

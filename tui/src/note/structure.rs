@@ -21,7 +21,9 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
             "<i>W</i> = 3<i>n</i> − 2<i>p</i><sub>5</sub> = 3·{} − 2·{} = {}",
             w.moving_links, w.pairs, w.value
         )),
-        Block::Text(words.with("structure-class", &[("formula", structure.formula.clone()), ("class", class)])),
+        Block::Text(
+            words.with("structure-class", &[("formula", structure.formula.clone()), ("class", class)]),
+        ),
     ];
     let mut rows = Vec::new();
     for (index, group) in structure.groups.iter().enumerate() {

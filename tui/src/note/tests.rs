@@ -53,7 +53,8 @@ fn the_numbers_of_the_note_are_those_of_the_results() {
     let html = super::write(&mut state, &note("en")).unwrap();
     let found = state.found().unwrap();
     let dynamics = found.analysis.dynamics.as_ref().unwrap();
-    for value in [dynamics.mean_speed, dynamics.unevenness, dynamics.excess_work, dynamics.flywheel.unwrap()] {
+    for value in [dynamics.mean_speed, dynamics.unevenness, dynamics.excess_work, dynamics.flywheel.unwrap()]
+    {
         assert!(html.contains(&format!("<td>{}</td>", digits(value, 6))), "{value}");
     }
     for reaction in found.reactions.iter().filter(|reaction| !reaction.pair.is_empty()) {
@@ -72,7 +73,8 @@ fn every_tag_is_closed_and_every_text_is_there() {
     for (scene, language) in [("shaper-drive", "uk"), ("press", "ru"), ("four-bar", "en"), ("brake", "uk")] {
         let html = of(scene, language);
         for tag in ["figure", "svg", "table", "thead", "tbody", "section", "h2", "p", "i", "sub", "sup"] {
-            let opened = html.matches(&format!("<{tag}>")).count() + html.matches(&format!("<{tag} ")).count();
+            let opened =
+                html.matches(&format!("<{tag}>")).count() + html.matches(&format!("<{tag} ")).count();
             assert_eq!(opened, html.matches(&format!("</{tag}>")).count(), "{scene} {language}: {tag}");
         }
         assert!(html.contains("A. &lt;B&gt;") && !html.contains("NaN"), "{scene}");

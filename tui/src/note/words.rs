@@ -36,7 +36,8 @@ impl Words {
     /// An unknown language, or a resource that can't be read.
     pub(super) fn of(language: &str) -> Result<Self, String> {
         let known = RESOURCES.into_iter().find(|(name, _)| *name == language);
-        let (name, text) = known.ok_or_else(|| format!("there is no language `{language}`; there are en, uk, ru"))?;
+        let (name, text) =
+            known.ok_or_else(|| format!("there is no language `{language}`; there are en, uk, ru"))?;
         let id: LanguageIdentifier = name.parse().map_err(|error| format!("language {name}: {error}"))?;
         let resource = FluentResource::try_new(text.to_owned())
             .map_err(|(_, errors)| format!("the words of {name} can't be read: {errors:?}"))?;

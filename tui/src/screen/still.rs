@@ -101,7 +101,8 @@ pub(crate) fn analyzed(
     command::ask(&mut state, Purpose::Main);
     for wish in std::mem::take(&mut state.wishes) {
         let Wish::Work(job) = wish else { continue };
-        let cancel = if let Job::Calculate(request) = &job { request.cancel.clone() } else { Cancel::default() };
+        let cancel =
+            if let Job::Calculate(request) = &job { request.cancel.clone() } else { Cancel::default() };
         let reports = RefCell::new(Vec::new());
         let last = work::run(&job, &|report| {
             if matches!(report, Report::Analyzed { .. }) && !checks {

@@ -42,7 +42,9 @@ fn a_request_without_a_meaning_is_refused_in_words() {
     assert!(refused(Request { position: 48, ..request("curves") }, "x.svg").contains("0 to 47"));
     let part = Request { part: Some("hodgraph".into()), ..request("forces") };
     assert!(refused(part, "x.svg").contains("hodograph"));
-    assert!(refused(Request { show: Some("nothing".into()), ..request("forces") }, "x.svg").contains("nothing"));
+    assert!(
+        refused(Request { show: Some("nothing".into()), ..request("forces") }, "x.svg").contains("nothing")
+    );
     assert!(refused(request("curves"), "x.pdf").contains(".svg or .png"));
     assert!(refused(Request { animate: true, ..request("mechanism") }, "x.png").contains("SVG"));
 }

@@ -70,8 +70,10 @@ const LEAST_ERROR: f64 = 1e-17;
 
 /// The methods of a stage that have a time and an error; `None` if there are none.
 fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
-    let rows: Vec<&Row> = data.rows.iter().filter(|row| row.stage == stage && row.point().is_some()).collect();
-    let place = |row: &Row| row.point().map_or([f64::NAN; 2], |(seconds, error)| [seconds, error.max(LEAST_ERROR)]);
+    let rows: Vec<&Row> =
+        data.rows.iter().filter(|row| row.stage == stage && row.point().is_some()).collect();
+    let place =
+        |row: &Row| row.point().map_or([f64::NAN; 2], |(seconds, error)| [seconds, error.max(LEAST_ERROR)]);
     let axis = |label: &str, at: usize| {
         let [low, high] = extent(rows.iter().map(|row| place(row)[at]))?;
         // Whole powers of ten.
@@ -85,7 +87,8 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
     let mut items = Vec::new();
     for (number, method) in methods.iter().enumerate() {
         let ink = Ink::Link(number + 1);
-        let points: Vec<Point> = rows.iter().filter(|row| row.method == *method).map(|row| place(row)).collect();
+        let points: Vec<Point> =
+            rows.iter().filter(|row| row.method == *method).map(|row| place(row)).collect();
         items.extend(points.iter().map(|at| Item::sign(*at, Sign::Dot, ink)));
         let exact = points.iter().copied().min_by(|one, other| one[1].total_cmp(&other[1]));
         items.extend(exact.map(|at| Item::name(at, *method, ink)));
