@@ -77,7 +77,8 @@ impl GroupError {
         if is_regular { Ok(()) } else { Err(Self::Singular { health: health.least() }) }
     }
 
-    /// Returns an error for a determinant of which rounding leaves fewer than about two correct digits, in any lane.
+    /// Returns an error for a determinant that is zero or NaN, or of which rounding leaves fewer than about two correct
+    /// digits, in any lane.
     ///
     /// For kinds whose determinant is the square root of a difference of lengths (zero for links stretched or folded,
     /// or a rod perpendicular to the guide). Its relative rounding error is `condition` / health²; derivatives and
@@ -93,7 +94,8 @@ impl GroupError {
         let h2 = health * health;
         let limit = T::from_f64(ROUNDINGS * T::EPSILON);
         let margin = h2 * h2 - limit * limit * square;
-        if margin.at_least(0.0) { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
+        let is_regular = margin.at_least(LEAST_HEALTH.max(4.0 * T::EPSILON).powi(4));
+        if is_regular { Ok(()) } else { Err(Self::Singular { health: health.abs().least() }) }
     }
 
     /// Returns an error for a result that is NaN in any lane.

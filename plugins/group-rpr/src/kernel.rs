@@ -41,9 +41,11 @@ pub struct Triangle<T> {
     arms: [[T; 2]; 2],
     /// Direction of the guide.
     t: [T; 2],
-    /// Distance of the pins along the guide, and its reciprocal.
-    s: T,
+    /// Reciprocal of the distance s of the pins along the guide.
     inverse: T,
+    /// D² / (D² + scale²). s is a root of D² - e², so a rounding of the distance D of the pins is magnified by D/s²; for
+    /// a central guide only by 1/s.
+    condition: T,
     health: T,
 }
 
@@ -86,14 +88,13 @@ impl<T: Real> Rpr<T> {
         // The pins lie upon each other and on the guide, which may point anywhere; or a number is NaN.
         GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
     }
+}
 
-    /// Returns an error if derivatives and reactions would have no correct digit: s is a root of D² - e², so a
-    /// rounding of the distance D is magnified by D/s²; for a central guide only by 1/s.
+impl<T: Real> Triangle<T> {
+    /// Returns an error if derivatives and reactions would have no correct digit.
     #[inline(always)]
-    fn determined(&self, s: T, health: T) -> Result<(), GroupError> {
-        GroupError::if_singular(health)?;
-        let square = s * s + self.e * self.e;
-        GroupError::if_lost(health, square / (square + self.scale))
+    fn determined(&self) -> Result<(), GroupError> {
+        GroupError::if_lost(self.health, self.condition)
     }
 }
 
@@ -116,18 +117,22 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         }
         let rest = rest.clamp_negative();
         let root = rest.sqrt();
-        let health = (rest / (square + self.scale)).sqrt();
+        let whole = square + self.scale;
+        // One division for 1 / D² and 1 / whole.
+        let per_both = T::ONE / (square * whole);
+        let (per_square, per_whole) = (whole * per_both, square * per_both);
+        let health = (rest * per_whole).sqrt();
         let s = if way == 0 { root } else { -root };
         // s / s²: the division does not have to wait for the root.
         let inverse = s * (T::ONE / rest);
         // t = D / (s + i e), and |s + i e|² = D².
-        let t = scaled(T::ONE / square, times(d, [s, -self.e]));
+        let t = scaled(per_square, times(d, [s, -self.e]));
         let [slider, guide] = self.links;
         let arms = [
             bodies[slider].put(times(t, self.inner.tilt), self.ends[0].own, pins[0]),
             bodies[guide].put(times(t, mirrored(self.inner.along)), self.ends[1].own, pins[1]),
         ];
-        Ok((Triangle { pins, arms, t, s, inverse, health }, health))
+        Ok((Triangle { pins, arms, t, inverse, condition: square * per_whole, health }, health))
     }
 
     #[inline(always)]
@@ -137,8 +142,10 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         let t = guide.turned(self.inner.along);
         let arms = [slider.arm(self.ends[0].own), guide.arm(self.ends[1].own)];
         let s = dot(t, minus(pins[0], pins[1]));
-        let health = s.abs() / (s * s + self.e * self.e + self.scale).sqrt();
-        Triangle { pins, arms, t, s, inverse: T::ONE / s, health }
+        let square = s * s + self.e * self.e;
+        let whole = square + self.scale;
+        let health = s.abs() / whole.sqrt();
+        Triangle { pins, arms, t, inverse: T::ONE / s, condition: square / whole, health }
     }
 
     #[inline(always)]
@@ -153,8 +160,8 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         position: &Triangle<T>,
         order: Order,
     ) -> Result<(), GroupError> {
-        let &Triangle { pins, arms, t, s, inverse, health } = position;
-        self.determined(s, health)?;
+        position.determined()?;
+        let &Triangle { pins, arms, t, inverse, .. } = position;
         let n = perp(t);
         let outer = [self.ends[0].motion(bodies, pins[0]), self.ends[1].motion(bodies, pins[1])];
         let d1 = minus(outer[0][0], outer[1][0]);
@@ -188,8 +195,8 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        let &Triangle { arms, t, s, inverse, health, .. } = position;
-        self.determined(s, health)?;
+        position.determined()?;
+        let &Triangle { arms, t, inverse, .. } = position;
         let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
         // The moments of both links about their pins know the normal force only: its arm between the pins is s.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));

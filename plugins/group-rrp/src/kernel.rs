@@ -103,10 +103,8 @@ impl<T: Real> Rrp<T> {
     /// Returns an error if derivatives and reactions would have no correct digit.
     #[inline(always)]
     fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
-        let health = (sigma * self.inverse_length).abs();
-        GroupError::if_singular(health)?;
         let condition = self.sensitivity * delta;
-        GroupError::if_lost(health, condition * condition)
+        GroupError::if_lost(sigma * self.inverse_length, condition * condition)
     }
 
     #[cold]

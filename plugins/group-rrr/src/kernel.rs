@@ -116,10 +116,8 @@ impl<T: Real> Rrr<T> {
     /// Returns an error if derivatives and reactions would have no correct digit.
     #[inline(always)]
     fn determined(&self, r: &[[T; 2]; 2], d: T) -> Result<(), GroupError> {
-        let health = (d * self.inverse_product).abs();
-        GroupError::if_singular(health)?;
         let apart = minus(r[0], r[1]);
-        GroupError::if_lost(health, self.sensitivity * dot(apart, apart))
+        GroupError::if_lost(d * self.inverse_product, self.sensitivity * dot(apart, apart))
     }
 }
 
