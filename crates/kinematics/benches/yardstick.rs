@@ -196,22 +196,22 @@ fn main() {
     };
     let (one, two) = (linkage(SLIDER_CRANK), linkage(SIX_BAR));
     let mut all = [
-        scalar("slider-crank by hand: y", |sine_cosine| slider_crank(sine_cosine)),
+        scalar("slider-crank by hand: y", slider_crank),
         one_by_one("slider-crank, PF0", &one, Order::Place),
         one_by_one("slider-crank, PF0-PF1", &one, Order::First),
         one_by_one("slider-crank, PF0-PF2", &one, Order::Second),
         lanes(
             "slider-crank by hand, lanes",
             #[inline(always)]
-            |sine_cosine| slider_crank(sine_cosine),
+            slider_crank,
         ),
         eight_by_eight("slider-crank, PF0-PF2, lanes", &one, Order::Second),
-        scalar("six-bar by hand", |sine_cosine| six_bar(sine_cosine)),
+        scalar("six-bar by hand", six_bar),
         one_by_one("six-bar, PF0-PF2", &two, Order::Second),
         lanes(
             "six-bar by hand, lanes",
             #[inline(always)]
-            |sine_cosine| six_bar(sine_cosine),
+            six_bar,
         ),
         eight_by_eight("six-bar, PF0-PF2, lanes", &two, Order::Second),
     ];

@@ -93,7 +93,7 @@ impl Linkage {
                 alone = [true; Lanes::WIDTH];
             }
         }
-        if alone.contains(&true) { self.solve_alone(&alone, order, position) } else { Ok(()) }
+        if alone.contains(&true) { self.solve_alone(alone, order, position) } else { Ok(()) }
     }
 
     /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other ways
@@ -115,7 +115,7 @@ impl Linkage {
     #[cold]
     fn solve_alone(
         &self,
-        alone: &[bool; Lanes::WIDTH],
+        alone: [bool; Lanes::WIDTH],
         order: Order,
         position: &mut LanePosition,
     ) -> Result<(), Vec<(usize, PositionError)>> {
@@ -134,7 +134,9 @@ impl Linkage {
             return Ok(());
         }
         if let Some(solved) = solved {
-            failures.iter().for_each(|(lane, _)| position.repeat(solved, *lane));
+            for (lane, _) in &failures {
+                position.repeat(solved, *lane);
+            }
         }
         Err(failures)
     }

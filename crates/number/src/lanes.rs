@@ -109,10 +109,12 @@ impl Real for Lanes {
     fn greatest(self) -> f64 {
         self.fold(|a, b| a > b)
     }
+    #[expect(clippy::needless_bitwise_bool, reason = "no branch in the inner loop")]
     #[inline(always)]
     fn at_least(self, limit: f64) -> bool {
         self.0.iter().fold(true, |all, lane| all & (*lane >= limit))
     }
+    #[expect(clippy::needless_bitwise_bool, reason = "no branch in the inner loop")]
     #[inline(always)]
     fn exceeds(self, limit: f64) -> bool {
         self.0.iter().fold(true, |all, lane| all & (*lane > limit))
