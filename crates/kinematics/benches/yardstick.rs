@@ -200,19 +200,11 @@ fn main() {
         one_by_one("slider-crank, PF0", &one, Order::Place),
         one_by_one("slider-crank, PF0-PF1", &one, Order::First),
         one_by_one("slider-crank, PF0-PF2", &one, Order::Second),
-        lanes(
-            "slider-crank by hand, lanes",
-            #[inline(always)]
-            slider_crank,
-        ),
+        lanes("slider-crank by hand, lanes", slider_crank),
         eight_by_eight("slider-crank, PF0-PF2, lanes", &one, Order::Second),
         scalar("six-bar by hand", six_bar),
         one_by_one("six-bar, PF0-PF2", &two, Order::Second),
-        lanes(
-            "six-bar by hand, lanes",
-            #[inline(always)]
-            six_bar,
-        ),
+        lanes("six-bar by hand, lanes", six_bar),
         eight_by_eight("six-bar, PF0-PF2, lanes", &two, Order::Second),
     ];
     for _ in 0..ROUNDS {
