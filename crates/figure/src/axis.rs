@@ -105,7 +105,7 @@ impl Axis {
             || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
         match self.kind {
             Kind::Logarithmic => least.ceil().max(1.0),
-            Kind::Degrees if least <= 180.0 && least >= 1.0 => {
+            Kind::Degrees if (1.0..=180.0).contains(&least) => {
                 ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)
             }
             Kind::Degrees if least > 180.0 => 360.0 * (least / 360.0).ceil(),

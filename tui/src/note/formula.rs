@@ -1,5 +1,7 @@
 //! The working of a position as typeset equations.
 
+use std::fmt::Write;
+
 use assur_figure::svg::escaped;
 use assur_force::{Loads, State as Instant};
 use assur_mechanism::Motion;
@@ -79,7 +81,7 @@ fn symbols(text: &str) -> String {
             '-' => html.push('−'),
             '^' => {
                 let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-                html.push_str(&format!("<sup>{}</sup>", &rest[..end]));
+                let _ = write!(html, "<sup>{}</sup>", &rest[..end]);
                 rest = &rest[end..];
             }
             other => html.push_str(&escaped(&other.to_string())),

@@ -74,7 +74,9 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
                 let _ = write!(text, "<table><caption>{number}. {}</caption><thead>", escaped(caption));
                 row(&mut text, "th", head);
                 text.push_str("</thead><tbody>");
-                rows.iter().for_each(|cells| row(&mut text, "td", cells));
+                for cells in rows {
+                    row(&mut text, "td", cells);
+                }
                 text.push_str("</tbody></table>\n");
             }
         }

@@ -172,7 +172,7 @@ fn bearing(raster: &mut Raster, [x, y]: [f64; 2], look: Look, ink: Ink) {
 fn put_sign(labels: &mut Labels, at: [f64; 2], along: [f64; 2], sign: Sign, ink: Ink) {
     let text = match sign {
         Sign::Pin | Sign::Bearing | Sign::Ring => "o",
-        Sign::Head if along != [0.0; 2] => head(along),
+        Sign::Head if along.iter().any(|part| part.abs() > 0.0) => head(along),
         Sign::Dot | Sign::Head => return labels.fill(at, "o", ink),
         Sign::Cross => "x",
         Sign::Plus => "+",

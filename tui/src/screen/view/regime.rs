@@ -17,8 +17,8 @@ fn over(scene: &Scene, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64
 }
 
 /// The present coordinate in the unit that is shown.
-fn cursor(state: &State, scene: &Scene) -> Option<f64> {
-    Some(plots::coordinate(scene, state.position as f64))
+fn cursor(state: &State, scene: &Scene) -> f64 {
+    plots::coordinate(scene, state.position as f64)
 }
 
 /// Speed in the regime and in the first turn, then the moments.
@@ -27,7 +27,7 @@ pub(super) fn course(state: &State, scene: &Scene, regime: &RegimeReport) -> Vec
     if regime.course.iter().any(|row| row.first_turn.is_some()) {
         lines.push(("first turn", over(scene, regime, |row| row.first_turn.unwrap_or(f64::NAN))));
     }
-    let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), cursor(state, scene));
+    let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), Some(cursor(state, scene)));
     vec![speed, moments(state, scene, regime)]
 }
 
@@ -47,7 +47,7 @@ pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Pa
         ("resistance", over(scene, regime, |row| -sense * row.load)),
         ("mean", over(scene, regime, |_| regime.mean_resistance)),
     ];
-    plots::curves("moments on the input, N m", lines, axis(scene, regime), cursor(state, scene))
+    plots::curves("moments on the input, N m", lines, axis(scene, regime), Some(cursor(state, scene)))
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
