@@ -29,14 +29,28 @@ pub(crate) fn words(progress: Progress) -> String {
 pub(crate) struct ProgressLine(ProgressBar);
 
 impl ProgressLine {
+    /// Words, and the time that has passed.
     pub(crate) fn new() -> Self {
+        Self::with(None, "{msg} ({elapsed})")
+    }
+
+    /// A bar that fills up to a total, with the rate and the time left; `done` are there from the beginning.
+    pub(crate) fn counting(done: usize, total: usize) -> Self {
+        let line =
+            Self::with(Some(total as u64), "{wide_bar} {human_pos} of {human_len}, {per_sec}, {eta} left");
+        line.0.set_position(done as u64);
+        line.0.reset_eta();
+        line
+    }
+
+    fn with(total: Option<u64>, template: &'static str) -> Self {
         let bar =
-            ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()).with_message("calculating");
+            ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden()).with_message("calculating");
         let line = bar.clone();
         std::thread::spawn(move || {
             std::thread::sleep(PATIENCE);
             if !line.is_finished() {
-                let style = ProgressStyle::with_template("{msg} ({elapsed})");
+                let style = ProgressStyle::with_template(template);
                 line.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
                 line.set_draw_target(ProgressDrawTarget::stderr());
                 // The time on the line advances even while a calculation reports nothing.
@@ -51,6 +65,11 @@ impl ProgressLine {
         if self.0.elapsed() >= PATIENCE {
             self.0.set_message(text());
         }
+    }
+
+    /// How far it is.
+    pub(crate) fn count(&self, done: usize) {
+        self.0.set_position(done as u64);
     }
 
     /// For an analysis that is never stopped.

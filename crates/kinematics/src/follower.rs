@@ -67,6 +67,7 @@ impl Follower<'_> {
     fn place_input(&self, branch: &mut Branch, scratch: &mut Scratch) {
         let input = self.chain.input.link();
         let whole = branch.samples - branch.samples % Lanes::WIDTH;
+        branch.poses[input].reserve(branch.samples);
         for first in (0..whole).step_by(Lanes::WIDTH) {
             let coordinates = Lanes::of(|lane| branch.at(first + lane));
             self.lane_chain.set_input(coordinates, &mut scratch.lanes);

@@ -35,6 +35,11 @@ impl Poses {
         }
     }
 
+    /// Makes room for the poses of so many samples in all.
+    pub(crate) fn reserve(&mut self, samples: usize) {
+        self.blocks.reserve_exact(samples.div_ceil(Lanes::WIDTH).saturating_sub(self.blocks.len()));
+    }
+
     /// Adds the poses of a block of samples; only after whole blocks.
     pub(crate) fn push_block(&mut self, body: &Body<Lanes>) {
         self.blocks.push([body.x, body.y, body.c, body.s]);

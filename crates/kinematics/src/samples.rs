@@ -67,6 +67,7 @@ impl<'a> Samples<'a> {
         let links = &self.kernels.single.frame().links;
         for &link in links {
             branch.poses[link].truncate(first);
+            branch.poses[link].reserve(branch.samples);
         }
         while self.health.len() < branch.samples && self.failure.is_none() {
             let is_whole = self.health.len().is_multiple_of(Lanes::WIDTH)

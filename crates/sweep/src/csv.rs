@@ -1,6 +1,6 @@
 //! Rows as CSV.
 
-use assur_report::csv::{Cell, CsvError, write};
+use assur_report::csv::{CsvError, header, rows};
 
 use crate::{Rows, Sweep};
 
@@ -11,7 +11,7 @@ impl Sweep {
     ///
     /// [`CsvError`] if the writer fails.
     pub fn csv_header(&self, ascii: bool) -> Result<String, CsvError> {
-        write(self.columns.names(), std::iter::empty::<[Cell<'_>; 0]>(), ascii)
+        header(self.columns.names(), ascii)
     }
 
     /// Reads what [`Tally`](crate::Tally) counts from a row of CSV without its line end: how the calculation of the
@@ -31,9 +31,6 @@ impl Rows {
     /// [`CsvError`] if the writer fails.
     pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
         let row = |row| (0..self.header().len()).map(move |column| self.cell(row, column));
-        let mut text = write(self.header(), (0..self.len()).map(row), ascii)?;
-        let header = text.find('\n').map_or(text.len(), |end| end + 1);
-        text.drain(..header);
-        Ok(text)
+        rows(self.header(), (0..self.len()).map(row), ascii)
     }
 }

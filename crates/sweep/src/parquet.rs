@@ -7,16 +7,16 @@ use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
 
-use ::parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
+use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical, ZstdLevel};
 use ::parquet::column::writer::ColumnCloseResult;
 use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use ::parquet::errors::ParquetError as Inner;
 use ::parquet::file::metadata::KeyValue;
-use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
+use ::parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::reader::FileReader;
 use ::parquet::file::serialized_reader::SerializedFileReader;
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
-use ::parquet::schema::types::{Type, TypePtr};
+use ::parquet::schema::types::{ColumnPath, Type, TypePtr};
 
 use assur_report::csv::Cell;
 
@@ -54,7 +54,11 @@ pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
         KeyValue::new(TALLY.to_owned(), format!("{} {} {first}", tally.failures, tally.hopeless)),
         KeyValue::new(LAST.to_owned(), last(rows)),
     ];
-    let mut writer = SerializedFileWriter::new(Vec::new(), schema(&rows.columns)?, properties(Some(data)))?;
+    let mut writer = SerializedFileWriter::new(
+        Vec::new(),
+        schema(&rows.columns)?,
+        properties(&rows.columns, Some(data))?,
+    )?;
     let mut group = writer.next_row_group()?;
     let mut column = 0;
     while let Some(out) = group.next_column()? {
@@ -113,7 +117,8 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut writer = SerializedFileWriter::new(out, schema(&sweep.columns)?, properties(None))?;
+    let mut writer =
+        SerializedFileWriter::new(out, schema(&sweep.columns)?, properties(&sweep.columns, None)?)?;
     for part in parts {
         let part = part.map_err(Inner::from)?;
         let reader = SerializedFileReader::new(part.try_clone().map_err(Inner::from)?)?;
@@ -137,10 +142,22 @@ pub fn join(
     Ok(())
 }
 
-fn properties(data: Option<Vec<KeyValue>>) -> WriterPropertiesPtr {
-    let created_by = concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned();
-    let properties = WriterProperties::builder().set_compression(Compression::UNCOMPRESSED);
-    Arc::new(properties.set_created_by(created_by).set_key_value_metadata(data).build())
+/// Numbers are split into streams of bytes and compressed, which suits numbers that change smoothly; texts repeat.
+fn properties(columns: &Columns, data: Option<Vec<KeyValue>>) -> Result<WriterPropertiesPtr, Inner> {
+    let mut properties = WriterProperties::builder()
+        .set_created_by(concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_key_value_metadata(data)
+        .set_compression(Compression::ZSTD(ZstdLevel::try_new(1)?))
+        .set_dictionary_enabled(false)
+        .set_encoding(Encoding::BYTE_STREAM_SPLIT)
+        .set_statistics_enabled(EnabledStatistics::None);
+    let texts = columns.names().iter().enumerate().filter(|(column, _)| columns.is_text(*column));
+    for (_, name) in texts {
+        let path = ColumnPath::new(vec![name.clone()]);
+        properties = properties.set_column_encoding(path.clone(), Encoding::PLAIN);
+        properties = properties.set_column_dictionary_enabled(path, true);
+    }
+    Ok(Arc::new(properties.build()))
 }
 
 fn schema(columns: &Columns) -> Result<TypePtr, Inner> {

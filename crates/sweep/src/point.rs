@@ -6,7 +6,7 @@ use assur_analysis::plan::Plan;
 use assur_analysis::{AnalysisError, Calculation, InputMotion, unwatched};
 use assur_dynamics::Instant;
 use assur_group::Order;
-use assur_kinematics::Linkage;
+use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
@@ -25,6 +25,8 @@ pub(crate) struct Worker<'a> {
     numbers: Vec<f64>,
     parameters: Vec<f64>,
     values: Vec<f64>,
+    /// Solved positions; all points have the same links and groups.
+    pub(crate) memory: Option<(LanePosition, Position)>,
     /// What the last point had in common with the next one; lost with a mechanism that can't be compiled.
     common: Option<(Mechanism, Structure, Plan)>,
 }
@@ -39,6 +41,7 @@ impl<'a> Worker<'a> {
             numbers: parameters.clone(),
             parameters,
             values: Vec::new(),
+            memory: None,
             common: None,
         }
     }

@@ -39,7 +39,8 @@ impl<'a, 'w> Positions<'a, 'w> {
         };
         worker.angles.clear();
         worker.found.input = Some(linkage.mechanism.input.clone());
-        let (position, single) = (linkage.lane_position(), linkage.position());
+        let memory = worker.memory.take();
+        let (position, single) = memory.unwrap_or_else(|| (linkage.lane_position(), linkage.position()));
         Self { calculation, worker, position, single, forces, failure: None, failed: 0 }
     }
 
@@ -49,6 +50,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         for first in (0..positions).step_by(Lanes::WIDTH) {
             self.add(first, positions);
         }
+        self.worker.memory = Some((self.position, self.single));
         match (self.failure, &self.calculation.no_motion) {
             (Some((status, message)), _) => Err(Outcome::failure(status, &message, Some(self.failed))),
             (None, Some(message)) => Err(Outcome::failure(Status::NoSolution, &message.to_string(), Some(0))),

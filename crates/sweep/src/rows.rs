@@ -61,6 +61,8 @@ pub(crate) struct Columns {
     names: Vec<String>,
     contents: Vec<Content>,
     parameters: usize,
+    /// Numbers of a row: parameters and values.
+    numbers: usize,
 }
 
 impl Columns {
@@ -76,7 +78,7 @@ impl Columns {
             names.push("motor".to_owned());
             contents.push(Content::Motor);
         }
-        Self { names: assur_report::csv::unique(names), contents, parameters: count }
+        Self { names: assur_report::csv::unique(names), contents, parameters: count, numbers }
     }
 
     pub(crate) fn names(&self) -> &[String] {
@@ -98,11 +100,6 @@ impl Columns {
     /// Whether a column holds texts; otherwise numbers.
     pub(crate) fn is_text(&self, column: usize) -> bool {
         matches!(self.contents.get(column), Some(Content::Status | Content::Message | Content::Motor))
-    }
-
-    /// Numbers of a row: parameters and values.
-    fn numbers(&self) -> usize {
-        self.contents.iter().filter(|content| matches!(content, Content::Number(_))).count()
     }
 }
 
@@ -139,7 +136,7 @@ pub struct Rows {
 impl Rows {
     /// No rows yet; `first`: number of the first point.
     pub(crate) fn new(columns: &Arc<Columns>, first: usize, capacity: usize) -> Self {
-        let numbers = Vec::with_capacity(capacity * columns.numbers());
+        let numbers = Vec::with_capacity(capacity * columns.numbers);
         Self { columns: Arc::clone(columns), first, numbers, outcomes: Vec::with_capacity(capacity) }
     }
 
@@ -148,7 +145,7 @@ impl Rows {
         self.numbers.extend_from_slice(parameters);
         self.numbers.extend_from_slice(values);
         self.outcomes.push(outcome);
-        self.numbers.resize(self.outcomes.len() * self.columns.numbers(), f64::NAN);
+        self.numbers.resize(self.outcomes.len() * self.columns.numbers, f64::NAN);
     }
 
     /// Adds the rows of the points that follow.
@@ -163,7 +160,7 @@ impl Rows {
         Self {
             columns: Arc::clone(&self.columns),
             first: self.first + at,
-            numbers: self.numbers.split_off(at * self.columns.numbers()),
+            numbers: self.numbers.split_off(at * self.columns.numbers),
             outcomes: self.outcomes.split_off(at),
         }
     }
@@ -205,7 +202,7 @@ impl Rows {
             return Cell::Empty;
         };
         match *content {
-            Content::Number(index) => match self.numbers.get(row * self.columns.numbers() + index) {
+            Content::Number(index) => match self.numbers.get(row * self.columns.numbers + index) {
                 Some(value) if value.is_finite() => Cell::Number(*value),
                 _ => Cell::Empty,
             },

@@ -149,7 +149,7 @@ impl<'a> Job<'a> {
         encode: impl Fn(assur_sweep::Rows) -> Result<T, Fault> + Sync,
         mut accept: impl FnMut(T, Tally) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
-        let (line, total) = (ProgressLine::new(), self.points.len());
+        let line = ProgressLine::counting(done, self.points.len());
         let mut finished = done;
         let encode = |rows: assur_sweep::Rows| {
             let tally = Tally::of(&rows);
@@ -160,7 +160,7 @@ impl<'a> Job<'a> {
             let (encoded, tally) = block?;
             finished += tally.points;
             accept(encoded, tally)?;
-            line.show(|| format!("{finished} of {total} points"));
+            line.count(finished);
             Ok(())
         })
     }

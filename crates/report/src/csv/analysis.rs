@@ -83,7 +83,7 @@ impl Sheet {
     pub fn header(&self) -> Result<Vec<u8>, CsvError> {
         let index = self.numbered.then_some("index");
         let names = index.into_iter().chain(self.columns.iter().map(|(_, name)| name.as_str()));
-        Ok(header(&names.collect::<Vec<_>>(), self.ascii)?)
+        Ok(header(&names.collect::<Vec<_>>(), self.ascii)?.into_bytes())
     }
 
     /// The rows of a table, whose numbers are finite.

@@ -61,8 +61,24 @@ pub fn write<'a, R>(
 where
     R: IntoIterator<Item = Cell<'a>>,
 {
+    Ok(self::header(header, ascii)? + &self::rows(header, rows, ascii)?)
+}
+
+/// Writes the rows of a table without its header, as [`write`] does.
+///
+/// # Errors
+///
+/// [`CsvError`] for a number that is not finite.
+pub fn rows<'a, R>(
+    header: &[impl AsRef<str>],
+    rows: impl IntoIterator<Item = R>,
+    ascii: bool,
+) -> Result<String, CsvError>
+where
+    R: IntoIterator<Item = Cell<'a>>,
+{
     let mut text = Vec::new();
-    let mut writer = Writer::from_writer(self::header(header, ascii)?);
+    let mut writer = Writer::from_writer(Vec::new());
     for (index, row) in rows.into_iter().enumerate() {
         for (cell, name) in row.into_iter().zip(header) {
             match cell {
@@ -80,6 +96,10 @@ where
         }
         writer.write_record(None::<&[u8]>)?;
     }
+    text_of(writer)
+}
+
+fn text_of(writer: Writer<Vec<u8>>) -> Result<String, CsvError> {
     let bytes = writer.into_inner().map_err(|error| ::csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -102,12 +122,16 @@ fn harmless(text: &str, ascii: bool) -> Cow<'_, str> {
 }
 
 /// The header row; columns of one name are distinguished by numbers.
-pub(crate) fn header(names: &[impl AsRef<str>], ascii: bool) -> Result<Vec<u8>, ::csv::Error> {
+///
+/// # Errors
+///
+/// [`CsvError`] if the writer fails.
+pub fn header(names: &[impl AsRef<str>], ascii: bool) -> Result<String, CsvError> {
     let mut writer = Writer::from_writer(Vec::new());
     if !names.is_empty() {
         writer.write_record(unique(names.iter().map(|name| harmless(name.as_ref(), ascii).into_owned())))?;
     }
-    writer.into_inner().map_err(|error| error.into_error().into())
+    text_of(writer)
 }
 
 /// The shortest text that reads back as the same number; whole numbers without a point.
