@@ -1,6 +1,7 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
+mod loads;
 mod springs;
 
 use assur_mechanism::{Mechanism, Motion};
@@ -21,6 +22,7 @@ impl Calculation {
         notes.extend(self.barriers());
         notes.extend(self.regime_notes());
         notes.extend(self.springs_without_direction());
+        notes.extend(self.positions_out_of_time());
         if let InputMotion::Transient(found) = &self.motion {
             let unrest = found.unrest.as_ref();
             notes.extend(unrest.map(|why| {

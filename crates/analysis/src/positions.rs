@@ -55,6 +55,10 @@ impl Calculation {
         let positions = self.positions(mechanism.input.positions.div_ceil(MOST_KEPT), watch)?;
         let (trajectory, without_forces) = self.trajectory(watch)?;
         let mut notes = self.notes(&positions.at_change_points, &without_forces);
+        // A load may act in a position that is not kept.
+        if mechanism.input.positions <= MOST_KEPT {
+            notes.extend(self.idle_loads(&positions.kept));
+        }
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
             notes.push(format!("{more} more failures are not listed."));
         }

@@ -307,3 +307,29 @@ fn loads_and_shaking_force_are_what_the_ground_takes() {
         assert!((force + 30.0 * acceleration).abs() < 1e-9);
     }
 }
+
+/// A load that never acts is said, and so is a time that a prescribed motion does not have.
+#[test]
+fn idle_loads_and_missing_times_are_noted() {
+    let scene = |load: &str, motion: &str| {
+        let scene = format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n[link.rod]\npoints = {{ A = 0, B = 0.3 }}\n\
+             [link.slider]\npoints = {{ B = 0 }}\nmass = 2\n[[slide]]\nlink = 'slider'\non = 'ground'\n\
+             [input]\nlink = 'crank'\npositions = 8\n[motion]\n{motion}\n{load}\n[assembly]\nB = [0.4, 0]"
+        );
+        analyzed(&scene).notes.join("\n")
+    };
+    let told = |load: &str| scene(load, "speed = 3");
+    assert_eq!(told("[[moment]]\nlink = 'rod'\nvalue = 5"), "");
+    let still = "[[force]]\nname = 'drag'\nlink = 'crank'\nat = 'O'\nagainst_motion = true\nvalue = 5";
+    assert!(told(still).contains("Load `drag` never acts"), "{}", told(still));
+    let zero =
+        "[[moment]]\nname = 'idle'\nlink = 'rod'\nvalue = { over = 'angle', table = [[0, 0], [1, 0]] }";
+    assert!(told(zero).contains("Load `idle` never acts"));
+    let carried = "[[moment]]\nname = 'tilt'\nlink = 'slider'\nvalue = 5";
+    assert!(told(carried).contains("Moment `tilt` does no work: link `slider` does not turn"));
+    let timed = "[[moment]]\nlink = 'rod'\nvalue = { over = 'time', table = [[0, 1], [1, 2]] }";
+    assert_eq!(scene(timed, "speed = 3\nacceleration = 2"), "");
+    // 3 rad/s against 1 rad/s² reach 4.5 rad: positions 0 to 5 of 8.
+    assert!(scene(timed, "speed = 3\nacceleration = -1").contains("never reaches 2 positions"));
+}

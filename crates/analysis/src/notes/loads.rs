@@ -1,0 +1,82 @@
+//! Loads that never act, and times that a prescribed motion does not have.
+
+use assur_mechanism::{Motion, Over, Value, passage};
+
+use super::counted;
+use crate::Calculation;
+use crate::results::{Column, Owner, Quantity, Table};
+
+/// A transfer function below this, 1/rad or 1/m, is rounding: the link does not turn.
+const STILL: f64 = 1e-12;
+
+impl Calculation {
+    /// Loads whose value is zero in every position, and moments on links that do not turn.
+    pub(crate) fn idle_loads(&self, positions: &Table) -> Vec<String> {
+        let (schema, mechanism) = (positions.schema(), &self.linkage.mechanism);
+        let all = |column: Column, test: fn(f64) -> bool| {
+            let found = schema.find(column).filter(|column| positions.has(*column));
+            found.is_some_and(|column| positions.each(column).flatten().all(test))
+        };
+        let mut notes = Vec::new();
+        for owner in schema.owners(Quantity::Load) {
+            if all(Column::of(Quantity::Load, owner), |value| value == 0.0) {
+                notes.push(format!(
+                    "Load `{}` never acts: its value is zero in every position (a table or formula that is zero over the cycle, or \
+                     a load against the motion of what always rests).",
+                    schema.name(owner)
+                ));
+            }
+        }
+        for moment in mechanism.moments.iter().filter(|moment| moment.brake.is_none()) {
+            let turns = Column::of(Quantity::Transfer(1), Owner::Link(moment.link));
+            if all(turns, |pf1| pf1.abs() <= STILL) {
+                notes.push(format!(
+                    "Moment `{}` does no work: link `{}` does not turn, so reactions alone carry it.",
+                    moment.name, mechanism.links[moment.link].name
+                ));
+            }
+        }
+        notes
+    }
+
+    /// Positions that lie before time zero of a prescribed motion, or that it never reaches, where a load depends on time.
+    pub(super) fn positions_out_of_time(&self) -> Vec<String> {
+        let mechanism = &self.linkage.mechanism;
+        let Some(Motion::Prescribed { speed, acceleration }) = mechanism.motion else { return Vec::new() };
+        let forces = mechanism.forces.iter().map(|force| &force.value);
+        let moments = mechanism.moments.iter().map(|moment| &moment.value);
+        let contacts = mechanism.contacts.iter().flat_map(|contact| [&contact.force, &contact.angle]);
+        if !forces.chain(moments).chain(contacts).any(depends_on_time) {
+            return Vec::new();
+        }
+        let input = &mechanism.input;
+        let ways = (0..input.positions).map(|index| input.coordinate(index) - input.from);
+        let times: Vec<Option<f64>> = ways.map(|way| passage(way, speed, acceleration)).collect();
+        let before = times.iter().flatten().filter(|time| **time < 0.0).count();
+        let never = times.iter().filter(|time| time.is_none()).count();
+        let mut notes = Vec::new();
+        if before > 0 {
+            notes.push(format!(
+                "The prescribed motion passes {} before time 0, which is that of the first position: loads over time take there what \
+                 they have at negative times.",
+                counted("position", before)
+            ));
+        }
+        if never > 0 {
+            notes.push(format!(
+                "The prescribed motion never reaches {}: it turns back before; loads over time take there the time of the turning \
+                 point.",
+                counted("position", never)
+            ));
+        }
+        notes
+    }
+}
+
+fn depends_on_time(value: &Value) -> bool {
+    match value {
+        Value::Table { over: Over::Time, .. } => true,
+        Value::Formula { formula, .. } => formula.used().time,
+        _ => false,
+    }
+}
