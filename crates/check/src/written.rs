@@ -268,7 +268,7 @@ impl<'a> Writer<'a> {
         let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY);
         // The force may point either way along its line.
         let apart = given[0].atan2(given[1]) - contact.friction.atan() - of_scene;
-        let apart = if given == [0.0; 2] { 0.0 } else { apart - PI * (apart / PI).round() };
+        let apart = if given[0].hypot(given[1]) == 0.0 { 0.0 } else { apart - PI * (apart / PI).round() };
         self.size(now, &contact.angle, contact.center, None, of_scene + apart)
     }
 

@@ -54,7 +54,7 @@ impl Travel {
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
         for q in reversals.iter().copied().chain([span.from, end]) {
             let place = along.place(q)?[0];
-            if !(place.abs() <= GREATEST_DISTANCE * along.scale) {
+            if place.is_nan() || place.abs() > GREATEST_DISTANCE * along.scale {
                 return Err(NoStroke::Infinite(q));
             }
             (least, greatest) = (least.min(place), greatest.max(place));

@@ -47,7 +47,8 @@ impl Interval {
     }
 
     fn cosine(self) -> Self {
-        if !(self.high - self.low < TAU) {
+        let width = self.high - self.low;
+        if width.is_nan() || width >= TAU {
             return Self { low: -1.0, high: 1.0 };
         }
         let ends = self.ends(f64::cos);
@@ -80,7 +81,7 @@ impl Number for Interval {
     }
 
     fn power(self, exponent: Self) -> Self {
-        let whole = exponent.low == exponent.high && exponent.low.fract() == 0.0;
+        let whole = exponent.low.total_cmp(&exponent.high).is_eq() && exponent.low.fract() == 0.0;
         if !whole && self.low < 0.0 {
             return Self::WHOLE;
         }

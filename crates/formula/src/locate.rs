@@ -36,7 +36,7 @@ impl Formula {
                 }
             });
             if !between.may_be_zero() {
-                if there == end {
+                if there.total_cmp(&end).is_eq() {
                     return along * f64::INFINITY;
                 }
                 (here, step) = (there, 2.0 * step);

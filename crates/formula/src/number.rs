@@ -23,7 +23,7 @@ pub(crate) fn on_side(kind: Kind, one: f64, other: f64, not_negative: bool) -> f
         (Kind::Sign | Kind::Step, true) => 1.0,
         (Kind::Sign, false) => -1.0,
         (Kind::Step, false) => 0.0,
-        (Kind::Abs, true) | (Kind::Max, true) | (Kind::Min, false) => one,
+        (Kind::Abs | Kind::Max, true) | (Kind::Min, false) => one,
         (Kind::Abs, false) => -one,
         (Kind::Max, false) | (Kind::Min, true) => other,
     }

@@ -38,7 +38,9 @@ impl Mechanism {
             [mass, inertia].into_iter().chain(center).for_each(&mut *visit);
         }
         for Point { name: _, places } in points {
-            places.iter_mut().for_each(|place| in_place(place, visit));
+            for place in places {
+                in_place(place, visit);
+            }
         }
         for Slide { name: _, link: _, on: _, point, through, angle, tilt } in slides {
             point.iter_mut().chain(through).chain([angle, tilt]).for_each(&mut *visit);
@@ -59,20 +61,28 @@ impl Mechanism {
             brake.iter_mut().flat_map(|Brake { radius, friction }| [radius, friction]).for_each(&mut *visit);
         }
         for Spring { name: _, ends, stiffness, length, damping } in springs {
-            ends.iter_mut().for_each(|end| in_place(end, visit));
+            for end in ends {
+                in_place(end, visit);
+            }
             [stiffness, length, damping].into_iter().for_each(&mut *visit);
         }
         for Contact { name: _, center, radius, angle, force, friction, during: _ } in contacts {
             in_place(center, visit);
             [radius, friction].into_iter().for_each(&mut *visit);
-            [angle, force].into_iter().for_each(|value| in_value(value, visit));
+            for value in [angle, force] {
+                in_value(value, visit);
+            }
         }
         if let Some(Balance::Force { at, angle }) = balance {
             in_place(at, visit);
             visit(angle);
         }
-        motion.iter_mut().for_each(|motion| in_motion(motion, visit));
-        drive.iter_mut().for_each(|drive| in_drive(drive, visit));
+        if let Some(motion) = motion {
+            in_motion(motion, visit);
+        }
+        if let Some(drive) = drive {
+            in_drive(drive, visit);
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The least maximum of the moduli of forces that depend linearly on a few unknowns.
 //!
-//! The problem is convex: find u and the least t with |F_i + B_i u| <= t. It is solved by the logarithmic barrier of
+//! The problem is convex: find u and the least t with `|F_i + B_i u| <= t`. It is solved by the logarithmic barrier of
 //! second-order cones (Boyd, Vandenberghe, Convex Optimization, section 11.6): Newton's method makes
-//! weight t - sum log(t² - |F_i + B_i u|²) least, for a weight that grows until its share of the result is rounding.
+//! `weight t - sum log(t² - |F_i + B_i u|²)` least, for a weight that grows until its share of the result is rounding.
 
 use nalgebra::{DMatrix, DVector};
 
