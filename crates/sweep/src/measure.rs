@@ -126,7 +126,9 @@ impl Found {
     /// Forgets everything.
     pub(crate) fn clear(&mut self) {
         let Self { health, transmission, balancing, load, forces, moments, points, slides, links, .. } = self;
-        [health, transmission, balancing, load].into_iter().for_each(|one| *one = Statistics::NONE);
+        for one in [health, transmission, balancing, load] {
+            *one = Statistics::NONE;
+        }
         for list in [forces, moments, slides, links] {
             list.fill(Statistics::NONE);
         }

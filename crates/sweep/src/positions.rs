@@ -101,7 +101,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         let healths = needed().map(|(group, _)| self.position.health[group].abs());
         let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
-        self.worker.found.health.add(&block.valid, block.numbers(), least);
+        self.worker.found.health.add(block.valid, block.numbers(), least);
         if self.wants(|measure| measure.transmission) {
             let least = Lanes::of(|lane| {
                 self.position.copy_lane(lane, &mut self.single);
@@ -112,7 +112,7 @@ impl<'a, 'w> Positions<'a, 'w> {
                 };
                 needed().map(|(group, _)| of_group(group)).fold(f64::INFINITY, f64::min)
             });
-            self.worker.found.transmission.add(&block.valid, block.numbers(), least);
+            self.worker.found.transmission.add(block.valid, block.numbers(), least);
         }
     }
 
@@ -123,11 +123,11 @@ impl<'a, 'w> Positions<'a, 'w> {
         let (bodies, numbers) = (&self.position.bodies, block.numbers());
         for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {
             let at = bodies[place.link].point(vector(place.at));
-            (0..2).for_each(|axis| extent[axis].add(&block.valid, numbers, at[axis]));
+            (0..2).for_each(|axis| extent[axis].add(block.valid, numbers, at[axis]));
         }
         for (slide, displacement) in layout.slides.iter().zip(&mut found.slides) {
             let along = along(&linkage.mechanism.slides[slide.id], bodies);
-            displacement.add(&block.valid, numbers, along);
+            displacement.add(block.valid, numbers, along);
         }
         for lane in (0..Lanes::WIDTH).filter(|&lane| angles && block.valid[lane]) {
             let pose = |body: &Body<Lanes>| [body.c, body.s, body.w1].map(|number| number.0[lane]);
@@ -146,16 +146,18 @@ impl<'a, 'w> Positions<'a, 'w> {
         let mut failures = forces.solve(&states, &self.position).err().unwrap_or_default();
         failures.retain(|(lane, _)| block.valid[*lane]);
         let mut valid = block.valid;
-        failures.iter().for_each(|(lane, _)| valid[*lane] = false);
+        for (lane, _) in &failures {
+            valid[*lane] = false;
+        }
         let (reactions, found) = (&forces.reactions, &mut self.worker.found);
         let numbers = block.numbers();
-        found.balancing.add(&valid, numbers, reactions.balancing);
-        found.load.add(&valid, numbers, reactions.balancing.abs());
+        found.balancing.add(valid, numbers, reactions.balancing);
+        found.load.add(valid, numbers, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
         for ((joint, force), moment) in joints.zip(&mut found.forces).zip(&mut found.moments) {
-            force.add(&valid, numbers, greatest_square(joint, &reactions.pairs));
+            force.add(valid, numbers, greatest_square(joint, &reactions.pairs));
             if let Some(size) = joint.moment(&reactions.pairs) {
-                moment.add(&valid, numbers, size.abs());
+                moment.add(valid, numbers, size.abs());
             }
         }
         failures.retain(|(lane, error)| {

@@ -32,8 +32,8 @@ impl Statistics {
 
     /// Adds the values in the positions of these numbers.
     #[inline]
-    pub(crate) fn add(&mut self, valid: &Valid, positions: Lanes, values: Lanes) {
-        if *valid == [true; Lanes::WIDTH] {
+    pub(crate) fn add(&mut self, valid: Valid, positions: Lanes, values: Lanes) {
+        if valid == [true; Lanes::WIDTH] {
             self.count += Lanes::WIDTH;
             for lane in 0..Lanes::WIDTH {
                 self.put(lane, positions.0[lane], values.0[lane]);

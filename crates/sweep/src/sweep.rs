@@ -81,7 +81,9 @@ impl Sweep {
         let layout = Layout::of(&variants.richest(&axes).unwrap_or(base), &options);
         let mut names = Vec::new();
         let mut sheet = Sheet::Names(&mut names);
-        measures.iter().for_each(|measure| measure.put(&layout, &Found::new(&layout), &mut sheet));
+        for measure in &measures {
+            measure.put(&layout, &Found::new(&layout), &mut sheet);
+        }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
         Ok(Self { axes, points, variants, layout, measures, options, columns, count })
