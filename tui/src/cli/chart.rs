@@ -98,7 +98,7 @@ fn charted(
     let line = ProgressLine::new();
     let mut clock = SystemClock::default();
     let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
-        line.show(|| format!("{}: {} of {}", progress.stage.heading(), progress.done, progress.total));
+        line.count(progress.stage.heading(), progress.done, progress.total);
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     drop(line);

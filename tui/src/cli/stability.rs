@@ -18,7 +18,7 @@ pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let mechanism = scene::read(path, style)?;
     let line = ProgressLine::new();
     let found = stability(mechanism, &mut |done, total| {
-        line.show(|| format!("{done} of {total}"));
+        line.count("step", done, total);
         ControlFlow::Continue(())
     });
     drop(line);

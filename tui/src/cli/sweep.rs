@@ -149,7 +149,8 @@ impl<'a> Job<'a> {
         encode: impl Fn(assur_sweep::Rows) -> Result<T, Fault> + Sync,
         mut accept: impl FnMut(T, Tally) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
-        let line = ProgressLine::counting(done, self.points.len());
+        let (line, total) = (ProgressLine::new(), self.points.len());
+        line.count("point", done, total);
         let mut finished = done;
         let encode = |rows: assur_sweep::Rows| {
             let tally = Tally::of(&rows);
@@ -160,7 +161,7 @@ impl<'a> Job<'a> {
             let (encoded, tally) = block?;
             finished += tally.points;
             accept(encoded, tally)?;
-            line.count(finished);
+            line.count("point", finished, total);
             Ok(())
         })
     }
