@@ -202,13 +202,11 @@ impl<'a> Checked<'a> {
 
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
     fn state(&self, number: usize) -> Option<State> {
-        match &self.trajectory {
-            Some(all) => all.get(number).copied().filter(|state| self.calculation.is_regular(state)),
-            None => {
-                let input = &self.calculation.linkage.mechanism.input;
-                Some(self.calculation.state(input.coordinate(number)))
-            }
+        if let Some(all) = &self.trajectory {
+            return all.get(number).copied().filter(|state| self.calculation.is_regular(state));
         }
+        let input = &self.calculation.linkage.mechanism.input;
+        Some(self.calculation.state(input.coordinate(number)))
     }
 }
 

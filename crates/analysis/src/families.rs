@@ -92,7 +92,7 @@ const SPEEDS: Family = Family {
 const LINKS: Family = Family {
     applies: |_| true,
     columns: |calculation, schema| {
-        scalars(schema, calculation.plan.wanted.links.iter().map(|id| Owner::Link(*id)))
+        scalars(schema, calculation.plan.wanted.links.iter().map(|id| Owner::Link(*id)));
     },
     fill: |row, cells| row.motions.links.iter().for_each(|motion| cells.all(derivatives(motion))),
 };
@@ -100,7 +100,7 @@ const LINKS: Family = Family {
 const SLIDES: Family = Family {
     applies: |_| true,
     columns: |calculation, schema| {
-        scalars(schema, calculation.plan.wanted.slides.iter().map(|id| Owner::Slide(*id)))
+        scalars(schema, calculation.plan.wanted.slides.iter().map(|id| Owner::Slide(*id)));
     },
     fill: |row, cells| row.motions.slides.iter().for_each(|motion| cells.all(derivatives(motion))),
 };
@@ -121,7 +121,9 @@ const POINTS: Family = Family {
     columns: |calculation, schema| points(calculation, schema, 2),
     fill: |row, cells| {
         for motion in &row.motions.points {
-            [motion.pf0, motion.pf1, motion.pf2].into_iter().for_each(|vector| cells.all(vector));
+            for vector in [motion.pf0, motion.pf1, motion.pf2] {
+                cells.all(vector);
+            }
         }
     },
 };

@@ -1,3 +1,5 @@
+#![expect(clippy::float_cmp, reason = "values of small whole numbers, ends and infinities are exact")]
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;

@@ -93,7 +93,7 @@ fn formula(
             let name = unit.text("a unit")?;
             quantity(&format!("1 {name}"), dimension)
                 .map_err(|error| {
-                    unit.fault(format!("`unit` {error}"), format!("such as \"{}\"", dimension.si()))
+                    unit.fault(format!("`unit` {error}"), format!("such as \"{}\"", dimension.si()));
                 })
                 .ok()?
         }

@@ -300,11 +300,12 @@ impl Schema {
             Quantity::ReducedInertia => plain(inertia),
             Quantity::ReducedInertiaDerivative => Unit { per_coordinate: 1, ..plain(inertia) },
             Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => plain(moment),
-            Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => plain(Base::Newton),
             Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => plain(Base::NewtonMeter),
             Quantity::Offset => plain(Base::Meter),
             Quantity::Balancing if self.balances_by_moment => plain(Base::NewtonMeter),
-            Quantity::Balancing => plain(Base::Newton),
+            Quantity::Balancing | Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => {
+                plain(Base::Newton)
+            }
             Quantity::Load => match column.owner {
                 Owner::Load(load) => plain(self.loads[load].1),
                 _ => plain(Base::Newton),

@@ -129,5 +129,5 @@ fn a_brake_is_against_the_rotation_and_absent_at_rest() {
     // The rod rests where the crank is normal to the guide; there the moment changes its sense.
     let found = piece(&text, &at(0.4, 3.0));
     near(found.coordinate[1], std::f64::consts::FRAC_PI_2, 1.0);
-    assert_eq!(found.speed[0], 0.0);
+    assert!(found.speed[0].abs() <= 0.0, "the piece begins at rest: {:?}", found.speed);
 }
