@@ -10,6 +10,8 @@ use assur_analysis::results::{
     Table,
 };
 use assur_mechanism::{Mechanism, PairId};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
 
 /// A link called `größe`, and a slide.
 fn mechanism() -> Mechanism {
@@ -162,6 +164,30 @@ fn numbers_are_the_shortest_that_read_back() {
             }
         }
     }
+}
+
+#[test]
+fn parquet_reads_back_over_groups() {
+    let analysis = analysis(1.5);
+    let mut bytes = Vec::new();
+    let mut writer = crate::parquet::Writer::new(&analysis, &mut bytes).unwrap();
+    // Two rows of 18 columns: a group is full after 116,509 tables.
+    let tables = 120_000;
+    for _ in 0..tables {
+        writer.add(&analysis.positions).unwrap();
+    }
+    writer.finish().unwrap();
+    let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).unwrap();
+    assert_eq!(reader.metadata().file_metadata().num_rows(), 2 * tables);
+    assert!(reader.num_row_groups() > 1);
+    let last = reader.get_row_iter(None).unwrap().last().unwrap().unwrap();
+    let cell = |name: &str| last.get_column_iter().find(|(found, _)| *found == name).unwrap().1.clone();
+    assert_eq!((cell("index"), cell("coordinate_rad")), (Field::Long(5), Field::Double(7.0)));
+    assert_eq!((cell("balancing_Nm"), cell("condition_0")), (Field::Double(4.0), Field::Null));
+    let first = reader.get_row_iter(None).unwrap().next().unwrap().unwrap();
+    let cell = |name: &str| first.get_column_iter().find(|(found, _)| *found == name).unwrap().1.clone();
+    assert_eq!((cell("coordinate_rad"), cell("A_x_m")), (Field::Double(0.1 + 0.2), Field::Double(1e-300)));
+    assert_eq!((cell("ram/ground_moment_Nm"), cell("condition_0")), (Field::Double(0.5), Field::Double(2.0)));
 }
 
 #[test]
