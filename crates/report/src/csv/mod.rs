@@ -64,7 +64,7 @@ where
     Ok(self::header(header, ascii)? + &self::rows(header, rows, ascii)?)
 }
 
-/// Writes the rows of a table without its header, as [`write`] does.
+/// Writes the rows of a table without its header, as [`write`](fn@write) does.
 ///
 /// # Errors
 ///
