@@ -269,7 +269,7 @@ fn what_has_no_solution_ends_with_1_and_words() {
         ("shaper-drive", &given, "comes to rest"),
         ("shaper-drive", &[("1500]", "15000]")], "too weak"),
         ("flywheel", &[("torque = \"balance\"", "torque = 5")], "no steady regime"),
-        ("brake", &[("value = -0.8", "value = 0.8")], "never reached"),
+        ("brake", &[("[input]", "[[moment]]\nlink = \"disc\"\nvalue = 1.6\n\n[input]")], "never reached"),
     ];
     for (name, changes, words) in cases {
         let scene = variant(name, changes);
