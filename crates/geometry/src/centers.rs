@@ -9,6 +9,10 @@ use serde::Serialize;
 /// A relative rotation below this part of the relative motion, over a typical length, counts as zero.
 const STILL: f64 = 1e-12;
 
+/// A relative PF1 below this part of a typical length is rounding: that of the places, which a turn by 1 rad moves by
+/// about a typical length.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Where an instant center is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -59,7 +63,7 @@ pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
         return CenterAt::Point(plus(origin, scaled(1.0 / turn, perp(slip))));
     }
     let size = modulus(slip);
-    if size > STILL * motion {
+    if size > (STILL * motion).max(ROUNDING * scale) {
         return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
     }
     CenterAt::Everywhere
