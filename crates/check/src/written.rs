@@ -244,7 +244,8 @@ impl<'a> Writer<'a> {
         let center = contact.center;
         let body = &now.bodies[center.link];
         let given = now.given(Cause::Contact(id), center.link).force();
-        let (s, c) = self.contact_angle(now, contact, given).sin_cos();
+        let angle = self.contact_angle(now, contact, given);
+        let (s, c) = angle.sin_cos();
         let along = [s + contact.friction * c, c - contact.friction * s];
         let square = along[0] * along[0] + along[1] * along[1];
         let found = (given[0] * along[0] + given[1] * along[1]) / square;
@@ -260,7 +261,8 @@ impl<'a> Writer<'a> {
         let mut wrench = Wrench::ZERO;
         wrench.add_at(arm, along.map(|a| size * a), 0.0);
         let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
-        Item { wrench, size: size.abs() * square.sqrt() * lever }
+        // The rounding of the angle turns the force.
+        Item { wrench, size: size.abs() * square.sqrt() * lever * (1.0 + angle.abs()) }
     }
 
     /// The angle of a contact: the one of the given force, if the scene allows it.
