@@ -6,8 +6,9 @@ use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Tr
 
 use crate::Calculation;
 
-/// Intervals of the quadrature of the work, multiples of four; the more only where the fewer don't tell.
-const INTERVALS: [usize; 2] = [500, 4000];
+/// Intervals of the quadrature of the work, multiples of four; the more only where the fewer don't tell, and the most only
+/// where the energies miss: a reduced inertia that nearly vanishes at a dead center makes the work peak there.
+const INTERVALS: [usize; 3] = [500, 4000, 32_000];
 /// Tolerance of the repeated cycle.
 const TOLERANCE: f64 = 1e-10;
 /// Steps that Simpson's rule is applied to, finely and coarsely.
@@ -31,7 +32,8 @@ impl Calculation {
             worst = balance.worst(own);
             let (residual, limit) = worst;
             // The error of the quadrature is no greater than that of the motion.
-            if residual <= limit && limit <= 2.0 * (own + ROUNDING) {
+            let tells = limit <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
+            if residual <= limit && tells {
                 break;
             }
         }
