@@ -118,7 +118,7 @@ fn calculated(scene: &str) -> Result<(Value, Vec<&'static str>), String> {
         return Err(message);
     }
     let checks = found.checks(Coverage::Sample, &mut unwatched).map_err(|error| error.to_string())?;
-    let failed = checks.iter().filter(|check| check.failed()).map(|check| check.name).collect();
+    let failed = checks.all.iter().filter(|check| check.failed()).map(|check| check.name).collect();
     let text = assur_report::json::analysis::to_json(&analysis, false).map_err(|error| error.to_string())?;
     Ok((serde_json::from_str(&text).map_err(|error| error.to_string())?, failed))
 }

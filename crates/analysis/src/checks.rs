@@ -1,6 +1,6 @@
 //! The checks of the numbers.
 
-use assur_check::{Check, Chosen, Coverage, Subject, methods, notable};
+use assur_check::{Check, Chosen, Coverage, Residuals, Subject, methods, notable};
 use assur_dynamics::{Steady, Transient};
 use assur_force::{Loads, Side, State, tolerance};
 use assur_group::Body;
@@ -8,30 +8,36 @@ use assur_mechanism::{Motion, Solve, Torque};
 
 use crate::progress::{Stopped, Watch};
 use crate::reader::Reader;
+use crate::results::Checks;
 use crate::{Calculation, InputMotion, Progress};
 
 impl Calculation {
-    /// Every check that applies to the scene, in the covered positions and samples of the motion; none where the plan
-    /// leaves out groups.
+    /// Every check that applies to the scene, in the covered positions and samples of the motion, and the residuals of each
+    /// of these; none where the plan leaves out groups.
     ///
     /// # Errors
     ///
     /// [`Stopped`] where `watch` breaks.
-    pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
+    pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Checks, Stopped> {
         if self.plan.is_partial() || coverage == Coverage::None {
-            return Ok(Vec::new());
+            return Ok(Checks::none());
         }
         let checked = Checked::of(self, coverage);
-        let mut found = self.position_checks(&checked, watch)?;
+        let (mut all, residuals) = self.position_checks(&checked, watch)?;
         match &self.motion {
             InputMotion::Prescribed => {}
-            InputMotion::Transient(motion) => found.extend(self.transient_checks(motion, &checked)),
-            InputMotion::Steady(motion) => found.extend(self.steady_checks(motion, &checked)),
+            InputMotion::Transient(motion) => all.extend(self.transient_checks(motion, &checked)),
+            InputMotion::Steady(motion) => all.extend(self.steady_checks(motion, &checked)),
         }
-        Ok(found)
+        let [of_positions, of_trajectory] = self.residual_tables(&residuals, checked.trajectory.is_some());
+        Ok(Checks { all, of_positions, of_trajectory })
     }
 
-    fn position_checks(&self, checked: &Checked<'_>, watch: &mut Watch<'_>) -> Result<Vec<Check>, Stopped> {
+    fn position_checks(
+        &self,
+        checked: &Checked<'_>,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Vec<Check>, Residuals), Stopped> {
         let subject = Subject {
             linkage: &self.linkage,
             loads: self.loads.as_ref().filter(|_| self.plan.forces && self.no_motion.is_none()),

@@ -20,6 +20,7 @@ mod positions;
 mod progress;
 mod proof;
 mod reader;
+mod residuals;
 pub mod results;
 mod structure;
 mod trajectory;

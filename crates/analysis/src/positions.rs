@@ -81,6 +81,7 @@ impl Calculation {
             no_motion: self.no_motion.as_ref().map(ToString::to_string),
             notes,
             checks: Vec::new(),
+            residuals: Table::default(),
         })
     }
 
@@ -136,6 +137,7 @@ impl Calculation {
         let progress = |done, total| Progress::Writing { done, total };
         let continued = |number, mut block: crate::blocks::Block| {
             analysis.starts.continue_block(number, self, &mut block.table);
+            block.table.join(&analysis.residuals);
             work(&block.table)
         };
         Blocks::new(self).each(watch, progress, continued, &mut take)

@@ -1,6 +1,8 @@
 //! The plan is obeyed, and failures are told.
 
-use crate::results::{Analysis, Column, Owner, Part, Quantity, Table};
+use std::sync::Arc;
+
+use crate::results::{Analysis, Column, Owner, Part, Quantity, Residual, Table};
 use assur_all as _;
 use assur_mechanism::{LinkId, PairId};
 
@@ -153,15 +155,45 @@ fn forces_of_a_pair_sum_to_zero() {
 #[test]
 fn checks_hold_and_belong_to_the_whole() {
     let study_whole = study(&text("shaper")).unwrap();
-    let checks = study_whole.checks(Coverage::Sample, &mut unwatched).unwrap();
+    let checks = study_whole.checks(Coverage::Sample, &mut unwatched).unwrap().all;
     assert!(checks.len() > 5 && checks.iter().all(|check| check.ok));
     assert!(
         study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n"))
             .unwrap()
             .checks(Coverage::Sample, &mut unwatched)
             .unwrap()
+            .all
             .is_empty()
     );
+}
+
+/// The largest residual of every check of forces is that of its position, in a table whose sampled rows alone have any.
+#[test]
+fn residuals_belong_to_their_positions() {
+    for (count, sampled) in [("48", 48), ("5000", 360)] {
+        let text = text("shaper").replace("positions = 48", &format!("positions = {count}"));
+        let calculation = study(&text).unwrap();
+        let mut analysis = calculation.analyze(&mut unwatched).unwrap();
+        analysis.add_checks(calculation.checks(Coverage::Sample, &mut unwatched).unwrap());
+        let mut all = Table::new(Arc::clone(analysis.positions.schema()));
+        let add = |table: Table| Ok::<_, ()>(all.append(&table, 1));
+        calculation.each_block(&analysis, &mut unwatched, Table::clone, add).unwrap().unwrap();
+        for (name, residual, owner) in [
+            ("virtual power", Residual::Global, Owner::Input),
+            ("Lagrange-d'Alembert", Residual::Dynamics, Owner::Input),
+            ("TestPf PF2", Residual::TestPf, Owner::Input),
+        ] {
+            let column = Column::of(Quantity::Residual(residual), owner);
+            let check = analysis.checks.iter().find(|check| check.name == name).unwrap();
+            let found = all.get(all.row_of(check.at.unwrap()).unwrap(), column).unwrap();
+            let same = found.to_bits() == check.residual.to_bits();
+            assert!(same || name.starts_with("TestPf") && found > 0.0, "{name}: {found} {}", check.residual);
+            let numbers = all.each(all.schema().find(column).unwrap()).flatten();
+            assert_eq!(numbers.count(), sampled, "{name}");
+        }
+        let group = Column::of(Quantity::Residual(Residual::Equilibrium), Owner::Group(1));
+        assert_eq!(all.each(all.schema().find(group).unwrap()).flatten().count(), sampled);
+    }
 }
 
 #[test]

@@ -137,7 +137,7 @@ fn turn(mechanism: &mut Mechanism) {
 
 /// The checks that fail.
 fn failing(calculation: &Calculation) -> Vec<String> {
-    let checks = calculation.checks(Coverage::Sample, &mut unwatched).expect("nobody stops them");
+    let checks = calculation.checks(Coverage::Sample, &mut unwatched).expect("nobody stops them").all;
     assert!(checks.len() > 8, "only {} checks", checks.len());
     let failed = checks.iter().filter(|check| check.failed());
     let words = failed.map(|check| {

@@ -7,6 +7,7 @@ use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 
 use crate::case::{Case, ROUNDINGS, largest};
 use crate::check::Collector;
+use crate::residuals::greatest;
 use crate::subject::Solved;
 
 /// The checks of links, of joints and of guides.
@@ -28,7 +29,8 @@ pub(crate) fn collectors() -> [Collector; 3] {
     ]
 }
 
-pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector; 3]) {
+/// Compares one state; returns the largest residual of the links of each group, in solving order.
+pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector; 3]) -> Vec<f64> {
     let (linkage, one) = (case.subject.linkage, case.one);
     let scale = linkage.structure.scale;
     let mut sums = Sums { linkage, one, all: vec![Sum::ZERO; linkage.structure.links] };
@@ -40,15 +42,15 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     for joint in &case.joints {
         sums.add_joint(joint);
     }
-    let greatest = largest(&case.reactions.pairs, scale);
-    let total = greatest + sums.all.iter().map(|sum| sum.size).fold(0.0, f64::max);
+    let largest = largest(&case.reactions.pairs, scale);
+    let total = largest + sums.all.iter().map(|sum| sum.size).fold(0.0, f64::max);
+    let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {
-        let off = sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale;
-        let limit = ROUNDINGS * f64::EPSILON * (sum.size + greatest) * one.condition;
+        let limit = ROUNDINGS * f64::EPSILON * (sum.size + largest) * one.condition;
         let name = || format!("link {}", linkage.mechanism.links[link].name);
-        links.offer(one.index, off / total, limit / total, name);
+        links.offer(one.index, off(sum), limit / total, name);
     }
-    let unit = greatest.max(f64::MIN_POSITIVE);
+    let unit = largest.max(f64::MIN_POSITIVE);
     let limit = ROUNDINGS * f64::EPSILON;
     for joint in &case.joints {
         let name = || joint_name(linkage, joint.joint);
@@ -63,6 +65,8 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
             guides.offer(one.index, off / unit, limit * one.condition, name);
         }
     }
+    let groups = linkage.structure.groups.iter();
+    groups.map(|group| greatest(group.frame.links.iter().map(|link| off(&sums.all[*link])))).collect()
 }
 
 /// The sum of forces and moments on a link, with the size of its terms, N.

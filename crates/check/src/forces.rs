@@ -5,6 +5,7 @@ use assur_group::Wrench;
 
 use crate::case::{Case, ROUNDINGS};
 use crate::check::{Check, Collector};
+use crate::residuals::ForceResiduals;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, power};
@@ -22,6 +23,7 @@ pub(crate) struct Forces<'a> {
     balance: [Collector; 3],
     agreement: Collector,
     powers: [Collector; 3],
+    residuals: Vec<ForceResiduals>,
 }
 
 impl<'a> Forces<'a> {
@@ -36,6 +38,7 @@ impl<'a> Forces<'a> {
             balance: equilibrium::collectors(),
             agreement: agreement::collector(),
             powers: power::collectors(),
+            residuals: Vec::new(),
         }
     }
 
@@ -63,13 +66,14 @@ impl<'a> Forces<'a> {
         let joints = self.joints.iter().map(|joint| joint.reaction(&reactions.pairs)).collect();
         let case = Case { subject, loads, one, state, items, answers: &answers, full, reactions, joints };
         agreement::compare(&case, &mut self.agreement);
-        equilibrium::compare(&case, &mut self.balance);
-        power::compare(&case, &mut self.powers);
+        let groups = equilibrium::compare(&case, &mut self.balance);
+        let [dynamics, global] = power::compare(&case, &mut self.powers);
+        self.residuals.push(ForceResiduals { number: index, groups, dynamics, global });
     }
 
-    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
+    pub(crate) fn finish(self) -> (impl Iterator<Item = Check>, Vec<ForceResiduals>) {
         let all = [self.written].into_iter().chain(self.balance).chain([self.agreement]).chain(self.powers);
-        all.filter_map(Collector::into_check)
+        (all.filter_map(Collector::into_check), self.residuals)
     }
 }
 

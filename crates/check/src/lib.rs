@@ -23,6 +23,7 @@ mod notable;
 mod numbers;
 mod perturbation;
 mod power;
+mod residuals;
 mod rounding;
 mod run;
 mod stroke;
@@ -34,6 +35,7 @@ mod written;
 pub use check::Check;
 pub use coverage::{Chosen, Coverage, SAMPLE};
 pub use notable::notable;
+pub use residuals::{ForceResiduals, Residuals};
 pub use run::checks;
 pub use subject::{Subject, methods};
 

@@ -27,7 +27,8 @@ pub(crate) fn collectors() -> [Collector; 3] {
     ]
 }
 
-pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collector; 3]) {
+/// Compares one state; returns the residuals of the equation of motion and of virtual power.
+pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collector; 3]) -> [f64; 2] {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;
@@ -50,11 +51,13 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
     let total = balancing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
     let total = total.max(f64::MIN_POSITIVE);
     let limit = ROUNDINGS * f64::EPSILON * one.condition;
-    let off = (balancing + moment + terms[0] + terms[1]).abs();
-    lagrange.offer(one.index, off / total, limit, || "all loads".to_owned());
+    let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
+    lagrange.offer(one.index, of_motion, limit, || "all loads".to_owned());
     let sum: f64 =
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
-    lever.offer(one.index, (balancing + sum).abs() / total, limit, || "all loads".to_owned());
+    let of_powers = (balancing + sum).abs() / total;
+    lever.offer(one.index, of_powers, limit, || "all loads".to_owned());
+    [of_motion, of_powers]
 }
 
 /// Power that the joints transfer from one link to another: the sum is zero but for rounding.

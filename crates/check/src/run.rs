@@ -10,6 +10,7 @@ use crate::Chosen;
 use crate::check::Check;
 use crate::closure::Closure;
 use crate::forces::Forces;
+use crate::residuals::Residuals;
 use crate::subject::{Subject, methods};
 use crate::test_pf::TestPf;
 
@@ -28,18 +29,18 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
         state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
         methods: methods(linkage, None),
     };
-    let ControlFlow::Continue(all) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
+    let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
     all
 }
 
 impl Subject<'_> {
     /// Every check that applies: of the transfer functions over the [positions](Self::positions) that can be solved, of
-    /// the forces over the [states](Self::states). `watch` is called before each of them with the number of those that
-    /// are finished and of all, and may stop the run.
+    /// the forces over the [states](Self::states); and the residuals of each position and state. `watch` is called before
+    /// each of them with the number of those that are finished and of all, and may stop the run.
     pub fn checks<B>(
         &self,
         watch: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
-    ) -> ControlFlow<B, Vec<Check>> {
+    ) -> ControlFlow<B, (Vec<Check>, Residuals)> {
         let states = if self.loads.is_some() { self.states.count() } else { 0 };
         let (mut done, total) = (0, self.positions.count() + states);
         let mut step = || {
@@ -54,7 +55,9 @@ impl Subject<'_> {
                 test_pf.add(&one);
             }
         }
-        let mut all: Vec<Check> = closure.finish().chain(test_pf.finish()).collect();
+        let (of_transfer, test_pf) = test_pf.finish();
+        let mut residuals = Residuals { test_pf, forces: Vec::new() };
+        let mut all: Vec<Check> = closure.finish().chain(of_transfer).collect();
         for check in &mut all {
             check.sample = self.positions.share();
         }
@@ -66,9 +69,10 @@ impl Subject<'_> {
                     forces.add(index, &state);
                 }
             }
-            let found = forces.finish();
+            let (found, of_forces) = forces.finish();
+            residuals.forces = of_forces;
             all.extend(found.map(|check| Check { sample: self.states.share(), ..check }));
         }
-        ControlFlow::Continue(all)
+        ControlFlow::Continue((all, residuals))
     }
 }

@@ -12,6 +12,7 @@ use crate::elements::{Element, elements};
 use crate::interpolated::interpolated;
 use crate::kinetics;
 use crate::numbers::{Numbers, numbers};
+use crate::residuals::greatest;
 use crate::subject::{Solved, Subject};
 use crate::surroundings::{Differences, Surroundings};
 
@@ -41,6 +42,7 @@ pub(crate) struct TestPf<'a> {
     double: Option<Differences<'a, f64>>,
     /// Compiled at the first position that needs it.
     double_double: OnceCell<Option<Differences<'a, Dd>>>,
+    residuals: Vec<(usize, f64)>,
 }
 
 impl<'a> TestPf<'a> {
@@ -55,6 +57,7 @@ impl<'a> TestPf<'a> {
             scratch: linkage.position(),
             double: Differences::of(subject),
             double_double: OnceCell::new(),
+            residuals: Vec::new(),
         }
     }
 
@@ -66,6 +69,7 @@ impl<'a> TestPf<'a> {
                 .for_each(|collector| collector.leave_out(one.index, NO_ROOM));
             return;
         };
+        self.residuals.push((one.index, greatest(deviations.iter().map(|found| found.off / found.size))));
         for Deviation { check, element, off, limit, size } in deviations {
             self.collectors[check].offer_of(one.index, off, limit, size, || {
                 element.map_or_else(|| "all links".to_owned(), |element| element.name(self.subject.linkage))
@@ -91,8 +95,8 @@ impl<'a> TestPf<'a> {
         }
     }
 
-    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
-        self.collectors.into_iter().filter_map(Collector::into_check)
+    pub(crate) fn finish(self) -> (impl Iterator<Item = Check>, Vec<(usize, f64)>) {
+        (self.collectors.into_iter().filter_map(Collector::into_check), self.residuals)
     }
 }
 

@@ -80,6 +80,7 @@ fn analysis(angle: f64) -> Analysis {
         notes: Vec::new(),
         cycle: Cycle::default(),
         checks: Vec::new(),
+        residuals: Table::default(),
     }
 }
 

@@ -92,7 +92,7 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     };
     let Ok(mut analysis) = calculation.analyze(&mut watch) else { return Ok(Outcome::Stopped) };
     let Ok(checks) = calculation.checks(Coverage::Sample, &mut watch) else { return Ok(Outcome::Stopped) };
-    analysis.checks = checks;
+    analysis.add_checks(checks);
     let written =
         writer::analysis::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;

@@ -28,7 +28,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new();
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
-    analysis.checks = study.checks(args.checked.checks.into(), &mut line.watch()).map_err(Fault::other)?;
+    let checks = study.checks(args.checked.checks.into(), &mut line.watch());
+    analysis.add_checks(checks.map_err(Fault::other)?);
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
     if let Err(problem) = json::analysis::finite(&analysis) {
         style.tell(&format!("error: {problem}"));

@@ -12,7 +12,8 @@ use crate::progress::ProgressLine;
 pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
     let study = scene::whole_study(&args.scene, style)?;
-    let checks = study.checks(args.checks.into(), &mut ProgressLine::new().watch()).map_err(Fault::other)?;
+    let checks = study.checks(args.checks.into(), &mut ProgressLine::new().watch());
+    let checks = checks.map_err(Fault::other)?.all;
     output::print(&text::checks(&checks, style.ascii))?;
     analyze::tell_checks(&checks, style);
     let judged = checks.is_empty() || checks.iter().any(|check| check.judged);

@@ -49,7 +49,8 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
         Err(error) => return Err(Fault::Scene(error.to_string())),
     };
     let failed = state.found().is_none_or(|found| {
-        found.analysis.no_motion.is_some() || found.checks.iter().any(assur_analysis::results::Check::failed)
+        let analysis = &found.analysis;
+        analysis.no_motion.is_some() || analysis.checks.iter().any(assur_analysis::results::Check::failed)
     });
     let status = if failed { Status::Failed } else { Status::Done };
     let content = note::write(&mut state, &note).map_err(Fault::other)?;

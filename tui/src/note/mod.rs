@@ -64,9 +64,9 @@ pub(crate) fn write(state: &mut State, note: &Note) -> Result<String, String> {
 fn checks(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
     let mut blocks = Vec::new();
-    let found = context.state.found().filter(|found| !found.checks.is_empty());
+    let found = context.state.found().filter(|found| !found.analysis.checks.is_empty());
     if let Some(found) = found {
-        let rows = found.checks.iter().map(|check| {
+        let rows = found.analysis.checks.iter().map(|check| {
             let verdict = match (check.failed(), check.judged) {
                 (true, _) => words.get("failed"),
                 (false, true) => words.get("ok"),

@@ -63,7 +63,7 @@ fn the_numbers_of_the_note_are_those_of_the_results() {
             assert!(html.contains(&format!("<td>{}</td>", digits(series.at(position), 5))), "{}", series.of);
         }
     }
-    for check in &found.checks {
+    for check in &found.analysis.checks {
         assert!(html.contains(&format!("<tr><td>{}</td>", check.name)), "{}", check.name);
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use assur_analysis::results::Checks;
 use assur_analysis::{Calculation, Coverage, Options};
 use assur_fixtures::SCENES;
 use assur_mechanism::Mechanism;
@@ -121,7 +122,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
     }
     tell(report);
     let checks = whole.checks(Coverage::Sample, &mut watch);
-    Report::Checked { number, checks: checks.unwrap_or_default() }
+    Report::Checked { number, checks: checks.unwrap_or_else(|_| Checks::none()) }
 }
 
 /// Measures the methods; finished measurements are kept after a stop.

@@ -36,6 +36,8 @@ pub struct Analysis {
     pub cycle: Cycle,
     /// Checks of the numbers.
     pub checks: Vec<Check>,
+    /// Residuals of the checked positions, which [`positions`](Self::positions) have as well.
+    pub residuals: Table,
 }
 
 impl Analysis {

@@ -4,6 +4,8 @@ use std::collections::HashMap;
 
 use assur_mechanism::{LinkId, Mechanism, PairId, PointId, SlideId};
 
+use super::Residual;
+
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -46,6 +48,8 @@ pub enum Quantity {
     ShakingForce,
     /// Moment on the ground of all inertia loads, about the origin.
     ShakingMoment,
+    /// How far a position is from fulfilling a check.
+    Residual(Residual),
     /// 1 / |dimensionless determinant| of a group: infinite at a singular position.
     Condition,
 }
@@ -165,7 +169,7 @@ impl Section {
 ///
 /// It is made once for a scene; tables share it. Columns stand in the order of the results: motion of links, points and
 /// slides, their derivatives by time, reduction, reactions, condition.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Schema {
     columns: Vec<Column>,
     section_of: Vec<Section>,
@@ -310,7 +314,7 @@ impl Schema {
                 Owner::Load(load) => plain(self.loads[load].1),
                 _ => plain(Base::Newton),
             },
-            Quantity::Condition => plain(Base::One),
+            Quantity::Condition | Quantity::Residual(_) => plain(Base::One),
         }
     }
 }

@@ -83,6 +83,13 @@ impl Survey {
         }
     }
 
+    /// Adds the columns that are joined to the kept positions.
+    pub(crate) fn join(&mut self, positions: &Table, columns: &Table) {
+        self.present.resize(positions.schema().sections(), false);
+        let sections = 1..columns.schema().sections();
+        self.present.extend(sections.map(|section| columns.present(Section(section)).contains(&true)));
+    }
+
     /// Whether any position has numbers in a section.
     pub fn has(&self, section: Section) -> bool {
         self.present.get(section.0).copied().unwrap_or(false)

@@ -8,7 +8,7 @@ use super::{Column, Schema, Section};
 ///
 /// A row without a number in a column is marked, not filled with NaN: the columns of a [`Section`] have numbers in the
 /// same rows. A position without a solution has no row. A block of a long calculation is a table of some of its rows.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Table {
     schema: Arc<Schema>,
     /// Number of the position or sample of each row, increasing.
@@ -62,6 +62,25 @@ impl Table {
         self.columns.extend(columns);
         self.present.extend(present);
         self.schema = Arc::new(schema);
+    }
+
+    /// Adds the columns of another table, with its numbers in the rows of the same number; all its columns are ones that
+    /// some rows lack.
+    pub(crate) fn join(&mut self, other: &Self) {
+        if other.is_empty() {
+            return;
+        }
+        let rows: Vec<Option<usize>> = self.numbers.iter().map(|number| other.row_of(*number)).collect();
+        let mut schema = Schema::clone(&self.schema);
+        let sections: Vec<Section> = (1..other.present.len()).map(|_| schema.section()).collect();
+        for (index, column) in other.schema.columns().iter().enumerate() {
+            schema.add(sections[other.schema.section_of(index).0 - 1], [*column]);
+        }
+        let values = |values: &Vec<f64>| rows.iter().map(|row| row.map_or(0.0, |row| values[row])).collect();
+        let present =
+            |present: &Vec<bool>| rows.iter().map(|row| row.is_some_and(|row| present[row])).collect();
+        let columns = other.columns.iter().map(values).collect();
+        self.extend(schema, columns, other.present[1..].iter().map(present).collect());
     }
 
     /// The columns.

@@ -25,7 +25,7 @@ fn failing(change: impl FnOnce(&mut Mechanism)) -> Vec<&'static str> {
     let mut mechanism = calculation.linkage.mechanism.clone();
     change(&mut mechanism);
     calculation.loads = Some(Loads::compile(&Linkage::compile(mechanism).unwrap()).unwrap());
-    let checks = calculation.checks(Coverage::Sample, &mut unwatched).unwrap();
+    let checks = calculation.checks(Coverage::Sample, &mut unwatched).unwrap().all;
     checks.iter().filter(|check| check.failed()).map(|check| check.name).collect()
 }
 

@@ -44,7 +44,7 @@ pub(super) fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<AnalyzerPlug
         state: &|index| Some(states[index]),
         methods,
     };
-    let ControlFlow::Continue(all) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
+    let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
     let mut failed: Vec<_> = all.iter().filter(|check| !check.ok).map(|check| check.name).collect();
     let mut position = linkage.position();
     let positions = 0..linkage.mechanism.input.positions;

@@ -156,6 +156,7 @@ pub(crate) fn name(schema: &Schema, column: Column) -> Option<String> {
         (Q::InertiaMoment, _) => format!("{owner}_inertia_moment"),
         (Q::ShakingForce, _) => format!("shaking_f{part}"),
         (Q::ShakingMoment, _) => "shaking_moment".to_owned(),
+        (Q::Residual(of), owner) => format!("residual_{}", of.name(owner).replace(' ', "_")),
         (Q::Condition, _) => format!("condition_{owner}"),
         _ => return None,
     };

@@ -9,7 +9,7 @@ use super::quoted;
 use crate::template::{Template, Templates};
 
 /// The keys of a row, in their order.
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "time",
     "coordinate",
     "speed",
@@ -28,6 +28,7 @@ const KEYS: [&str; 19] = [
     "reactions_by_cause",
     "balancing_by_cause",
     "holding",
+    "residuals",
     "condition",
 ];
 
@@ -97,6 +98,7 @@ pub(super) fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
         (Q::InertiaMoment, _) => vec![key("inertia_loads"), name(), key("moment")],
         (Q::ShakingForce, _) => vec![key("shaking"), key("force")],
         (Q::ShakingMoment, _) => vec![key("shaking"), key("moment")],
+        (Q::Residual(of), owner) => vec![key("residuals"), Step::Key(of.name(owner))],
         (Q::Condition, _) => vec![key("condition"), name()],
         _ => return None,
     };

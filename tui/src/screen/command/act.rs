@@ -23,7 +23,7 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
         View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
         View::Forces => found.map_or(0, |found| found.reactions.len()),
         View::Motion => found.map_or(0, |found| found.motion.len()),
-        View::Checks => found.map_or(0, |found| found.checks.len()),
+        View::Checks => found.map_or(0, |found| found.analysis.checks.len()),
         View::Table => of_scene(Scene::column_count),
         View::Values => state.what_if.values.len(),
         _ => of_scene(|scene| scene.transfers.len()),
@@ -72,7 +72,7 @@ pub(super) fn nearest(state: &mut State) {
 
 /// Goes to the position of the chosen check's largest residual.
 pub(super) fn worst(state: &mut State) {
-    match state.found().and_then(|found| found.checks.get(state.chosen.check)?.at) {
+    match state.found().and_then(|found| found.analysis.checks.get(state.chosen.check)?.at) {
         Some(at) => state.go_to(at),
         None => state.say(Role::Plain, "this check belongs to no position"),
     }

@@ -1,6 +1,6 @@
 //! Receives the reports of the worker.
 
-use assur_analysis::results::Check;
+use assur_analysis::results::Checks;
 
 use super::{jobs, whatif};
 use crate::screen::state::{Chosen, Compared, Found, Purpose, Report, Role, Scene, State, View, Zoom};
@@ -56,10 +56,10 @@ fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, String>
     }
 }
 
-fn take_checks(state: &mut State, index: usize, checks: Vec<Check>) {
+fn take_checks(state: &mut State, index: usize, checks: Checks) {
     state.running.remove(index);
     if let Some(found) = state.scene.as_mut().and_then(|scene| scene.found.as_mut()) {
-        found.checks = checks;
+        found.take_checks(checks);
     }
 }
 

@@ -87,7 +87,7 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         (View::Checks, _, Some(found)) => {
             let mut writer = csv::Writer::from_writer(Vec::new());
             writer.write_record(["check", "residual", "limit", "where", "position", "ok"])?;
-            for check in &found.checks {
+            for check in &found.analysis.checks {
                 let at = check.at.map(|at| at.to_string()).unwrap_or_default();
                 let [residual, limit] = [check.residual, check.limit].map(|value| value.to_string());
                 let ok = (!check.failed()).to_string();

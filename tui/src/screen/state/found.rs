@@ -1,6 +1,6 @@
 //! The results of the analysis besides the transfer functions: rates, reduction, reactions, checks, motion over time.
 
-use assur_analysis::results::{Analysis, Base, Check, Column, Owner, Part, Quantity, Schema, Table, Unit};
+use assur_analysis::results::{Analysis, Base, Checks, Column, Owner, Part, Quantity, Schema, Table, Unit};
 use assur_mechanism::{GROUND, LinkId, PairId, PointId};
 
 use super::plans::Planner;
@@ -14,13 +14,14 @@ const ROUNDING: f64 = 1e-13;
 pub(crate) struct Found {
     /// Name of the force analyzer.
     pub(crate) analyzer: String,
+    /// Its checks are empty until they are done.
     pub(crate) analysis: Analysis,
-    /// Empty until the checks are done.
-    pub(crate) checks: Vec<Check>,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
+    /// Number of positions of the scene.
+    positions: usize,
     /// Plans of any position.
     pub(crate) plans: Planner,
     /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` if the positions have none.
@@ -65,7 +66,21 @@ impl Found {
         let reactions = gather.reactions();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
-        Self { analyzer, checks: Vec::new(), series, reactions, plans, fastest, motion, analysis }
+        Self { analyzer, series, reactions, plans, fastest, motion, analysis, positions }
+    }
+
+    /// Adds the checks, and the residuals as series.
+    pub(crate) fn take_checks(&mut self, checks: Checks) {
+        self.analysis.add_checks(checks);
+        let table = &self.analysis.positions;
+        let mut gather = Gather { table, positions: self.positions, series: std::mem::take(&mut self.series) };
+        for column in table.schema().columns() {
+            if let Quantity::Residual(of) = column.quantity {
+                let name = format!("residual {}", of.name(column.owner));
+                gather.add(name.clone(), name, *column);
+            }
+        }
+        self.series = gather.series;
     }
 
     /// Velocities (order 1) or accelerations (order 2) of the points in a position, by point.

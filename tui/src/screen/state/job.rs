@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use assur_analysis::results::Check;
+use assur_analysis::results::Checks;
 use assur_kinematics::Linkage;
 use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
@@ -125,7 +125,7 @@ pub(crate) enum Report {
     /// The checks of an analysis that was reported before.
     Checked {
         number: usize,
-        checks: Vec<Check>,
+        checks: Checks,
     },
     Measured {
         number: usize,

@@ -225,7 +225,7 @@ impl State {
                 found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
             }
             View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
-            View::Checks => found.is_some_and(|found| !found.checks.is_empty()),
+            View::Checks => found.is_some_and(|found| !found.analysis.checks.is_empty()),
             _ => self.scene.is_some(),
         }
     }

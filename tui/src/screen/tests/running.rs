@@ -1,5 +1,7 @@
 //! Work beside the screen: counted, stopped, and dropped where nobody waits for it.
 
+use assur_analysis::results::Checks;
+
 use super::{opened, press, text};
 use crate::screen::state::{Job, Purpose, Report, State, Wish};
 use crate::screen::{command, work};
@@ -43,9 +45,9 @@ fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
         let answer = work::run(&job, &|report| panic!("{report:?}"));
         assert!(matches!(&answer, Report::Analyzed { found: Err(_), .. }), "{answer:?}");
         assert!(!command::take(&mut state, answer));
-        assert!(!command::take(&mut state, Report::Checked { number, checks: Vec::new() }));
+        assert!(!command::take(&mut state, Report::Checked { number, checks: Checks::none() }));
         // What was found before stays.
-        assert!(!state.scene.as_ref().unwrap().found.as_ref().unwrap().checks.is_empty());
+        assert!(!state.scene.as_ref().unwrap().found.as_ref().unwrap().analysis.checks.is_empty());
     }
 }
 
