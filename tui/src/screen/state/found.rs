@@ -73,7 +73,8 @@ impl Found {
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
         let table = &self.analysis.positions;
-        let mut gather = Gather { table, positions: self.positions, series: std::mem::take(&mut self.series) };
+        let mut gather =
+            Gather { table, positions: self.positions, series: std::mem::take(&mut self.series) };
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
                 let name = format!("residual {}", of.name(column.owner));

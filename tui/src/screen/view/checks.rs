@@ -22,7 +22,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
     let height = usize::from(area.height.saturating_sub(1));
     let skip = first_shown(state.chosen.check, height);
-    for (row, (index, check)) in found.analysis.checks.iter().enumerate().skip(skip).take(height).enumerate() {
+    for (row, (index, check)) in found.analysis.checks.iter().enumerate().skip(skip).take(height).enumerate()
+    {
         let line = Rect { y: area.y + 1 + short(row), height: 1, ..area };
         draw_row(state, check, index == state.chosen.check, line, buffer);
     }
