@@ -25,13 +25,15 @@ pub struct Drawing<'a> {
     pub strokes: &'a [[f64; 2]],
     /// Links that are drawn as chosen.
     pub marked: &'a [LinkId],
+    /// Links that are not drawn, because they are not joined yet or have no place.
+    pub hidden: &'a [LinkId],
 }
 
 impl Drawing<'_> {
     /// The mechanism in one position, with the names of its points and the numbers of its links.
     pub fn items(&self, pose: &Position) -> Vec<Item> {
         let bodies = &pose.bodies;
-        let mut links: Vec<LinkId> = (1..bodies.len()).collect();
+        let mut links: Vec<LinkId> = (1..bodies.len()).filter(|link| self.shows(*link)).collect();
         // Chosen links lie over the others.
         links.sort_by_key(|link| self.marked.contains(link));
         let mut items = self.guides(bodies);
@@ -45,8 +47,9 @@ impl Drawing<'_> {
         items.extend(self.springs(bodies));
         items.extend(self.blocks(bodies));
         items.extend(self.pins(bodies));
-        for (id, point) in self.linkage.mechanism.points.iter().enumerate() {
-            let at = self.linkage.point_motion(id, pose).pf0;
+        for point in &self.linkage.mechanism.points {
+            let Some(place) = point.places.iter().find(|place| self.shows(place.link)) else { continue };
+            let at = bodies[place.link].point(place.at);
             let needed = self.linkage.mechanism.points.len() <= MOST_NAMES;
             items.push(Item::Name { at, text: point.name.clone(), ink: Ink::Title, needed });
         }
@@ -65,6 +68,10 @@ impl Drawing<'_> {
         let bearings =
             self.pins(&nowhere.bodies).filter(|item| matches!(item, Item::Sign { sign: Sign::Bearing, .. }));
         self.guides(&nowhere.bodies).into_iter().chain(bearings).collect()
+    }
+
+    fn shows(&self, link: LinkId) -> bool {
+        !self.hidden.contains(&link)
     }
 
     fn ink(&self, link: LinkId) -> Ink {
@@ -104,7 +111,8 @@ impl Drawing<'_> {
     }
 
     fn blocks(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
-        self.linkage.mechanism.slides.iter().map(|slide| {
+        let slides = self.linkage.mechanism.slides.iter();
+        slides.filter(|slide| self.shows(slide.link) && self.shows(slide.on)).map(|slide| {
             let (s, c) = slide.angle.sin_cos();
             let (at, along) = (bodies[slide.link].point(slide.point), bodies[slide.on].turned([c, s]));
             Item::Sign { at, along, sign: Sign::Block, ink: self.ink(slide.link) }
@@ -114,7 +122,7 @@ impl Drawing<'_> {
     fn pins(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         self.linkage.mechanism.points.iter().filter_map(|point| {
             let ground = point.places.iter().find(|place| place.link == GROUND);
-            let place = ground.or(point.places.first())?;
+            let place = ground.or(point.places.iter().find(|place| self.shows(place.link)))?;
             let (sign, ink) = match (ground, point.is_pin()) {
                 (Some(_), true) => (Sign::Bearing, Ink::Ground),
                 (None, true) => (Sign::Pin, self.ink(place.link)),
@@ -125,7 +133,8 @@ impl Drawing<'_> {
     }
 
     fn springs(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
-        self.linkage.mechanism.springs.iter().map(|spring| {
+        let springs = self.linkage.mechanism.springs.iter();
+        springs.filter(|spring| spring.ends.iter().all(|end| self.shows(end.link))).map(|spring| {
             let [from, to] = spring.ends.map(|end| bodies[end.link].point(end.at));
             let (elastic, damped) = (spring.stiffness != 0.0, spring.damping != 0.0);
             Item::Spring { from, to, elastic, damped }

@@ -47,7 +47,7 @@ impl<'a> Document<'a> {
         find::find(self.table.get_ref(), &key.0)
     }
 
-    /// Every number with or without a unit, in the order of the file.
+    /// Every number with or without a unit, and the choice of the motor, in the order of the file.
     pub fn values(&self) -> Vec<SceneValue> {
         values::of(self.text, self.table.get_ref())
     }

@@ -61,12 +61,11 @@ impl Context<'_> {
         position: usize,
         set: impl FnOnce(&mut State),
     ) -> Option<(Figure, String)> {
-        let before =
-            (self.state.view, self.state.position, self.state.chosen, self.state.pane, self.state.plan);
-        (self.state.view, self.state.position) = (shown, position);
+        let before = (self.state.position, self.state.chosen, self.state.parts.clone());
+        self.state.position = position;
         set(self.state);
-        let figure = view::figure(self.state);
-        (self.state.view, self.state.position, self.state.chosen, self.state.pane, self.state.plan) = before;
+        let figure = view::figure(self.state, shown);
+        (self.state.position, self.state.chosen, self.state.parts) = before;
         figure.map(|mut figure| {
             let title = std::mem::take(&mut figure.title);
             (figure, title)

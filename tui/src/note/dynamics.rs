@@ -6,7 +6,7 @@ use super::Context;
 use super::document::Block;
 use super::kinematics::CURVES;
 use crate::number::digits;
-use crate::screen::state::{Pane, View};
+use crate::screen::state::{Part, View};
 
 /// Digits of a number in a table.
 const DIGITS: usize = 6;
@@ -51,7 +51,9 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         position,
         CURVES,
         |_, _| caption,
-        |state| state.pane = Pane::Curves,
+        |state| {
+            state.parts.insert(View::Motion, Part::Course);
+        },
     ));
     let caption = words.get("characteristic-and-moments");
     blocks.extend(context.picture(View::Drive, position, CURVES, |_, _| caption, |_| {}));

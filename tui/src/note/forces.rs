@@ -4,7 +4,7 @@ use super::Context;
 use super::document::Block;
 use super::kinematics::{PLAN, head, table};
 use crate::number::digits;
-use crate::screen::state::{Pane, PlanKind, View, greatest as greatest_of};
+use crate::screen::state::{Part, View, greatest as greatest_of};
 
 /// Page of a curve beside its hodograph, mm.
 const CURVE: [f64; 2] = [160.0, 85.0];
@@ -48,7 +48,10 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
                     let values = [("title", words.phrase(title)), ("position", position.to_string())];
                     words.with("force-polygon", &values)
                 },
-                |state| (state.plan, state.chosen.polygon) = (PlanKind::Forces, polygon),
+                |state| {
+                    state.parts.insert(View::Plans, Part::Forces);
+                    state.chosen.polygon = polygon;
+                },
             ));
         }
     }
@@ -62,7 +65,8 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
             CURVE,
             |_, _| caption,
             |state| {
-                (state.pane, state.chosen.reaction) = (Pane::Table, index);
+                state.parts.insert(View::Forces, Part::Overview);
+                state.chosen.reaction = index;
             },
         ));
     }
@@ -74,7 +78,8 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
             CURVE,
             |_, _| caption,
             |state| {
-                (state.pane, state.chosen.reaction) = (Pane::Curves, index);
+                state.parts.insert(View::Forces, Part::Curves);
+                state.chosen.reaction = index;
             },
         ));
         blocks.extend(extreme(context, index));

@@ -4,7 +4,7 @@ use super::Context;
 use super::document::Block;
 use super::task::MECHANISM;
 use crate::number::digits;
-use crate::screen::state::{PlanKind, Series, View, greatest};
+use crate::screen::state::{Part, Series, View, greatest};
 
 /// Page of a plan, mm.
 pub(super) const PLAN: [f64; 2] = [160.0, 100.0];
@@ -21,16 +21,16 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         let values = [("position", position.to_string()), ("at", context.coordinate(position))];
         let caption = words.with("mechanism-at", &values);
         blocks.extend(context.picture(View::Mechanism, position, MECHANISM, |_, _| caption, |_| {}));
-        for (kind, id) in
-            [(PlanKind::Velocity, "velocity-plan"), (PlanKind::Acceleration, "acceleration-plan")]
-        {
+        for (kind, id) in [(Part::Velocities, "velocity-plan"), (Part::Accelerations, "acceleration-plan")] {
             let caption = words.with(id, &[("position", position.to_string())]);
             blocks.extend(context.picture(
                 View::Plans,
                 position,
                 PLAN,
                 |_, _| caption,
-                |state| state.plan = kind,
+                |state| {
+                    state.parts.insert(View::Plans, kind);
+                },
             ));
         }
     }
@@ -45,14 +45,11 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         |state| state.chosen.transfer = last,
     ));
     let Some(found) = context.state.found() else { return blocks };
-    let forces: Vec<usize> = found.reactions.iter().flat_map(|reaction| reaction.series.clone()).collect();
-    let moments: Vec<usize> = found.reactions.iter().filter_map(|reaction| reaction.moment).collect();
     // What rests has no row.
-    let rates = found.series.iter().enumerate().filter(|(index, series)| {
-        let is_rate = !found.motion.contains(index) && !forces.contains(index) && !moments.contains(index);
-        is_rate && greatest(&series.values) > series.floor
+    let rates = found.series.iter().filter(|series| {
+        ["velocity", "acceleration"].contains(&series.kind) && greatest(&series.values) > series.floor
     });
-    let rows = table(context, rates.map(|(_, series)| series));
+    let rows = table(context, rates);
     if !rows.is_empty() {
         let head = head(context);
         blocks.push(Block::table(words, "velocities", head, rows));

@@ -17,6 +17,12 @@ use crossterm::event::Event;
 const PATIENCE: Duration = Duration::from_millis(100);
 /// No key or report is longer; a longer sequence is dropped.
 const LONGEST: usize = 256;
+/// What stands around a pasted text.
+const PASTE: [&[u8]; 2] = [b"\x1b[200~", b"\x1b[201~"];
+/// A pasted text that has not ended after a pause of this time has no end: a slow connection may stop for long.
+const PASTE_PATIENCE: Duration = Duration::from_secs(3);
+/// Bytes of a pasted text that are kept; the rest of a longer one is dropped.
+const LONGEST_PASTE: usize = 1 << 16;
 const ESCAPE: u8 = 0x1b;
 
 /// Reads the terminal; each input is passed to `tell`, which returns false to end, and `None` at the end of input.
@@ -34,7 +40,7 @@ pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'stati
     thread::Builder::new().name("assur-keys".into()).spawn(move || {
         let mut decoder = Decoder::default();
         loop {
-            let pause = if decoder.0.is_empty() { Duration::MAX } else { PATIENCE };
+            let pause = decoder.patience();
             let events = match bytes.recv_timeout(pause) {
                 Ok(bytes) => decoder.take(&bytes),
                 Err(RecvTimeoutError::Timeout) => decoder.expire(),
@@ -53,7 +59,11 @@ pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'stati
 
 /// Bytes that do not form a complete sequence yet.
 #[derive(Debug, Default)]
-pub(crate) struct Decoder(Vec<u8>);
+pub(crate) struct Decoder {
+    rest: Vec<u8>,
+    /// The beginning of a pasted text whose end has not come yet.
+    pasted: Option<Vec<u8>>,
+}
 
 /// What the bytes begin with.
 enum Head {
@@ -68,22 +78,58 @@ enum Head {
 impl Decoder {
     /// The events of all complete sequences.
     pub(crate) fn take(&mut self, bytes: &[u8]) -> Vec<Event> {
-        self.0.extend_from_slice(bytes);
+        self.rest.extend_from_slice(bytes);
         let mut events = Vec::new();
-        while !self.0.is_empty() {
-            match head(&self.0) {
-                Head::Whole(count) => events.extend(event(&self.0.drain(..count).collect::<Vec<_>>())),
-                Head::Broken(count) => drop(self.0.drain(..count)),
-                Head::Open if self.0.len() > LONGEST => self.0.clear(),
+        while !self.rest.is_empty() {
+            if self.pasted.is_some() {
+                match self.paste() {
+                    Some(event) => events.push(event),
+                    None => break,
+                }
+                continue;
+            }
+            match head(&self.rest) {
+                Head::Whole(count) if self.rest[..count] == *PASTE[0] => {
+                    self.rest.drain(..count);
+                    self.pasted = Some(Vec::new());
+                }
+                Head::Whole(count) => events.extend(event(&self.rest.drain(..count).collect::<Vec<_>>())),
+                Head::Broken(count) => drop(self.rest.drain(..count)),
+                Head::Open if self.rest.len() > LONGEST => self.rest.clear(),
                 Head::Open => break,
             }
         }
         events
     }
 
-    /// No more bytes have come: a lone escape is the key, any other beginning is dropped.
+    /// How long to wait for the rest of what has begun.
+    fn patience(&self) -> Duration {
+        match (&self.pasted, self.rest.is_empty()) {
+            (Some(_), _) => PASTE_PATIENCE,
+            (None, false) => PATIENCE,
+            (None, true) => Duration::MAX,
+        }
+    }
+
+    /// Moves bytes to the pasted text; returns it when its end has come.
+    fn paste(&mut self) -> Option<Event> {
+        let end = self.rest.windows(PASTE[1].len()).position(|bytes| bytes == PASTE[1]);
+        // The last bytes may be the beginning of the end.
+        let whole = end.unwrap_or_else(|| self.rest.len().saturating_sub(PASTE[1].len() - 1));
+        let text = self.pasted.get_or_insert_default();
+        text.extend(self.rest.drain(..whole));
+        text.truncate(LONGEST_PASTE);
+        end?;
+        self.rest.drain(..PASTE[1].len());
+        let text = self.pasted.take()?;
+        Some(Event::Paste(String::from_utf8_lossy(&text).into_owned()))
+    }
+
+    /// No more bytes have come: a lone escape is the key, any other beginning is dropped, and a pasted text without an
+    /// end is no text.
     pub(crate) fn expire(&mut self) -> Vec<Event> {
-        let rest = std::mem::take(&mut self.0);
+        self.pasted = None;
+        let rest = std::mem::take(&mut self.rest);
         if rest == [ESCAPE] { event(&rest).into_iter().collect() } else { Vec::new() }
     }
 }

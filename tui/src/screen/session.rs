@@ -65,7 +65,7 @@ fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) ->
                 Ok(event) => event,
                 Err(RecvTimeoutError::Timeout) => {
                     *next_tick = Instant::now() + Duration::from_secs(1) / u32::from(state.look.fps.max(1));
-                    state.step(1);
+                    state.advance();
                     return true;
                 }
                 Err(RecvTimeoutError::Disconnected) => return false,
@@ -96,6 +96,10 @@ fn apply(state: &mut State, event: Event) -> bool {
                 "a panic on request (ASSUR_PANIC_ON_KEY)"
             );
             command::press(state, key);
+            true
+        }
+        Event::Input(Input::Paste(text)) => {
+            command::paste(state, &text);
             true
         }
         Event::Input(Input::Mouse(mouse)) => command::click(state, mouse),

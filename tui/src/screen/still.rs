@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use assur_figure::{Figure, svg};
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Cancel, Job, Keymap, Look, Pane, PlanKind, Purpose, Report, Source, State, View, Wish};
+use super::state::{Cancel, Job, Keymap, Look, Part, Purpose, Report, Source, State, View, Wish};
 use super::{ScreenError, view, work};
 
 /// What is drawn.
@@ -121,42 +121,24 @@ pub(crate) fn analyzed(
     Ok(state)
 }
 
-fn choose_part(state: &mut State, part: &str) -> Result<(), String> {
-    let panes = [
-        ("overview", Pane::Table),
-        ("causes", Pane::Causes),
-        ("curves", Pane::Curves),
-        ("hodograph", Pane::Hodograph),
-    ];
-    let plans = [
-        ("forces", PlanKind::Forces),
-        ("velocities", PlanKind::Velocity),
-        ("accelerations", PlanKind::Acceleration),
-        ("construction", PlanKind::Construction),
-    ];
-    let names = match state.view {
-        View::Plans => {
-            if let Some((_, plan)) = plans.iter().find(|(name, _)| *name == part) {
-                state.plan = *plan;
-                state.chosen.step = usize::MAX;
-                return Ok(());
-            }
-            plans.map(|(name, _)| name)
-        }
-        View::Forces | View::Motion | View::Drive => {
-            if let Some((_, pane)) = panes.iter().find(|(name, _)| *name == part) {
-                state.pane = *pane;
-                return Ok(());
-            }
-            panes.map(|(name, _)| name)
-        }
-        view => return Err(format!("the view `{}` has no parts", view.command())),
+fn choose_part(state: &mut State, name: &str) -> Result<(), String> {
+    let (view, parts) = (state.view, state.view.parts());
+    if parts.is_empty() {
+        return Err(format!("the view `{}` has no parts", view.command()));
+    }
+    let Some(part) = parts.iter().find(|part| part.name() == name) else {
+        let names: Vec<&str> = parts.iter().map(|part| part.name()).collect();
+        return Err(format!("there is no part `{name}` of this view; its parts are {}", names.join(", ")));
     };
-    Err(format!("there is no part `{part}` of this view; its parts are {}", names.join(", ")))
+    state.parts.insert(view, *part);
+    if *part == Part::Construction {
+        state.chosen.step = usize::MAX;
+    }
+    Ok(())
 }
 
 fn figure(state: &State) -> Result<Figure, StillError> {
-    view::figure(state).ok_or_else(|| {
+    view::figure(state, state.view).ok_or_else(|| {
         let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
         StillError::Nothing(text)
     })

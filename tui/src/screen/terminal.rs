@@ -7,7 +7,10 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use crossterm::cursor::Show;
-use crossterm::event::{DisableFocusChange, DisableMouseCapture, EnableFocusChange, EnableMouseCapture};
+use crossterm::event::{
+    DisableBracketedPaste, DisableFocusChange, DisableMouseCapture, EnableBracketedPaste, EnableFocusChange,
+    EnableMouseCapture,
+};
 use crossterm::style::ResetColor;
 use crossterm::terminal::{
     BeginSynchronizedUpdate, Clear, ClearType, EndSynchronizedUpdate, EnterAlternateScreen,
@@ -111,7 +114,7 @@ fn writing() -> MutexGuard<'static, ()> {
 fn enter() -> io::Result<()> {
     enable_raw_mode()?;
     TAKEN.store(true, Ordering::SeqCst);
-    execute!(io::stdout(), EnterAlternateScreen, EnableFocusChange)?;
+    execute!(io::stdout(), EnterAlternateScreen, EnableFocusChange, EnableBracketedPaste)?;
     if MOUSE.load(Ordering::SeqCst) {
         execute!(io::stdout(), EnableMouseCapture)?;
     }
@@ -127,7 +130,8 @@ pub(crate) fn give_back() {
     if MOUSE.load(Ordering::SeqCst) {
         let _ = queue!(out, DisableMouseCapture);
     }
-    let _ = queue!(out, EndSynchronizedUpdate, ResetColor, DisableFocusChange, LeaveAlternateScreen, Show);
+    let _ = queue!(out, EndSynchronizedUpdate, ResetColor, DisableBracketedPaste, DisableFocusChange);
+    let _ = queue!(out, LeaveAlternateScreen, Show);
     let _ = out.flush();
     let _ = disable_raw_mode();
 }

@@ -13,7 +13,7 @@ use crate::trace::{Mark, block};
 use labels::{Labels, head};
 use raster::{Raster, short};
 
-pub use plane::cell_width;
+pub use plane::{cell_width, point_at};
 
 /// The characters for the dots of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

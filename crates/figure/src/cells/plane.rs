@@ -41,6 +41,10 @@ impl Map {
         let [x, y] = [0, 1].map(|axis| (at[axis] - self.center[axis]) / self.unit);
         [self.middle[0] + x, self.middle[1] - y]
     }
+
+    fn point(&self, [x, y]: Point) -> Point {
+        [self.center[0] + (x - self.middle[0]) * self.unit, self.center[1] - (y - self.middle[1]) * self.unit]
+    }
 }
 
 /// Rows of a panel above and below its drawing: the heading, the scale.
@@ -53,6 +57,21 @@ pub fn cell_width(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Optio
     let Frame::Plane { bounds, .. } = &panel.frame else { return None };
     let rows = height.saturating_sub(around(panel).iter().sum());
     Some(Map::fit(bounds, [width, rows], look).unit)
+}
+
+/// The point of the plane in the middle of a cell of a panel of so many columns and rows; `None` outside its drawing.
+pub fn point_at(
+    panel: &Panel,
+    [width, height]: [u16; 2],
+    look: Look,
+    [column, row]: [u16; 2],
+) -> Option<Point> {
+    let Frame::Plane { bounds, .. } = &panel.frame else { return None };
+    let [above, below] = around(panel);
+    let rows = height.checked_sub(above + below)?;
+    let row = row.checked_sub(above).filter(|row| *row < rows && column < width)?;
+    let map = Map::fit(bounds, [width, rows], look);
+    Some(map.point([f64::from(column) + 0.5, (f64::from(row) + 0.5) * look.ratio]))
 }
 
 pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<Spot> {

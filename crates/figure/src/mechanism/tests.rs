@@ -25,7 +25,7 @@ fn items(name: &str) -> (Linkage, Vec<Item>) {
         .map(|slide| linkage.slide_motion(slide, &position).pf0)
         .map(|at| [at, at])
         .collect();
-    let items = Drawing { linkage: &linkage, strokes: &strokes, marked: &[] }.items(&position);
+    let items = Drawing { linkage: &linkage, strokes: &strokes, marked: &[], hidden: &[] }.items(&position);
     (linkage, items)
 }
 

@@ -113,7 +113,9 @@ fn in_value(text: &str, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, val
         }
         leaf => {
             let written = text.get(value.span()).unwrap_or_default();
-            values.extend(number(leaf, written).map(|(number, unit)| SceneValue {
+            // A choice among names has no number, and no percentage of it.
+            let choice = || (shown(steps) == MOTOR).then(|| (f64::NAN, String::new()));
+            values.extend(number(leaf, written).or_else(choice).map(|(number, unit)| SceneValue {
                 key: shown(steps),
                 span: value.span(),
                 written: written.to_owned(),
@@ -124,6 +126,9 @@ fn in_value(text: &str, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, val
         }
     }
 }
+
+/// The key that chooses a motor by its name.
+const MOTOR: &str = "drive.motor";
 
 /// Number and unit, of a bare number or of a text that is a number with a known unit.
 fn number(value: &DeValue<'_>, written: &str) -> Option<(f64, String)> {

@@ -1,11 +1,9 @@
 //! Commands that choose what is shown of the scene, and how.
 
-use assur_fixtures::SCENES;
-
-use super::{accuracy, jobs, whatif};
+use super::{jobs, report, whatif};
 use crate::screen::state::{
-    Arrows, Help, Job, Marker, Pane, Purpose, Role, Scene, Source, State, Theme, Traces, View, Wish, Zoom,
-    following, round,
+    Arrows, Help, Job, Marker, PACES, Part, Purpose, Role, Scene, Source, State, Theme, Traces, View, Wish,
+    Zoom, following, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -19,7 +17,6 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
     let found = state.found();
     let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
     let count = match view {
-        View::Menu => SCENES.len(),
         View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
         View::Forces => found.map_or(0, |found| found.reactions.len()),
         View::Motion => found.map_or(0, |found| found.motion.len()),
@@ -29,7 +26,6 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
         _ => of_scene(|scene| scene.transfers.len()),
     };
     let chosen = match view {
-        View::Menu => &mut state.shipped,
         View::Structure => &mut state.chosen.group,
         View::Forces => &mut state.chosen.reaction,
         View::Motion => &mut state.chosen.motion,
@@ -39,8 +35,60 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
         _ => &mut state.chosen.transfer,
     };
     *chosen = round(*chosen, by, count);
-    if view == View::Menu {
-        preview(state);
+}
+
+/// The next quantity: of the chart, of whatever there is if one was picked, otherwise a point, link or slide.
+pub(super) fn quantity(state: &mut State, by: isize) {
+    let Some(scene) = state.scene.as_ref().filter(|_| state.view == View::Curves) else {
+        return choose(state, View::Mechanism, by);
+    };
+    let count = scene.column_count();
+    let is_last = |index: &usize| scene.column(*index).map(|series| &series.short) == state.picked.last();
+    match (0..count).find(is_last) {
+        Some(index) => {
+            let next = scene.column(round(index, by, count)).map(|series| series.short.clone());
+            state.picked.pop();
+            state.picked.extend(next);
+        }
+        None => choose(state, View::Mechanism, by),
+    }
+}
+
+/// Goes to the greatest (1) or least (-1) value of the quantity that the view is about.
+pub(super) fn extreme(state: &mut State, sense: isize) {
+    let of_series = |series: &crate::screen::state::Series| {
+        let summary = series.summary()?;
+        let (word, (_, at)) =
+            if sense > 0 { ("greatest", summary.greatest) } else { ("least", summary.least) };
+        Some((at, format!("{word} {}: {} in position {at}", series.of, series.show(at))))
+    };
+    match state.main_series().and_then(of_series) {
+        Some((at, text)) => {
+            state.go_to(at);
+            state.say(Role::Plain, text);
+        }
+        None => state.say(Role::Plain, "this view has no quantity with a greatest and a least value"),
+    }
+}
+
+/// A faster (1) or slower (-1) motion.
+pub(super) fn pace(state: &mut State, by: isize) {
+    state.pace = state.pace.saturating_add_signed(by).min(PACES.len() - 1);
+    let text = format!("{} positions a second", PACES[state.pace] * f64::from(state.look.fps));
+    state.say(Role::Plain, text);
+}
+
+/// Shows the structure with one group more; after the last one, from the input link on.
+pub(super) fn join(state: &mut State) {
+    let Some(scene) = &state.scene else { return };
+    let count = scene.linkage.structure.groups.len();
+    state.joined = match state.joined {
+        None => Some(0),
+        Some(joined) if joined + 1 < count => Some(joined + 1),
+        Some(_) => None,
+    };
+    if let Some(group) = state.joined.and_then(|joined| joined.checked_sub(1)) {
+        state.chosen.group = group;
     }
 }
 
@@ -78,18 +126,17 @@ pub(super) fn worst(state: &mut State) {
     }
 }
 
-/// The next part of the view.
-pub(super) fn pane(state: &mut State) {
-    let parts: &[Pane] = match state.view {
-        View::Forces => &[Pane::Table, Pane::Causes, Pane::Curves, Pane::Hodograph],
-        _ => &[Pane::Table, Pane::Curves, Pane::Hodograph],
-    };
-    state.pane = following(parts, state.pane);
+/// The next part of the view in which there is something to show.
+pub(super) fn part(state: &mut State) {
+    let (view, parts) = (state.view, state.available_parts(state.view));
+    let next = following(&parts, state.part(view));
+    state.parts.insert(view, next);
 }
 
 /// Reactions by cause, or the table of all again.
 pub(super) fn causes(state: &mut State) {
-    state.pane = if state.pane == Pane::Causes { Pane::Table } else { Pane::Causes };
+    let next = if state.part(View::Forces) == Part::Causes { Part::Overview } else { Part::Causes };
+    state.parts.insert(View::Forces, next);
 }
 
 /// The next registered force analyzer that supports the open scene.
@@ -122,27 +169,6 @@ pub(super) fn difference(state: &mut State) {
     state.analyzer = now;
 }
 
-/// Requests the picture of the scene that is chosen in the menu.
-pub(crate) fn preview(state: &mut State) {
-    if !state.previews.contains_key(&state.shipped) {
-        state.wishes.push(Wish::Work(Job::Preview(state.shipped)));
-    }
-}
-
-/// Opens the scene that is chosen in the menu.
-pub(super) fn open_scene(state: &mut State) {
-    if let Some((name, _)) = SCENES.get(state.shipped) {
-        whatif::open(state, Source::Shipped(name));
-    }
-}
-
-/// Back to the menu.
-pub(super) fn menu(state: &mut State) {
-    state.view = View::Menu;
-    state.playing = false;
-    preview(state);
-}
-
 /// The next kind of arrows.
 pub(super) fn arrows(state: &mut State) {
     let all = [Arrows::None, Arrows::Velocity, Arrows::Acceleration, Arrows::Both];
@@ -151,7 +177,7 @@ pub(super) fn arrows(state: &mut State) {
 
 /// The next kind of paths.
 pub(super) fn traces(state: &mut State) {
-    state.traces = following(&[Traces::All, Traces::Chosen, Traces::None], state.traces);
+    state.traces = following(&[Traces::All, Traces::Chosen, Traces::Trail, Traces::None], state.traces);
 }
 
 /// The next kind of dots.
@@ -199,12 +225,35 @@ pub(super) fn reload(state: &mut State) {
     }
 }
 
-/// Closes the list of values, or else stops the calculation in progress.
+/// Closes what is open, the last opened first; where nothing is, stops the calculation in progress.
 pub(super) fn close(state: &mut State) {
-    if state.values_open() {
-        whatif::toggle(state);
-    } else {
-        accuracy::stop(state);
-        jobs::stop(state);
+    state.message = None;
+    let open = [
+        state.question.take().is_some(),
+        state.prompt.is_some(),
+        state.help.is_some(),
+        state.picker.is_some(),
+        state.fault.is_some(),
+        state.values_open(),
+        state.probe.is_some(),
+        state.view == View::Curves && !state.picked.is_empty(),
+        state.view == View::Structure && state.joined.is_some(),
+    ];
+    match open.iter().position(|open| *open) {
+        Some(0) => state.say(Role::Plain, "no file was written"),
+        Some(1) => state.prompt = None,
+        Some(2) => state.help = None,
+        // Without a scene there is nothing behind the list of scenes.
+        Some(3) if state.scene.is_none() => {}
+        Some(3) => state.picker = None,
+        Some(4) => state.fault = None,
+        Some(5) => whatif::toggle(state),
+        Some(6) => state.probe = None,
+        Some(7) => state.picked.clear(),
+        Some(8) => state.joined = None,
+        _ => {
+            report::stop(state);
+            jobs::stop(state);
+        }
     }
 }

@@ -41,11 +41,13 @@ pub(super) fn stop(state: &mut State) {
     state.say(Role::Plain, stopped);
 }
 
-/// Replaces the open scene by another one, and requests its analysis.
-pub(super) fn exchange(state: &mut State, scene: Scene) {
+/// Replaces the open scene by another one, and requests its analysis; returns the scene before.
+pub(super) fn exchange(state: &mut State, scene: Scene) -> Option<Scene> {
     state.position = state.position.min(scene.positions().saturating_sub(1));
-    state.scene = Some(scene);
+    state.phase = 0.0;
+    let before = state.scene.replace(scene);
     stop_running(state, |purpose| purpose == Purpose::Measurement);
     state.measured = None;
     ask(state, Purpose::Main);
+    before
 }

@@ -2,9 +2,9 @@
 
 use assur_fixtures::SCENES;
 
-use super::{act, whatif, write};
+use super::{motors, picker, report, whatif, write};
 use crate::screen::state::{
-    Group, Job, Look, Marker, Reaction, Role, Scene, Source, State, Theme, View, Wish,
+    Group, Job, Look, Marker, Panels, Reaction, Role, Scene, Source, State, Theme, View, Wish,
 };
 use crate::screen::view::help::where_it_works;
 
@@ -33,6 +33,7 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
         ("link", of_scene("link")),
         ("slide", of_scene("slide")),
         ("view", views.map(|command| command.name.to_owned()).collect()),
+        ("panels", View::TABS.map(|view| view.command().to_owned()).to_vec()),
         ("open", scenes.clone()),
         ("compare", scenes),
         ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
@@ -75,13 +76,15 @@ pub(super) fn run(state: &mut State, line: &str) {
         ("", _) => {}
         ("set", rest) => set(state, rest),
         ("compare", file) => compare(state, file),
-        ("open", "") => act::menu(state),
+        ("open", "") => picker::scenes(state),
         ("open", file) => whatif::open(state, source(file)),
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
         ("save", name) => whatif::save_line(state, name),
         ("write", name) if !name.is_empty() => write::write_to(state, write::home(name)),
+        ("motors", rest) if !rest.is_empty() => motors::limits(state, rest),
+        ("panels", names) if !names.is_empty() => panels(state, names),
         ("value", rest) => {
             if !whatif::set(state, rest) {
                 unknown_name(state, word, rest.split_whitespace().next().unwrap_or_default());
@@ -144,10 +147,19 @@ fn suggestion(name: &str, known: &[String]) -> String {
 }
 
 fn view(state: &mut State, name: &str) {
-    let command = state.named(name).filter(|c| c.group == Group::Views && c.fits(state.view));
-    match command {
-        Some(command) => (command.run)(state),
-        None => unknown(state, name),
+    match state.named(name).filter(|command| command.group == Group::Views) {
+        Some(command) if state.scene.is_some() => (command.run)(state),
+        Some(_) => state.say(Role::Bad, "no scene is open; Enter opens the chosen one"),
+        None => unknown_name(state, "view", name),
+    }
+}
+
+/// Chooses the views that are shown beside each other.
+fn panels(state: &mut State, names: &str) {
+    let known = |name: &str| View::TABS.into_iter().find(|view| view.command() == name);
+    match names.split_whitespace().map(|name| known(name).ok_or(name)).collect() {
+        Ok(views) => state.panels = Panels { shown: true, views },
+        Err(name) => unknown_name(state, "view", name),
     }
 }
 
@@ -218,7 +230,12 @@ pub(crate) fn search(state: &mut State, text: &str) {
         return whatif::search(state, text);
     }
     let wanted = text.to_lowercase();
-    if state.view == View::Forces && reaction(state, &wanted) {
+    let found = match state.view {
+        View::Forces => reaction(state, &wanted),
+        View::Working | View::Accuracy => report::find(state, &wanted),
+        _ => false,
+    };
+    if found {
         return;
     }
     let Some(scene) = &state.scene else { return };
@@ -231,6 +248,10 @@ pub(crate) fn search(state: &mut State, text: &str) {
         return state.say(Role::Bad, format!("`{text}` was not found"));
     };
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
+    let short = scene.column(column).map(|series| series.short.clone());
     state.chosen.column = column;
     state.chosen.transfer = transfer.unwrap_or(state.chosen.transfer);
+    if state.view == View::Curves {
+        state.picked = if transfer.is_some() { Vec::new() } else { short.into_iter().collect() };
+    }
 }

@@ -1,11 +1,14 @@
 //! Commands: their table, and their effects on the state.
 
-mod accuracy;
 mod act;
 mod jobs;
 mod line;
+mod motors;
+mod picker;
 mod plans;
+mod probe;
 mod prompt;
+mod report;
 mod reports;
 mod table;
 mod whatif;
@@ -21,23 +24,25 @@ pub(crate) use table::COMMANDS;
 pub(crate) use whatif::toggle;
 pub(crate) use write::{PAGE, grant, picture};
 
-use super::state::{Group, Key, Purpose, State, View};
+use super::state::{Command, Group, Key, PromptKind, Purpose, State, View};
 use super::view;
 
-/// Requests the data for the first frame: the analysis of the scene, or the first picture of the menu.
+/// Requests the data for the first frame: the analysis of the scene, or the list of shipped scenes.
 pub(crate) fn start(state: &mut State) {
     if state.scene.is_some() {
         jobs::ask(state, Purpose::Main);
     } else {
-        act::preview(state);
+        picker::scenes(state);
     }
 }
 
-/// Passes a key to what is open: a question, the `:` line, the help, or else the view.
+/// Passes a key to what is open: a question, the `:` line, the help, a list, or else the view.
 pub(crate) fn press(state: &mut State, event: KeyEvent) {
     let key = Key::from(event);
     let meant = state.command(key);
-    if let Some(command) = meant.filter(|command| key.control && command.group == Group::Program) {
+    let everywhere =
+        |command: &&Command| command.name == "close" || (key.control && command.group == Group::Program);
+    if let Some(command) = meant.filter(everywhere) {
         return (command.run)(state);
     }
     if let Some(file) = state.question.take() {
@@ -47,37 +52,68 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
         return prompt::press(state, key);
     }
     state.message = None;
-    if state.help.is_some() {
-        return press_in_help(state, key);
+    // Before a search begins, the commands of the program keep their keys.
+    let filter = state.help.as_ref().map(|help| &help.filter);
+    let filter = filter.or(state.picker.as_ref().map(|picker| &picker.filter));
+    let typing = filter.is_some_and(|filter| filter.typing);
+    let meant = meant.filter(|command| !typing && (filter.is_none() || OF_LISTS.contains(&command.name)));
+    match meant {
+        Some(command) if command.name == "quit" && (state.help.is_some() || state.picker.is_some()) => {
+            // Without a scene there is nothing behind the list of scenes.
+            let last = state.help.is_none() && state.scene.is_none();
+            (if last { command.run } else { act::close })(state);
+        }
+        Some(command) if command.name == "help" && state.help.is_some() => state.help = None,
+        Some(command) => {
+            state.fault = None;
+            (command.run)(state);
+        }
+        None if state.help.is_some() => press_in_help(state, key),
+        None if state.picker.is_some() => picker::press(state, key),
+        None => state.fault = None,
     }
-    state.fault = None;
-    if let Some(command) = meant {
-        (command.run)(state);
+}
+
+/// Commands whose keys have a meaning while the help or a list is open and nothing is typed yet.
+const OF_LISTS: [&str; 3] = ["quit", "help", "command"];
+
+/// Takes a pasted text into the line that is being written; it is never read as keys.
+pub(crate) fn paste(state: &mut State, text: &str) {
+    let line: String =
+        text.trim().chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
+    if let Some(prompt) = &mut state.prompt {
+        prompt.completing = None;
+        prompt.text.push_str(&line);
+    } else if let Some(help) = &mut state.help {
+        (help.filter.typing, help.scroll) = (true, 0);
+        help.filter.text.push_str(&line);
+    } else if let Some(picker) = &mut state.picker {
+        (picker.filter.typing, picker.chosen) = (true, 0);
+        picker.filter.text.push_str(&line);
+    } else if state.question.is_none() {
+        // It is shown, and runs only after Enter.
+        state.open_prompt(PromptKind::Command, line);
     }
 }
 
 /// A key while the help is open: letters search, arrows scroll.
 fn press_in_help(state: &mut State, key: Key) {
-    let meant = state.command(key).map(|command| command.name);
     let page = view::help::page(state);
     let Some(help) = &mut state.help else { return };
     match key.code {
         KeyCode::Down => help.scroll = help.scroll.saturating_add(1),
         KeyCode::Up => help.scroll = help.scroll.saturating_sub(1),
-        KeyCode::PageDown | KeyCode::Char(' ') => help.scroll += page,
+        KeyCode::PageDown => help.scroll += page,
+        KeyCode::Char(' ') if !help.filter.typing => help.scroll += page,
         KeyCode::PageUp => help.scroll = help.scroll.saturating_sub(page),
         KeyCode::Home => help.scroll = 0,
         KeyCode::End => help.scroll = usize::MAX,
-        KeyCode::Backspace => {
-            help.filter.pop();
+        KeyCode::Enter => state.help = None,
+        _ => {
+            if help.filter.press(key) {
+                help.scroll = 0;
+            }
         }
-        KeyCode::Esc | KeyCode::Enter => state.help = None,
-        _ if help.filter.is_empty() && matches!(meant, Some("help" | "quit" | "close")) => state.help = None,
-        KeyCode::Char(letter) => {
-            help.filter.push(letter);
-            help.scroll = 0;
-        }
-        _ => {}
     }
     let last = view::help::last_scroll(state);
     if let Some(help) = &mut state.help {
@@ -85,17 +121,24 @@ fn press_in_help(state: &mut State, key: Key) {
     }
 }
 
-/// A click chooses a position on a chart; returns whether the frame may differ.
+/// A click chooses a position on a chart, or the place of the point that is moved; returns whether the frame may differ.
 pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     let pressed = matches!(
         mouse.kind,
         MouseEventKind::Down(MouseButton::Left) | MouseEventKind::Drag(MouseButton::Left)
     );
-    if !pressed || state.view != View::Curves {
+    let cell = [mouse.column, mouse.row];
+    let Some((view, area)) =
+        view::areas(state).into_iter().find(|(_, area)| area.contains((mouse.column, mouse.row).into()))
+    else {
         return false;
-    }
-    match view::curves::position_at(state, view::room(state), [mouse.column, mouse.row]) {
-        Some(position) => std::mem::replace(&mut state.position, position) != position,
-        None => false,
+    };
+    match view {
+        View::Curves if pressed => match view::curves::position_at(state, area, cell) {
+            Some(position) => std::mem::replace(&mut state.position, position) != position,
+            None => false,
+        },
+        View::Mechanism if pressed && state.probe.is_some() => probe::click(state, area, cell),
+        _ => false,
     }
 }

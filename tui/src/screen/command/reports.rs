@@ -71,7 +71,7 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
         if name == scene.source.short_name() {
             name = other.source.name();
         }
-        state.compared = Some(Compared { name, scene: other });
+        state.compared = Some(Compared { name, scene: other, before: false });
     } else {
         let (other, own) = (other.positions(), scene.positions());
         let text = format!(
@@ -88,10 +88,12 @@ fn open(state: &mut State, scene: Scene) {
         state.position = scene.first_position();
         state.chosen = Chosen::default();
         state.zoom = Zoom::WHOLE;
-    }
-    if !again || state.view == View::Menu {
         state.view = View::Mechanism;
+        (state.motor_limits, state.joined) = (None, None);
+        state.picked.clear();
     }
+    // Links and points may have other numbers now.
+    (state.picker, state.probe) = (None, None);
     if !again || state.positions() != scene.positions() {
         state.compared = None;
     }

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use super::jobs;
 use super::write::home;
 use crate::screen::state::{
-    Change, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State, Wish,
+    Change, Compared, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State, Wish,
 };
 
 /// Shows the list of values, or closes it.
 pub(crate) fn toggle(state: &mut State) {
-    state.what_if.open = !state.values_open();
+    (state.what_if.open, state.probe) = (!state.values_open(), None);
 }
 
 /// The next step size.
@@ -31,7 +31,8 @@ pub(super) fn shift(state: &mut State, sense: f64) {
     }
 }
 
-fn put(state: &mut State, index: usize, toml: String) {
+/// Changes a value, and reads the changed scene.
+pub(super) fn put(state: &mut State, index: usize, toml: String) {
     if state.what_if.put(index, toml) {
         ask(state);
     }
@@ -94,12 +95,20 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
     true
 }
 
-/// Shows a changed scene in place of the one before, with its difference to the same other analyzer.
+/// Shows a changed scene in place of the one before, with its difference to the same other analyzer; the scene as the
+/// file has it is compared with it, unless another one is.
 fn show(state: &mut State, scene: Scene) {
     if let Some(old) = state.scene.as_ref().filter(|old| old.found.is_some()) {
         state.what_if.compared = old.other.as_ref().map(|other| other.analyzer.clone());
     }
-    jobs::exchange(state, scene);
+    let same = state.positions() == scene.positions();
+    let old = jobs::exchange(state, scene);
+    if !same || state.what_if.shown.is_empty() {
+        state.compared.take_if(|compared| compared.before || !same);
+    } else if state.compared.is_none() {
+        let compared = |old| Compared { name: "before".to_owned(), scene: Box::new(old), before: true };
+        state.compared = old.map(compared);
+    }
     if let Some(other) = state.what_if.compared.clone() {
         let now = state.analyzer.replace(other);
         jobs::ask(state, Purpose::Difference);
@@ -110,6 +119,7 @@ fn show(state: &mut State, scene: Scene) {
 /// Another scene was opened, or the file was reread: changes are dropped, with a message.
 pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     let dropped = state.what_if.changes();
+    state.compared.take_if(|compared| compared.before);
     state.what_if = state.what_if.next(scene, again);
     if again {
         let text = match dropped {

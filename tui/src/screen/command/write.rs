@@ -25,7 +25,7 @@ pub(super) fn write(state: &mut State) {
         (view, _) => view.command().to_owned(),
     };
     let of: String = of.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-    let path = match view::figure(state) {
+    let path = match view::figure(state, state.view) {
         Some(_) => format!("{stem}-{of}-{}.svg", state.position),
         None => format!("{stem}-{of}.csv"),
     };
@@ -38,7 +38,7 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
         return state.say(Role::Plain, "this view has nothing to write");
     };
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    let figure = view::figure(state);
+    let figure = view::figure(state, state.view);
     let numbers = numbers(state, scene, figure.as_ref());
     let content = match (&figure, ending.as_str()) {
         (_, "csv") => numbers.map(|numbers| (numbers, None)),

@@ -46,7 +46,7 @@ fn the_lines_of_the_default_are_live() {
         ("fps = 10", "fps = 11"),
         ("cell_ratio = 2.0", "cell_ratio = 2.5"),
         ("mouse = false", "mouse = true"),
-        ("play = [\"Space\"]", "play = [\"p\"]"),
+        ("play = [\"Space\"]", "play = [\"y\"]"),
     ] {
         assert!(text.contains(from), "{from}");
         assert_ne!(read(&text.replace(from, to)), Config::default(), "{to}");
@@ -62,13 +62,13 @@ fn an_empty_file_is_the_default() {
 fn every_setting_is_taken() {
     let config = read(
         "theme = 'mono'\nmarker = 'half-block'\nascii = true\nfps = 25\ncell_ratio = 1.9\nmouse = true\n\
-         [keys]\nplay = 'p'\nnext-position = ['n', 'C-n', 'F5']\nwrite = []\n",
+         [keys]\nplay = 'y'\nnext-position = ['i', 'C-n', 'F5']\nwrite = []\n",
     );
     let look = Look { ascii: true, marker: Marker::HalfBlock, theme: Theme::Mono, ratio: 1.9, fps: 25 };
     assert_eq!((config.look, config.mouse), (look, true));
     let keys = |name: &str| config.keys.keys(name).to_vec();
-    assert_eq!(keys("play"), [Key::parse("p").unwrap()]);
-    assert_eq!(keys("next-position"), ["n", "C-n", "F5"].map(|key| Key::parse(key).unwrap()));
+    assert_eq!(keys("play"), [Key::parse("y").unwrap()]);
+    assert_eq!(keys("next-position"), ["i", "C-n", "F5"].map(|key| Key::parse(key).unwrap()));
     assert_eq!(keys("write"), []);
     assert_eq!(keys("quit"), ["q", "C-c"].map(|key| Key::parse(key).unwrap()));
 }

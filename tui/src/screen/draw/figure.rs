@@ -6,18 +6,21 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::text::put;
-use crate::screen::state::{Role, State, View, Zoom};
+use crate::screen::state::{Role, State, Zoom};
 
-/// How figures are drawn in cells now.
-pub(crate) fn cells(state: &State) -> Look {
-    let zoomed = matches!(state.view, View::Mechanism | View::Structure);
-    let zoom = if zoomed { state.zoom } else { Zoom::WHOLE };
+/// How a figure is drawn in cells now, in the whole or zoomed.
+pub(crate) fn cells(state: &State, zoom: Zoom) -> Look {
     Look { marker: state.look.marker, ratio: state.look.ratio, zoom }
 }
 
-/// Draws a figure into an area.
+/// Draws the whole figure into an area.
 pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buffer) {
-    for spot in cells::draw(figure, [area.width, area.height], cells(state)) {
+    paint_zoomed(state, figure, Zoom::WHOLE, area, buffer);
+}
+
+/// Draws the visible part of a figure into an area.
+pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
+    for spot in cells::draw(figure, [area.width, area.height], cells(state, zoom)) {
         put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
     }
 }

@@ -58,14 +58,38 @@ fn a_sequence_that_is_cut_off_swallows_no_key() {
         assert_eq!(decoder.expire(), [], "{cut:?}");
         assert_eq!(keys(decoder.take(b"q")), [KeyCode::Char('q')], "{cut:?}");
     }
-    // Unknown reports and the marks of a paste are dropped at once.
+    // Unknown reports, and the end of a paste that never began, are dropped at once.
     for unknown in
-        ["\x1b[200~", "\x1b[?2026;2$y", "\x1b]11;rgb:0/0/0\x07", "\x1b[<0;1\x03", "\u{ff}\x1b[999~"]
+        ["\x1b[201~", "\x1b[?2026;2$y", "\x1b]11;rgb:0/0/0\x07", "\x1b[<0;1\x03", "\u{ff}\x1b[999~"]
     {
         let mut decoder = Decoder::default();
         decoder.take(unknown.as_bytes());
         assert_eq!(keys(decoder.take(b"q")).last(), Some(&KeyCode::Char('q')), "{unknown:?}");
     }
+}
+
+#[test]
+fn a_pasted_text_is_no_keys() {
+    let pasted = |bytes: &[u8], size: usize| {
+        let mut decoder = Decoder::default();
+        bytes.chunks(size).flat_map(|bytes| decoder.take(bytes)).collect::<Vec<_>>()
+    };
+    let text = "q\x1b[A\nr\u{44f}";
+    let bytes = format!("a\x1b[200~{text}\x1b[201~b");
+    for size in [1, 2, 3, 5, 100] {
+        let events = pasted(bytes.as_bytes(), size);
+        assert!(
+            matches!(&events[..], [Event::Key(_), Event::Paste(found), Event::Key(_)] if found == text),
+            "{size}: {events:?}"
+        );
+    }
+    // A text without an end is dropped after a pause, and one that is too long is cut.
+    let mut decoder = Decoder::default();
+    assert_eq!(decoder.take(b"\x1b[200~quit"), []);
+    assert_eq!(decoder.expire(), []);
+    assert_eq!(keys(decoder.take(b"q")), [KeyCode::Char('q')]);
+    let long = pasted(format!("\x1b[200~{}\x1b[201~", "a".repeat(100_000)).as_bytes(), 1024);
+    assert!(matches!(&long[..], [Event::Paste(text)] if text.len() == 1 << 16));
 }
 
 #[test]

@@ -64,6 +64,7 @@ impl Found {
         let motion = gather.motion();
         gather.rates();
         let reactions = gather.reactions();
+        gather.others();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
         Self { analyzer, series, reactions, plans, fastest, motion, analysis, positions }
@@ -117,24 +118,32 @@ struct Gather<'a> {
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
-    fn add(&mut self, of: String, short: String, column: Column) -> Option<usize> {
+    fn add(&mut self, names: [String; 2], kind: &'static str, column: Column) -> Option<usize> {
         let index = self.table.schema().find(column)?;
-        self.add_values(of, short, column, self.table.each(index).collect())
+        self.add_values(names, kind, column, self.table.each(index).collect())
     }
 
     /// Adds the modulus of a vector.
-    fn add_modulus(&mut self, of: String, short: String, vector: Column) -> Option<usize> {
+    fn add_modulus(&mut self, names: [String; 2], kind: &'static str, vector: Column) -> Option<usize> {
         let schema = self.table.schema();
         let [x, y] = [Part::X, Part::Y].map(|part| schema.find(vector.part(part)));
         let both = self.table.each(x?).zip(self.table.each(y?));
-        self.add_values(of, short, vector, both.map(|(x, y)| Some(x?.hypot(y?))).collect())
+        self.add_values(names, kind, vector, both.map(|(x, y)| Some(x?.hypot(y?))).collect())
+    }
+
+    /// Adds both projections of a vector and its modulus; a letter follows the names.
+    fn add_vector(&mut self, [of, short]: [String; 2], kind: &'static str, vector: Column) -> Vec<usize> {
+        let names = |letter: &str| [&of, &short].map(|name| format!("{name}{letter}"));
+        let x = self.add(names("x"), kind, vector.part(Part::X));
+        let y = self.add(names("y"), kind, vector.part(Part::Y));
+        [x, y, self.add_modulus(names(""), kind, vector)].into_iter().flatten().collect()
     }
 
     /// Adds the values of the rows; `column`: what they measure.
     fn add_values(
         &mut self,
-        of: String,
-        short: String,
+        [of, short]: [String; 2],
+        kind: &'static str,
         column: Column,
         rows: Vec<Option<f64>>,
     ) -> Option<usize> {
@@ -149,7 +158,7 @@ impl Gather<'_> {
         }
         let schema = self.table.schema();
         let unit = unit(schema.unit(column), schema.angular());
-        self.series.push(Series { of, short, unit, values, floor: 0.0 });
+        self.series.push(Series { of, short, kind, unit, values, floor: 0.0 });
         Some(self.series.len() - 1)
     }
 
@@ -162,31 +171,28 @@ impl Gather<'_> {
             ("derivative J'", "J'", Quantity::ReducedInertiaDerivative),
             ("reduced moment Q", "Q", Quantity::ReducedMoment),
         ];
-        all.into_iter()
-            .filter_map(|(of, short, quantity)| {
-                self.add(of.into(), short.into(), Column::of(quantity, Owner::Input))
-            })
-            .collect()
+        let add = |(of, short, quantity): (&str, &str, Quantity)| {
+            self.add([of, short].map(str::to_owned), "", Column::of(quantity, Owner::Input))
+        };
+        all.into_iter().filter_map(add).collect()
     }
 
-    /// Velocities and accelerations of points and links.
+    /// Velocities and accelerations of points, links and slides.
     fn rates(&mut self) {
         let schema = self.table.schema();
-        for (quantity, linear, angular) in [(RATES[0], "v", "w"), (RATES[1], "a", "e")] {
-            let owners = schema.owners(quantity);
-            let of = |owner| (owner, schema.name(owner).into_owned());
-            let points = owners.iter().filter(|owner| matches!(owner, Owner::Point(_)));
-            for (owner, point) in points.copied().map(of) {
-                for (part, letter) in [(Part::X, "x"), (Part::Y, "y")] {
-                    let (what, column) =
-                        (format!("{linear}{letter}"), Column::of(quantity, owner).part(part));
-                    self.add(format!("point {point} {what}"), format!("{point}.{what}"), column);
+        for (order, quantity) in RATES.into_iter().enumerate() {
+            let ([linear, angular], kind) =
+                ([["v", "w"], ["a", "e"]][order], ["velocity", "acceleration"][order]);
+            for owner in schema.owners(quantity) {
+                let (name, column) = (schema.name(owner), Column::of(quantity, owner));
+                let names =
+                    |of: &str, letter: &str| [format!("{of} {name} {letter}"), format!("{name}.{letter}")];
+                match owner {
+                    Owner::Point(_) => drop(self.add_vector(names("point", linear), kind, column)),
+                    Owner::Link(_) => drop(self.add(names("link", angular), kind, column)),
+                    Owner::Slide(_) => drop(self.add(names("slide", linear), kind, column)),
+                    _ => {}
                 }
-            }
-            let links = owners.iter().filter(|owner| matches!(owner, Owner::Link(_)));
-            for (owner, link) in links.copied().map(of) {
-                let column = Column::of(quantity, owner);
-                self.add(format!("link {link} {angular}"), format!("{link}.{angular}"), column);
             }
         }
     }
@@ -197,24 +203,51 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
             let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
-            let of = |what: &str| format!("{pair} on {link} {what}");
-            let short = |what: &str| format!("{pair}>{link}.{what}");
+            let names = |what: &str| [format!("{pair} on {link} {what}"), format!("{pair}>{link}.{what}")];
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
-            let mut series = Vec::new();
-            series.extend(self.add(of("Fx"), short("Fx"), force.part(Part::X)));
-            series.extend(self.add(of("Fy"), short("Fy"), force.part(Part::Y)));
-            series.extend(self.add_modulus(of("F"), short("F"), force));
-            let moment = self.add(of("M"), short("M"), Column::of(Quantity::Moment, Owner::Pair(id)));
+            let series = self.add_vector(names("F"), "force", force);
+            let moment = self.add(names("M"), "moment", Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
                 found.push(Reaction { pair, link, series, moment });
             }
         }
         self.mark_rounding(&found);
-        if let Some(index) = self.add(BALANCING.into(), "balancing".into(), Column::BALANCING) {
+        let names = [BALANCING, "balancing"].map(str::to_owned);
+        if let Some(index) = self.add(names, "", Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
             found.push(Reaction { pair, link, series: vec![index], moment: None });
         }
         found
+    }
+
+    /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
+    fn others(&mut self) {
+        let schema = self.table.schema();
+        for (quantity, before, after) in [
+            (Quantity::Load, "load ", ""),
+            (Quantity::InertiaForce, "", " inertia F"),
+            (Quantity::InertiaMoment, "", " inertia M"),
+            (Quantity::ShakingForce, "", "shaking F"),
+            (Quantity::ShakingMoment, "", "shaking M"),
+            (Quantity::Condition, "condition of group ", ""),
+        ] {
+            for owner in schema.owners(quantity) {
+                // Results count groups from 0, readers from 1.
+                let name = match owner {
+                    Owner::Group(group) => (group + 1).to_string(),
+                    _ => schema.name(owner).into_owned(),
+                };
+                let of = format!("{before}{name}{after}");
+                let names = [of.clone(), of];
+                let column = Column::of(quantity, owner);
+                match quantity {
+                    Quantity::InertiaForce | Quantity::ShakingForce => {
+                        drop(self.add_vector(names, "", column))
+                    }
+                    _ => drop(self.add(names, "", column)),
+                }
+            }
+        }
     }
 
     /// Sets the limit below which forces of the pairs count as zero.

@@ -1,9 +1,12 @@
 //! What can be shown and chosen.
 
+use crossterm::event::KeyCode;
+
+use super::key::Key;
+
 /// A view.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum View {
-    Menu,
     Mechanism,
     Curves,
     Forces,
@@ -14,42 +17,47 @@ pub(crate) enum View {
     Accuracy,
     Structure,
     Table,
-    /// The list of the scene's numbers below any of the others but the menu.
+    Working,
+    /// The list of the scene's numbers below any other view.
     Values,
+    /// The point that is moved over the drawing of the mechanism.
+    Probe,
 }
 
 use View::{
-    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Menu, Motion, Plans, Structure, Table, Values,
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Structure, Table, Values,
+    Working,
 };
 
 impl View {
-    /// Every view of a scene, in the order of the tabs.
-    pub(crate) const OF_SCENE: [Self; 10] =
-        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table];
-    /// The views of a scene in which Home, End and the page keys change the position.
+    /// Every view that has a tab, in the order of the tabs.
+    pub(crate) const TABS: [Self; 11] =
+        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working];
+    /// The views in which Home, End and the page keys change the position.
     pub(crate) const WITHOUT_PAGES: [Self; 9] =
         [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
     /// All views.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
-        [Menu, Values].into_iter().chain(Self::OF_SCENE)
+        Self::TABS.into_iter().chain([Values, Probe])
     }
 
-    /// The name on its tab, and the command that goes to it.
-    fn names(self) -> [&'static str; 2] {
+    /// The name on its tab, its name where the tab is narrow, and the command that goes to it.
+    fn names(self) -> [&'static str; 3] {
         match self {
-            Menu => ["Scenes", "menu"],
-            Mechanism => ["Mechanism", "mechanism"],
-            Curves => ["Curves", "curves"],
-            Forces => ["Forces", "forces"],
-            Plans => ["Plans", "plans"],
-            Motion => ["Motion", "motion"],
-            Drive => ["Drive", "drive"],
-            Checks => ["Checks", "checks"],
-            Accuracy => ["Methods", "accuracy"],
-            Structure => ["Groups", "structure"],
-            Table => ["Table", "table"],
-            Values => ["What if", "what-if"],
+            Mechanism => ["Mechanism", "Mech", "mechanism"],
+            Curves => ["Curves", "Curves", "curves"],
+            Forces => ["Forces", "Forces", "forces"],
+            Plans => ["Plans", "Plans", "plans"],
+            Motion => ["Motion", "Motion", "motion"],
+            Drive => ["Drive", "Drive", "drive"],
+            Checks => ["Checks", "Checks", "checks"],
+            Accuracy => ["Methods", "Cost", "accuracy"],
+            Structure => ["Groups", "Groups", "structure"],
+            Table => ["Table", "Table", "table"],
+            Working => ["Working", "Work", "working"],
+            Values => ["What if", "What if", "what-if"],
+            Probe => ["Point", "Point", "probe"],
         }
     }
 
@@ -58,29 +66,72 @@ impl View {
         self.names()[0]
     }
 
+    /// The name on its tab where there is little room.
+    pub(crate) fn short_name(self) -> &'static str {
+        self.names()[1]
+    }
+
     /// The command that goes to it.
     pub(crate) fn command(self) -> &'static str {
-        self.names()[1]
+        self.names()[2]
+    }
+
+    /// Its parts, the one that is shown first in front; none if it is one whole.
+    pub(crate) fn parts(self) -> &'static [Part] {
+        match self {
+            Forces => &[Part::Overview, Part::Causes, Part::Curves, Part::Hodograph],
+            Plans => &[Part::Forces, Part::Velocities, Part::Accelerations, Part::Construction],
+            Motion => &[Part::Overview, Part::Course, Part::Iteration],
+            Drive => &[Part::Overview, Part::Curves, Part::Places],
+            _ => &[],
+        }
     }
 }
 
-/// Which plan is drawn.
+/// A part of a view that has several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PlanKind {
+pub(crate) enum Part {
+    /// The numbers of the position, with a chart.
+    Overview,
+    /// Reactions by cause.
+    Causes,
+    /// Curves over the positions.
+    Curves,
+    /// The path of the tip of a reaction.
+    Hodograph,
+    /// The course of the motion over time, or of the regime over the cycle.
+    Course,
+    /// The iteration towards the regime.
+    Iteration,
+    /// The flywheel in its two places, and other motors.
+    Places,
+    /// Force polygons.
     Forces,
-    Velocity,
-    Acceleration,
+    /// The plan of velocities.
+    Velocities,
+    /// The plan of accelerations.
+    Accelerations,
+    /// The construction step by step.
     Construction,
 }
 
-/// The parts of a view that has several.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Pane {
-    Table,
-    /// Only in the view of the forces.
-    Causes,
-    Curves,
-    Hodograph,
+impl Part {
+    /// Its name for `--part`.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Overview => "overview",
+            Self::Causes => "causes",
+            Self::Curves => "curves",
+            Self::Hodograph => "hodograph",
+            Self::Course => "course",
+            Self::Iteration => "iteration",
+            Self::Places => "places",
+            Self::Forces => "forces",
+            Self::Velocities => "velocities",
+            Self::Accelerations => "accelerations",
+            Self::Construction => "construction",
+        }
+    }
 }
 
 /// Which arrows the drawing has.
@@ -97,6 +148,8 @@ pub(crate) enum Arrows {
 pub(crate) enum Traces {
     All,
     Chosen,
+    /// The last part of the path of every point, up to the present position.
+    Trail,
     None,
 }
 
@@ -112,11 +165,37 @@ pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
 }
 
+/// A text that is typed to search a list. Before the first letter, keys keep their meaning; `/` begins a search with any
+/// letter.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Filter {
+    pub(crate) text: String,
+    /// Whether every letter belongs to the text.
+    pub(crate) typing: bool,
+}
+
+impl Filter {
+    /// Takes a key; returns whether the text has changed.
+    pub(crate) fn press(&mut self, key: Key) -> bool {
+        match key.code {
+            KeyCode::Backspace => return self.text.pop().is_some(),
+            KeyCode::Char('/') if !self.typing => self.typing = true,
+            KeyCode::Char(letter) if !key.control => {
+                self.typing = true;
+                self.text.push(letter);
+                return true;
+            }
+            _ => {}
+        }
+        false
+    }
+}
+
 /// The help screen.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Help {
     pub(crate) scroll: usize,
-    pub(crate) filter: String,
+    pub(crate) filter: Filter,
 }
 
 /// What the one-line input is for.
@@ -154,6 +233,8 @@ pub(crate) struct Chosen {
     pub(crate) motion: usize,
     /// First line of the report on the methods.
     pub(crate) line: usize,
+    /// First line of the working.
+    pub(crate) equation: usize,
     /// Column of the table.
     pub(crate) column: usize,
 }

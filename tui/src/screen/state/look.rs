@@ -4,7 +4,23 @@ use std::ops::RangeInclusive;
 
 use assur_figure::cells::Marker;
 
+use super::kinds::View;
 use super::theme::Theme;
+
+/// The views that are shown beside the chosen one where there is room.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Panels {
+    /// Whether they are shown.
+    pub(crate) shown: bool,
+    /// The views, the most wanted first.
+    pub(crate) views: Vec<View>,
+}
+
+impl Default for Panels {
+    fn default() -> Self {
+        Self { shown: true, views: vec![View::Mechanism, View::Curves, View::Plans, View::Table] }
+    }
+}
 
 /// How things are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,9 @@ mod key;
 mod keymap;
 mod kinds;
 mod look;
+mod picker;
 mod plans;
+mod probe;
 mod scene;
 mod series;
 mod theme;
@@ -24,16 +26,21 @@ pub(crate) use found::{Found, Reaction};
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
 pub(crate) use key::Key;
 pub(crate) use keymap::{Command, Group, Keymap};
-pub(crate) use kinds::{
-    Arrows, Chosen, Help, Pane, PlanKind, Prompt, PromptKind, Traces, View, following, round,
-};
-pub(crate) use look::Look;
+pub(crate) use kinds::{Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, round};
+pub(crate) use look::{Look, Panels};
+pub(crate) use picker::{Choice, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
+pub(crate) use probe::Probe;
 pub(crate) use scene::{Scene, Source};
 pub(crate) use series::{Owner, Series, greatest, zeros};
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
+
+/// Positions by which a frame of the motion goes on.
+pub(crate) const PACES: [f64; 7] = [0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
+/// The pace at the start: every position once.
+const EVERY: usize = 4;
 
 /// The whole state.
 #[derive(Debug)]
@@ -45,19 +52,33 @@ pub(crate) struct State {
     pub(crate) what_if: WhatIf,
     /// Speed, accuracy and stability of the methods on the open scene.
     pub(crate) measured: Option<Box<Measured>>,
-    /// Number of the shipped scene that is chosen in the menu.
-    pub(crate) shipped: usize,
+    /// The list that is open to choose from.
+    pub(crate) picker: Option<Picker>,
     /// The shipped scenes that were read for their pictures, by number.
     pub(crate) previews: BTreeMap<usize, Result<Box<Scene>, String>>,
     pub(crate) view: View,
+    /// The other views that are shown beside it where there is room.
+    pub(crate) panels: Panels,
     pub(crate) position: usize,
+    /// How far the motion has gone from this position to the next one, from 0 to 1; 0 unless it plays.
+    pub(crate) phase: f64,
+    /// Index in [`PACES`].
+    pub(crate) pace: usize,
     pub(crate) chosen: Chosen,
+    /// Short names of the quantities on the chart; none: PF0, PF1, PF2 of the chosen point, link or slide.
+    pub(crate) picked: Vec<String>,
+    /// How many groups are joined to the input link in the drawing of the structure; `None`: all.
+    pub(crate) joined: Option<usize>,
+    /// The point that is moved over the drawing.
+    pub(crate) probe: Option<Probe>,
+    /// Power (W) and greatest speed (rad/s) for which motors are listed; `None`: those of the scene.
+    pub(crate) motor_limits: Option<[f64; 2]>,
     pub(crate) look: Look,
     pub(crate) zoom: Zoom,
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
-    pub(crate) pane: Pane,
-    pub(crate) plan: PlanKind,
+    /// The part of each view that is shown; the first one where there is none.
+    pub(crate) parts: BTreeMap<View, Part>,
     /// Requested force analyzer and integrator; `None`: the scene's.
     pub(crate) analyzer: Option<String>,
     pub(crate) integrator: Option<String>,
@@ -93,18 +114,24 @@ impl State {
             keys,
             what_if: WhatIf::of(scene.as_ref()),
             measured: None,
-            shipped: 0,
+            picker: None,
             previews: BTreeMap::new(),
-            view: if scene.is_some() { View::Mechanism } else { View::Menu },
+            view: View::Mechanism,
+            panels: Panels::default(),
             position: scene.as_ref().map_or(0, Scene::first_position),
             scene,
+            phase: 0.0,
+            pace: EVERY,
             chosen: Chosen::default(),
+            picked: Vec::new(),
+            joined: None,
+            probe: None,
+            motor_limits: None,
             look,
             zoom: Zoom::WHOLE,
             arrows: Arrows::Velocity,
             traces: Traces::All,
-            pane: Pane::Table,
-            plan: PlanKind::Forces,
+            parts: BTreeMap::new(),
             analyzer: None,
             integrator: None,
             compared: None,
@@ -141,7 +168,57 @@ impl State {
 
     /// Whether the list of the scene's numbers is shown.
     pub(crate) fn values_open(&self) -> bool {
-        self.what_if.open && self.scene.is_some() && self.view != View::Menu
+        self.what_if.open && self.scene.is_some()
+    }
+
+    /// What is open within the view and takes keys before it.
+    fn inset(&self) -> Option<View> {
+        let probe = self.probe.as_ref().filter(|_| self.view == View::Mechanism).map(|_| View::Probe);
+        Some(View::Values).filter(|_| self.values_open()).or(probe)
+    }
+
+    /// The part of a view that is shown: the chosen one if there is something to show in it.
+    pub(crate) fn part(&self, view: View) -> Part {
+        let parts = self.available_parts(view);
+        let chosen = self.parts.get(&view).filter(|part| parts.contains(part));
+        chosen.or(parts.first()).copied().unwrap_or(Part::Overview)
+    }
+
+    /// The parts of a view in which there is something to show.
+    pub(crate) fn available_parts(&self, view: View) -> Vec<Part> {
+        let found = self.found();
+        let reaction = found.and_then(|found| found.reactions.get(self.chosen.reaction));
+        let regime = found.is_some_and(|found| found.analysis.dynamics.is_some());
+        let has = |part: &Part| match (view, part) {
+            // The balancing load has one number, no direction.
+            (View::Forces, Part::Hodograph) => reaction.is_some_and(|reaction| reaction.series.len() == 3),
+            (View::Motion, Part::Course) => {
+                regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
+            }
+            (View::Motion, Part::Iteration) => regime,
+            _ => true,
+        };
+        view.parts().iter().copied().filter(has).collect()
+    }
+
+    /// The quantity that the view is about: what the keys to the greatest and least value mean.
+    pub(crate) fn main_series(&self) -> Option<&Series> {
+        let scene = self.scene.as_ref()?;
+        let of_found = |index: usize| scene.found.as_ref()?.series.get(index);
+        let transfer = || scene.series.get(scene.transfers.get(self.chosen.transfer)?.orders[0]);
+        match self.view {
+            View::Table => scene.column(self.chosen.column),
+            View::Forces => {
+                let reaction = self.found()?.reactions.get(self.chosen.reaction)?;
+                of_found(*reaction.series.last()?)
+            }
+            View::Motion => {
+                let motion = &self.found()?.motion;
+                of_found(*motion.get(self.chosen.motion % motion.len().max(1))?)
+            }
+            View::Curves => self.picked.last().and_then(|short| scene.named(short)).or_else(transfer),
+            _ => transfer(),
+        }
     }
 
     /// The command of a name.
@@ -151,17 +228,16 @@ impl State {
 
     /// Whether a command is available now.
     pub(crate) fn takes(&self, command: &Command) -> bool {
-        command.fits(self.view) || (self.values_open() && command.fits(View::Values))
+        command.fits(self.view) || self.inset().is_some_and(|inset| command.fits(inset))
     }
 
-    /// The command of a key now: of the list of values if it is shown, or else of the view.
+    /// The command of a key now: of what is open within the view, or else of the view.
     pub(crate) fn command(&self, key: Key) -> Option<&'static Command> {
         let meant = |view: View| {
             let fits = |command: &&Command| command.fits(view) && self.keys.keys(command.name).contains(&key);
             self.commands.iter().find(fits)
         };
-        let list = Some(View::Values).filter(|_| self.values_open());
-        list.and_then(meant).or_else(|| meant(self.view))
+        self.inset().and_then(meant).or_else(|| meant(self.view))
     }
 
     /// Whether the animation runs.
@@ -177,13 +253,33 @@ impl State {
     /// Moves by this many positions, cyclically.
     pub(crate) fn step(&mut self, by: isize) {
         self.position = round(self.position, by, self.positions());
+        self.phase = 0.0;
+    }
+
+    /// The next frame of the motion that plays.
+    pub(crate) fn advance(&mut self) {
+        let ahead = self.phase + PACES[self.pace % PACES.len()];
+        // Between the last position and the first one there is a way only where they close a cycle.
+        let closed = self.scene.as_ref().is_some_and(Scene::closed);
+        let whole =
+            if ahead >= 1.0 || !closed && self.position + 1 == self.positions() { ahead.ceil() } else { 0.0 };
+        if whole > 0.0 {
+            self.step(PACES[self.pace % PACES.len()].max(1.0) as isize);
+        } else {
+            self.phase = ahead;
+        }
+    }
+
+    /// The place in the motion as a number of a position, with a fraction between two of them.
+    pub(crate) fn at(&self) -> f64 {
+        self.position as f64 + self.phase
     }
 
     /// Goes to a position; a message if there is none of that number.
     pub(crate) fn go_to(&mut self, position: usize) {
         let last = self.positions() - 1;
         if position <= last {
-            self.position = position;
+            (self.position, self.phase) = (position, 0.0);
         } else {
             self.say(Role::Bad, format!("there is no position {position}: the last one is {last}"));
         }
@@ -204,6 +300,11 @@ impl State {
         order
     }
 
+    /// The first line that is shown of the text of the view.
+    pub(crate) fn line(&mut self) -> &mut usize {
+        if self.view == View::Working { &mut self.chosen.equation } else { &mut self.chosen.line }
+    }
+
     /// Opens the one-line input with a text that can be edited.
     pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl Into<String>) {
         self.prompt = Some(Prompt { kind, text: text.into(), completing: None });
@@ -218,7 +319,6 @@ impl State {
     pub(crate) fn has(&self, view: View) -> bool {
         let found = self.found();
         match view {
-            View::Menu => true,
             View::Forces => found.is_some_and(|found| !found.reactions.is_empty()),
             View::Plans => found.is_some(),
             View::Motion => {
@@ -227,14 +327,6 @@ impl State {
             View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
             View::Checks => found.is_some_and(|found| !found.analysis.checks.is_empty()),
             _ => self.scene.is_some(),
-        }
-    }
-
-    /// Goes to a view.
-    pub(crate) fn show(&mut self, view: View) {
-        self.view = view;
-        if view != View::Forces && self.pane == Pane::Causes {
-            self.pane = Pane::Table;
         }
     }
 }

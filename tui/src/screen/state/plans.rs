@@ -1,11 +1,13 @@
-//! The plans of the position that is shown: computed when a view needs them, the last ones are cached.
+//! The plans and the working of the position that is shown: computed when a view needs them, the last ones are cached.
 
 use std::cell::RefCell;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use assur_analysis::Calculation;
 use assur_diagram::{DiagramError, Sheet};
 use assur_force::Construction;
+use assur_mechanism::Motion;
+use assur_working::Working;
 
 /// The plans of one position.
 #[derive(Debug)]
@@ -14,12 +16,31 @@ pub(crate) struct Plans {
     pub(crate) sheet: Result<Sheet, DiagramError>,
     /// The constructions on paper.
     pub(crate) constructions: Vec<Construction>,
+    calculation: Arc<Calculation>,
+    position: usize,
+    working: OnceLock<String>,
 }
 
 impl Plans {
     /// Number of steps of all constructions.
     pub(crate) fn step_count(&self) -> usize {
         self.constructions.iter().map(|construction| construction.steps.len()).sum()
+    }
+
+    /// Every equation of the position with its numbers, or why there are none.
+    pub(crate) fn working(&self) -> &str {
+        self.working.get_or_init(|| {
+            let calculation = &self.calculation;
+            let mechanism = &calculation.linkage.mechanism;
+            // In a motion from an initial state, or where none is found, forces don't belong to the positions.
+            let timeless = !matches!(mechanism.motion, Some(Motion::Transient { .. }));
+            let loads = calculation.loads.as_ref().filter(|_| timeless && calculation.no_motion.is_none());
+            let state = calculation.state(mechanism.input.coordinate(self.position));
+            match Working::of(&calculation.linkage, loads, state, self.position) {
+                Ok(working) => working.text(),
+                Err(error) => error.to_string(),
+            }
+        })
     }
 }
 
@@ -47,6 +68,9 @@ impl Planner {
         let plans = Arc::new(Plans {
             sheet: self.calculation.sheet(position),
             constructions: self.calculation.constructions(position).unwrap_or_default(),
+            calculation: Arc::clone(&self.calculation),
+            position,
+            working: OnceLock::new(),
         });
         *kept = Some((position, Arc::clone(&plans)));
         plans

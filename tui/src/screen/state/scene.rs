@@ -1,5 +1,6 @@
 //! An open scene: its linkage, its positions, and the data for drawings and tables.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -54,6 +55,8 @@ pub(crate) struct Scene {
     pub(crate) poses: Vec<Option<Position>>,
     /// Why a position can't be assembled.
     pub(crate) failures: Vec<Option<String>>,
+    /// Closely spaced positions over the whole cycle, for paths; `None` where there is no assembly.
+    pub(crate) fine: Vec<Option<Position>>,
     /// Paths of the points over the whole cycle, m; empty for points of the ground.
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
     /// Least and greatest displacement of each slide, m.
@@ -117,6 +120,7 @@ impl Scene {
             linkage: Arc::new(linkage),
             poses,
             failures,
+            fine,
             paths,
             strokes,
             series,
@@ -153,6 +157,20 @@ impl Scene {
         let least =
             groups.filter_map(|group| self.least_health(group).map(|(health, at)| (group, health, at)));
         least.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The mechanism at a number of a position, also between two of them; `None` where there is no assembly.
+    pub(crate) fn pose(&self, at: f64) -> Option<Cow<'_, Position>> {
+        let number = at.floor();
+        let input = &self.linkage.mechanism.input;
+        let index = (0..self.poses.len()).find(|index| *index as f64 == number)?;
+        if at == number {
+            return self.poses[index].as_ref().map(Cow::Borrowed);
+        }
+        let [from, to] = [index, index + 1].map(|index| input.coordinate(index));
+        let mut position = self.linkage.position();
+        let solved = self.linkage.solve(from + (at - number) * (to - from), Order::Second, &mut position);
+        solved.ok().map(|()| Cow::Owned(position))
     }
 
     /// The first position that exists, or 0.
@@ -250,6 +268,11 @@ impl Scene {
     /// How many series there are: the transfer functions, then what the analysis found.
     pub(crate) fn column_count(&self) -> usize {
         self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
+    }
+
+    /// The series of a short name.
+    pub(crate) fn named(&self, short: &str) -> Option<&Series> {
+        (0..self.column_count()).filter_map(|index| self.column(index)).find(|series| series.short == short)
     }
 
     /// One of them.

@@ -13,8 +13,10 @@ const ROUNDING: f64 = 1e-14;
 pub(crate) struct Series {
     /// `point D x`, without the order.
     pub(crate) of: String,
-    /// Column header: `D.x'`.
+    /// Column header: `D.x'`; no two quantities have the same.
     pub(crate) short: String,
+    /// What it is, in words by which it is looked for: `velocity`, `PF1`.
+    pub(crate) kind: &'static str,
     /// Unit of the values.
     pub(crate) unit: String,
     /// The values; NaN where a position has none.
@@ -42,6 +44,40 @@ impl Series {
         } else {
             number(value)
         }
+    }
+}
+
+/// The values over the positions in a few numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Summary {
+    /// Greatest value and its position.
+    pub(crate) greatest: (f64, usize),
+    /// Least value and its position.
+    pub(crate) least: (f64, usize),
+    /// Mean of the values over the positions.
+    pub(crate) mean: f64,
+    /// Root of the mean square.
+    pub(crate) rms: f64,
+}
+
+impl Series {
+    /// Its extremes and means; `None` where no position has a value.
+    pub(crate) fn summary(&self) -> Option<Summary> {
+        let finite = || self.values.iter().enumerate().filter(|(_, value)| value.is_finite());
+        let by = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1).then(b.0.cmp(&a.0));
+        let (greatest, least) = (finite().max_by(by)?, finite().min_by(|a, b| a.1.total_cmp(b.1))?);
+        let count = finite().count() as f64;
+        let mean = finite().map(|(_, value)| value).sum::<f64>() / count;
+        let square = finite().map(|(_, value)| value * value).sum::<f64>() / count;
+        let at = |(position, value): (usize, &f64)| (*value, position);
+        Some(Summary { greatest: at(greatest), least: at(least), mean, rms: square.sqrt() })
+    }
+
+    /// Its name for a list: `point D x PF1, m/rad`.
+    pub(crate) fn title(&self) -> String {
+        let kind = if self.kind.is_empty() { String::new() } else { format!(" {}", self.kind) };
+        let unit = if self.unit.is_empty() { String::new() } else { format!(", {}", self.unit) };
+        format!("{}{kind}{unit}", self.of)
     }
 }
 

@@ -35,7 +35,7 @@ impl Gather<'_> {
         let input = &self.linkage.mechanism.input;
         let values = (0..self.poses.len()).map(|index| factor * input.coordinate(index)).collect();
         let [of, short, unit] = ["coordinate", "q", unit].map(str::to_owned);
-        self.series.push(Series { of, short, unit, values, floor: 0.0 });
+        self.series.push(Series { of, short, kind: "", unit, values, floor: 0.0 });
     }
 
     fn points(&mut self) {
@@ -97,7 +97,14 @@ impl Gather<'_> {
             let short = format!("{short}{}", "'".repeat(order));
             // PF0 is shown in a unit that is a thousand times smaller.
             let floor = ROUNDING * size * if order == 0 { 1e3 } else { 1.0 };
-            self.series.push(Series { of: name.clone(), short, unit, values, floor });
+            self.series.push(Series {
+                of: name.clone(),
+                short,
+                kind: ["PF0", "PF1", "PF2"][order],
+                unit,
+                values,
+                floor,
+            });
         }
         self.transfers.push(Transfer { name, owner, orders: [first, first + 1, first + 2] });
     }

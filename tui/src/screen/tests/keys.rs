@@ -4,21 +4,23 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
-use crate::screen::state::{Key, Keymap, Measured, State, Wish};
+use crate::screen::state::{Key, Keymap, Measured, Probe, State, Wish};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
     let rest =
-        (&state.view, &state.wishes, &state.prompt, &state.look, &state.chosen, state.playing, state.plan);
+        (&state.view, &state.wishes, &state.prompt, &state.look, &state.chosen, state.playing, &state.panels);
     format!("{}{rest:?}{:?}", text(state, 120, 40), state.what_if)
 }
 
-/// Goes to a view; the list of values is opened below the mechanism.
+/// Goes to a view; the list of values is opened below the mechanism, and the moved point over it.
 fn enter(state: &mut State, view: View) {
     if state.values_open() != (view == View::Values) {
         command::toggle(state);
     }
-    state.view = if view == View::Values { View::Mechanism } else { view };
+    let inset = matches!(view, View::Values | View::Probe);
+    state.view = if inset { View::Mechanism } else { view };
+    state.probe = (view == View::Probe).then_some(Probe { link: 2, at: [0.0, 0.1] });
 }
 
 #[test]
@@ -44,7 +46,7 @@ fn every_key_in_every_view_is_survived() {
             KeyCode::Null,
         ]) {
             for modifiers in [KeyModifiers::NONE, KeyModifiers::CONTROL] {
-                (state.help, state.prompt, state.question) = (None, None, None);
+                (state.help, state.prompt, state.question, state.picker) = (None, None, None, None);
                 enter(&mut state, view);
                 command::press(&mut state, KeyEvent::new(code, modifiers));
                 state.wishes.clear();
@@ -89,24 +91,21 @@ fn no_key_means_two_things_in_a_view() {
 #[test]
 fn other_keys_are_what_counts_and_what_is_shown() {
     let mut state = opened("shaper");
-    for (name, key) in [("next-position", "n"), ("previous-position", "p"), ("help", "F1"), ("curves", "C-e")]
+    for (name, key) in [("next-position", "i"), ("previous-position", "y"), ("help", "F1"), ("curves", "C-e")]
     {
         state.keys.bind(name, vec![Key::parse(key).unwrap()]);
     }
-    let last = |state: &State| text(state, 80, 24).lines().last().unwrap().to_owned();
-    assert!(
-        last(&state).starts_with(" p/n step") && last(&state).ends_with("F1 all keys"),
-        "{}",
-        last(&state)
-    );
+    let frame = text(&state, 80, 24);
+    let hints: Vec<&str> = frame.lines().skip(22).collect();
+    assert!(hints[0].starts_with(" y/i step") && hints[1].ends_with("F1 all keys"), "{frame}");
     assert!(text(&state, 80, 24).contains("C-e Curves"));
-    press(&mut state, "n n Right p");
+    press(&mut state, "i i Right y");
     assert_eq!(state.position, 1);
     press(&mut state, "C-e");
     assert_eq!(state.view, View::Curves);
     press(&mut state, "F1");
     let help = text(&state, 80, 24);
-    assert!(help.lines().any(|line| line.contains(" n ") && line.contains("next-position")), "{help}");
+    assert!(help.lines().any(|line| line.contains(" i ") && line.contains("next-position")), "{help}");
     press(&mut state, "F1");
     assert!(state.help.is_none());
 }

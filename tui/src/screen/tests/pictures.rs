@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use super::{opened, press};
+use super::{View, opened, press};
 use crate::screen::draw::cells;
+use crate::screen::state::Zoom;
 use crate::screen::still::{self, Request, StillError, views};
 use crate::screen::view;
 
@@ -63,8 +64,8 @@ fn an_animation_moves_the_links_and_not_the_ground() {
 fn the_screen_and_the_file_show_the_same_signs_of_a_curve() {
     let mut state = opened("shaper");
     press(&mut state, "2");
-    let figure = view::figure(&state).unwrap();
-    let spots = assur_figure::cells::draw(&figure, [200, 60], cells(&state));
+    let figure = view::figure(&state, View::Curves).unwrap();
+    let spots = assur_figure::cells::draw(&figure, [200, 60], cells(&state, Zoom::WHOLE));
     let on_screen = |text: &str| spots.iter().filter(|spot| spot.text == text).count();
     let svg = assur_figure::svg::write(&figure, [160.0, 120.0]);
     // A ring is the only circle of a curve; one stands in the legend.

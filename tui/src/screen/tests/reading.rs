@@ -72,7 +72,7 @@ fn the_report_begins_with_what_follows_and_fits() {
     assert!(measured.chart.is_ok() && matches!(measured.stability, Some(Ok(_))));
     // At a width of 80 nothing is lost that is there at 200.
     let all = |width: u16| {
-        let words: Vec<String> = crate::screen::view::accuracy::lines(&state, width);
+        let words: Vec<String> = crate::screen::view::report::lines(&state, View::Accuracy, width);
         assert!(words.iter().all(|line| line.chars().count() <= usize::from(width) - 2), "{words:#?}");
         words.join(" ").split_whitespace().filter(|word| word.ends_with(':')).map(str::to_owned).collect()
     };
@@ -106,10 +106,9 @@ fn another_scene_is_opened_by_its_name() {
     write(&mut state, &format!(":open {}", file.display()));
     assert_eq!(state.positions(), 12);
     write(&mut state, ":open");
-    assert_eq!(state.view, View::Menu);
-    assert!(text(&state, 80, 24).contains(": open FILE"));
+    assert!(state.picker.is_some() && text(&state, 80, 24).contains(":open FILE"));
     write(&mut state, &format!(":open {}", file.display()));
-    assert_eq!(state.view, View::Mechanism, "also the scene that is open already");
+    assert!(state.picker.is_none(), "also the scene that is open already");
     write(&mut state, ":open four-bar.toml");
     assert_eq!(state.scene.as_ref().unwrap().source.name(), "four-bar.toml");
     write(&mut state, ":open press");
@@ -117,7 +116,7 @@ fn another_scene_is_opened_by_its_name() {
     write(&mut state, &format!(":open {}", folder.path().display()));
     assert!(text(&state, 120, 24).contains("is a folder, not a scene file"));
     press(&mut state, "x");
-    for word in ["open", "scene"] {
+    for word in ["open", "scenes"] {
         press(&mut state, "?");
         word.chars().for_each(|letter| press(&mut state, &letter.to_string()));
         assert!(text(&state, 80, 24).contains(":open FILE"), "{word}");
@@ -171,7 +170,7 @@ fn help_says_where_a_key_works_and_goes_to_its_end() {
     press(&mut state, "End");
     assert!(text(&state, 80, 24).contains("The same as plain lines"));
     press(&mut state, "Home");
-    assert!(text(&state, 80, 24).contains("the first position (not 8)"));
+    assert!(text(&state, 80, 24).contains("the first position (not 8 W)"));
     for letter in "differ".chars() {
         press(&mut state, &letter.to_string());
     }

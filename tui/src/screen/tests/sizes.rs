@@ -1,11 +1,12 @@
 //! No size of the terminal, and of a view, is too small.
 
 use super::{View, frame, opened, text};
-use crate::screen::state::{Pane, State};
+use crate::screen::state::State;
 
-fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
-    for pane in [Pane::Table, Pane::Causes, Pane::Curves, Pane::Hodograph] {
-        state.pane = pane;
+fn all_parts(state: &mut State, view: View, mut check: impl FnMut(&State)) {
+    check(state);
+    for part in view.parts() {
+        state.parts.insert(view, *part);
         check(state);
     }
 }
@@ -13,7 +14,7 @@ fn all_panes(state: &mut State, mut check: impl FnMut(&State)) {
 #[test]
 fn every_size_is_drawn_in_every_view() {
     let mut state = opened("slider-crank");
-    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
+    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Working, View::Accuracy]) {
         state.view = view;
         for width in 0..=100 {
             for height in 0..=40 {
@@ -49,14 +50,14 @@ fn every_size_is_drawn_with_the_list_of_values() {
 #[test]
 fn every_view_survives_any_area() {
     let mut state = opened("slider-crank");
-    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Menu, View::Accuracy]) {
+    for view in crate::screen::tests::VIEWS.into_iter().chain([View::Working, View::Accuracy]) {
         state.view = view;
-        all_panes(&mut state, |state| {
+        all_parts(&mut state, view, |state| {
             for width in [0, 1, 2, 5, 11, 12, 13, 26, 27, 40] {
                 for height in [0, 1, 2, 3, 4, 5, 9, 17] {
                     let area = ratatui::layout::Rect::new(3, 2, width, height);
                     let mut buffer = ratatui::buffer::Buffer::empty(ratatui::layout::Rect::new(0, 0, 50, 25));
-                    crate::screen::view::draw_view(state, area, &mut buffer);
+                    crate::screen::view::draw_view(state, view, area, &mut buffer);
                 }
             }
         });

@@ -92,6 +92,8 @@ fn the_drive_shows_motor_moments_flywheels_and_places() {
     press(&mut state, "Tab");
     assert!(text(&state, 80, 24).contains("on the motor shaft"));
     press(&mut state, "5");
+    assert!(!text(&state, 80, 24).contains("iteration"), "each view keeps its own part");
+    press(&mut state, "Tab Tab");
     assert!(text(&state, 80, 24).contains("iteration to the periodic regime"));
 }
 
@@ -125,8 +127,8 @@ fn a_view_without_content_says_what_to_add() {
 fn all_views_are_named_in_80_columns() {
     let state = opened("shaper-drive");
     let frame = text(&state, 80, 24);
-    assert!(frame.lines().nth(1).unwrap().ends_with("tTable"), "{frame}");
-    assert!(text(&state, 100, 24).contains("9 Groups t Table"));
+    assert!(frame.lines().nth(1).unwrap().ends_with("tTable WWork"), "{frame}");
+    assert!(text(&state, 100, 24).contains("9 Groups t Table W Working"));
 }
 
 #[test]

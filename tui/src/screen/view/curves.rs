@@ -1,4 +1,4 @@
-//! PF0, PF1, PF2 of one quantity, stacked over one axis.
+//! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked.
 
 use std::fmt::Write;
 
@@ -7,15 +7,19 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::plots::{coordinate, over_positions};
+use super::quantities;
 use crate::number::number;
 use crate::screen::draw::{cut, paint, put, short};
-use crate::screen::state::{Found, Role, Scene, Series, State, View, zeros};
+use crate::screen::state::{Compared, Found, Role, Scene, Series, State, zeros};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
 const SIGNS: [(Sign, &str); 3] = [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    if !state.picked.is_empty() {
+        return quantities::draw(state, scene, area, buffer);
+    }
     let [title, charts] = parts(area);
     let figure = figure(state, scene);
     let legend = if state.compared.is_some() { "" } else { "o extreme  x zero  + inflection" };
@@ -31,13 +35,18 @@ fn parts(area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
 }
 
-/// The three curves of the chosen quantity.
+/// The three curves of the chosen quantity, or those of the quantities that were picked.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
+    if !state.picked.is_empty() {
+        return quantities::figure(state, scene);
+    }
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Figure::default() };
     let mut title = transfer.name.clone();
     let mut legend: Vec<Key> = Vec::new();
     if let Some(compared) = &state.compared {
-        let _ = write!(title, "   1 {} (line)  2 {} (stars)", scene.source.short_name(), compared.name);
+        let (now, stroke) =
+            if compared.before { ("now".to_owned(), "dots") } else { (scene.source.short_name(), "stars") };
+        let _ = write!(title, "   1 {now} (line)  2 {} ({stroke})", compared.name);
     } else {
         legend.extend(
             SIGNS.map(|(sign, text)| Key { sample: Sample::Sign(sign, Ink::Text), text: text.into() }),
@@ -56,7 +65,7 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
     if let Some(compared) = &state.compared
         && let Some(other) = compared.series(series)
     {
-        curves.push((other, Stroke::Stars, Ink::Text));
+        curves.push((other, stroke_of(compared), Ink::Text));
         let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
         let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
     }
@@ -70,6 +79,11 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
     over_positions(state, scene, title, &curves, signs)
 }
 
+/// The stroke of the curve of a second scene.
+fn stroke_of(compared: &Compared) -> Stroke {
+    if compared.before { Stroke::Dotted } else { Stroke::Stars }
+}
+
 /// Value between two positions, linear.
 fn between(series: &Series, at: f64) -> f64 {
     let count = series.values.len().max(1);
@@ -79,13 +93,22 @@ fn between(series: &Series, at: f64) -> f64 {
     if part > 0.0 { a + part * (b - a) } else { a }
 }
 
-/// Curves of these series of the analysis, and of the corresponding ones of another analyzer, over one axis.
-pub(super) fn stack(state: &State, scene: &Scene, found: &Found, wanted: &[usize]) -> Vec<Panel> {
-    let other = scene.other.as_ref().filter(|_| state.view == View::Forces);
+/// Curves of these series of the analysis, of the corresponding ones of another analyzer, and of those of a second scene,
+/// over one axis.
+pub(super) fn stack(
+    state: &State,
+    scene: &Scene,
+    found: &Found,
+    other: Option<&Found>,
+    wanted: &[usize],
+) -> Vec<Panel> {
     let panel = |index: &usize| {
         let series = &found.series[*index];
         let same = other.and_then(|other| other.series.iter().find(|other| other.of == series.of));
         let mut curves = vec![(series, Stroke::Solid, Ink::First)];
+        if let Some(compared) = &state.compared {
+            curves.extend(compared.series(series).map(|same| (same, stroke_of(compared), Ink::Text)));
+        }
         curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
         let title = format!("{}  {}", series.of, series.show(state.position));
         over_positions(state, scene, title, &curves, Vec::new())
@@ -96,7 +119,7 @@ pub(super) fn stack(state: &State, scene: &Scene, found: &Found, wanted: &[usize
 /// The position under a cell of the screen.
 pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<usize> {
     let scene = state.scene.as_ref()?;
-    let [_, charts] = parts(area);
+    let charts = if state.picked.is_empty() { parts(area)[1] } else { quantities::parts(state, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
     let value = assur_figure::cells::value_at(&figure(state, scene), [charts.width, charts.height], cell)?;
     let distance = |position: &usize| (coordinate(scene, *position as f64) - value).abs();

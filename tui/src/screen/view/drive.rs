@@ -10,7 +10,7 @@ use super::motion::{numbers, unevenness};
 use super::regime;
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, wrapped};
-use crate::screen::state::{Pane, Role, Scene, State};
+use crate::screen::state::{Part, Role, Scene, State, View};
 
 /// Second column of the view.
 const RIGHT: u16 = 46;
@@ -28,8 +28,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let flywheel = dynamics.flywheel.map(|flywheel| format!(", flywheel {} kg m2", digits(flywheel, 5)));
     let heading = unevenness(dynamics, angular) + flywheel.as_deref().unwrap_or_default();
     put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
-    match state.pane {
-        Pane::Table | Pane::Causes => {
+    match state.part(View::Drive) {
+        Part::Curves => paint(state, &figure(state, scene, 1), area, buffer),
+        Part::Places => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
+        _ => {
             let area = warned(state, dynamics, area, buffer);
             let left = motor_and_flywheel(dynamics);
             let rows = short(left.len().max(12)) + 1;
@@ -40,8 +42,6 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
                 paint(state, &figure(state, scene, 2), below, buffer);
             }
         }
-        Pane::Curves => paint(state, &figure(state, scene, 1), area, buffer),
-        Pane::Hodograph => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
     }
 }
 
@@ -50,8 +50,8 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let warnings = dynamics.motor.as_ref().map_or(&[][..], |motor| &motor.warnings);
     let Some(first) = warnings.first() else { return area };
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    let pane = state.keys.first("pane");
-    let more = format!("  ({pane} {pane}: whole)");
+    let part = state.keys.first("part");
+    let more = format!("  ({part} {part}: whole)");
     let room = usize::from(area.width.saturating_sub(4)).saturating_sub(more.chars().count());
     put(buffer, line, 1, 0, &format!("! {}{more}", cut(first, room)), state.look.theme.style(Role::Bad));
     rest

@@ -10,7 +10,7 @@ use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Command, Key, PromptKind, Role, Running, State, View};
 
 /// A command that applies in at most this many views belongs to them.
-const OWN: usize = 3;
+const OWN: usize = 4;
 
 /// Draws the footer.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
@@ -48,37 +48,57 @@ pub(super) fn calculating(state: &State, running: &Running) -> String {
 
 /// Why this position, or else another one, can't be assembled.
 fn failure(state: &State) -> Option<String> {
-    let scene = state.scene.as_ref().filter(|_| state.view != View::Menu)?;
+    let scene = state.scene.as_ref()?;
     let here = scene.failures.get(state.position)?;
     here.clone().or_else(|| scene.failures.iter().flatten().next().cloned())
 }
 
+/// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let answered = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
-    let row = u16::from(!answered);
-    let mut column = 1;
-    let more = format!("{} all keys", state.keys.first("help"));
-    let room = area.width.saturating_sub(short(more.width()) + 2);
-    for command in hinted(state) {
-        let hint = match (command.name, state.view) {
-            ("search", View::Forces) => "find pair",
-            ("command", View::Menu) => "open FILE",
-            _ => command.hint,
-        };
-        if hint.is_empty() {
-            continue;
+    let below = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
+    let above = !below && (failure(state).is_some() || state.analyzing().is_some());
+    let [command, quit, help] = ["command", "quit", "help"].map(|name| state.keys.first(name));
+    let fixed = format!("{command} line  {quit} quit  {help} all keys");
+    let rows: &[u16] = match (below, above) {
+        (true, _) => &[0],
+        (_, true) => &[1],
+        _ => &[0, 1],
+    };
+    let mut hints = hinted(state).into_iter().filter(|command| !command.hint.is_empty()).peekable();
+    for row in rows {
+        let fixed = fixed.as_str();
+        let room = area.width.saturating_sub(if *row == rows[rows.len() - 1] {
+            short(fixed.width()) + 2
+        } else {
+            1
+        });
+        let mut column = 1;
+        while let Some(command) = hints.peek() {
+            let hint = match (command.name, state.view) {
+                ("search", View::Forces) => "find pair",
+                _ => command.hint,
+            };
+            let key = keys_of_hint(state, command);
+            let width = short(key.width() + hint.width() + 3);
+            if column + width > room {
+                break;
+            }
+            put(buffer, area, column, *row, &key, theme.style(Role::Key));
+            put(buffer, area, column + short(key.width()) + 1, *row, hint, theme.style(Role::Plain));
+            column += width;
+            hints.next();
         }
-        let key = keys_of_hint(state, command);
-        let width = short(key.width() + hint.width() + 3);
-        if column + width > room {
-            break;
-        }
-        put(buffer, area, column, row, &key, theme.style(Role::Key));
-        put(buffer, area, column + short(key.width()) + 1, row, hint, theme.style(Role::Plain));
-        column += width;
     }
-    put(buffer, area, room, row, &more, theme.style(Role::Plain));
+    let last = rows[rows.len() - 1];
+    put(
+        buffer,
+        area,
+        area.width.saturating_sub(short(fixed.width()) + 1),
+        last,
+        &fixed,
+        theme.style(Role::Plain),
+    );
 }
 
 /// Commands that have a key now: first stepping, then the list of values, the commands of the view alone, and the
@@ -96,7 +116,8 @@ fn hinted(state: &State) -> Vec<&'static Command> {
         "undo" | "save" if state.what_if.changes() > 0 => 2,
         "undo" | "save" => 8,
         "exact-value" => 3,
-        "search" if state.view == View::Forces => 5,
+        "search" if [View::Forces, View::Table].contains(&state.view) => 5,
+        "pick" | "greatest" | "what-if" | "write" => 5,
         "analyzer" | "difference" => 6,
         _ if command.views == [View::Values] => 1,
         _ if own(command) => 4,
@@ -117,6 +138,9 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
     let key = state.keys.keys(command.name).first().map(shown).unwrap_or_default();
     if command.name == "raise" {
         return format!("{key}/{}", state.keys.first("lower"));
+    }
+    if command.name == "forward" {
+        return format!("{}/{key}", state.keys.first("back"));
     }
     let opposite = command.name.strip_prefix("next-").map(|what| format!("previous-{what}"));
     let opposite = opposite.and_then(|opposite| state.keys.keys(&opposite).first());

@@ -7,10 +7,12 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::causes;
 use super::reactions::{curves, direction_text, table_row};
 use crate::screen::draw::{first_shown, paint, put, short};
-use crate::screen::state::{Found, Pane, Reaction, Role, Scene, State};
+use crate::screen::state::{Found, Part, Reaction, Role, Scene, State, View};
 
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
+/// Rows that a chart needs at least.
+const LEAST: u16 = 5;
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
@@ -18,33 +20,37 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &heading(scene, found), theme.style(Role::Header));
-    match state.pane {
-        Pane::Table => {
+    match state.part(View::Forces) {
+        Part::Overview => {
             let rows = short(found.reactions.len()) + 1;
-            let below = BELOW.max(rest.height.saturating_sub(rows + 1));
+            let below = rest.height.saturating_sub(rows + 1);
+            // In a low area the numbers go before the charts.
+            let below = if rest.height > 2 * BELOW { below.max(BELOW) } else { below };
             let [table, below] =
                 Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
             draw_table(state, scene, found, table, buffer);
-            paint(state, &figure(state, scene), below, buffer);
+            if below.height >= LEAST {
+                paint(state, &figure(state, scene), below, buffer);
+            }
         }
-        Pane::Causes => causes::draw(state, scene, found, rest, buffer),
-        Pane::Curves | Pane::Hodograph => paint(state, &figure(state, scene), rest, buffer),
+        Part::Causes => causes::draw(state, scene, found, rest, buffer),
+        _ => paint(state, &figure(state, scene), rest, buffer),
     }
 }
 
 /// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
-    let (panels, columns) = match state.pane {
-        Pane::Table => {
+    let (panels, columns) = match state.part(View::Forces) {
+        Part::Causes => (causes::panels(state, scene, found), 2),
+        Part::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
+        Part::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
+        _ => {
             let mut panels = curves(state, scene, found, &[usize::MAX]);
             panels.extend(hodograph(state, found));
             let columns = panels.len().max(1);
             (panels, columns)
         }
-        Pane::Causes => (causes::panels(state, scene, found), 2),
-        Pane::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
-        Pane::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
     };
     let name = chosen(state, found).map(Reaction::name).unwrap_or_default();
     Figure { title: format!("{name}, {}", heading(scene, found)), panels, columns, legend: Vec::new() }
@@ -71,8 +77,13 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
     let header = ["force of the pair", "Fx, N", "Fy, N", "F, N", "direction", moment];
     put(buffer, area, 0, 0, &table_row(' ', header.map(str::to_owned)), theme.style(Role::Dim));
     let height = usize::from(area.height.saturating_sub(1));
-    let skip = first_shown(state.chosen.reaction, height);
-    for (row, (index, reaction)) in found.reactions.iter().enumerate().skip(skip).take(height).enumerate() {
+    // The balancing load, the last one, stays in sight below the reactions.
+    let last = found.reactions.len().saturating_sub(1);
+    let pinned = usize::from(found.balancing().is_some() && height <= last).min(height);
+    let skip = first_shown(state.chosen.reaction.min(last - pinned), height - pinned);
+    let all = found.reactions.iter().enumerate();
+    let shown = all.clone().skip(skip).take(height - pinned).chain(all.skip(last).take(pinned));
+    for (row, (index, reaction)) in shown.enumerate() {
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
         let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);

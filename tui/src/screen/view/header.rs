@@ -53,17 +53,18 @@ fn position(state: &State, scene: &Scene) -> String {
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let tabs = View::OF_SCENE.map(|view| (state.keys.first(view.command()), view));
+    let tabs = View::TABS.map(|view| (state.keys.first(view.command()), view));
     let whole: usize = tabs.iter().map(|(key, view)| key.width() + view.name().width() + 2).sum();
-    // If not all fit, there is no space between key and name.
-    let gap = whole <= usize::from(area.width) + 1;
+    // If not all fit, the names are short and there is no space between key and name.
+    let fit = whole <= usize::from(area.width) + 1;
     let mut column = 0;
     for (key, view) in tabs {
         let [key_role, role] = if view == state.view { [Role::Tab; 2] } else { [Role::Key, Role::Dim] };
-        let key = format!("{key}{}", if gap || key.width() > 1 { " " } else { "" });
+        let key = format!("{key}{}", if fit || key.width() > 1 { " " } else { "" });
         put(buffer, area, column, 1, &key, theme.style(key_role));
         column += short(key.width());
-        put(buffer, area, column, 1, view.name(), theme.style(role));
-        column += short(view.name().width()) + 1;
+        let name = if fit { view.name() } else { view.short_name() };
+        put(buffer, area, column, 1, name, theme.style(role));
+        column += short(name.width()) + 1;
     }
 }

@@ -1,41 +1,61 @@
 //! The mechanism to scale, with names, paths and arrows.
 
 use assur_figure::mechanism::Drawing;
-use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
+use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_kinematics::Position;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{arrows, panel};
 use crate::number::plain;
-use crate::screen::draw::paint;
-use crate::screen::state::{Owner, Scene, State, Traces};
+use crate::screen::draw::{cells, paint_zoomed};
+use crate::screen::state::{Owner, Probe, Scene, State, Traces, View};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
+/// Part of a path that a trail shows.
+const TRAIL: f64 = 0.25;
 /// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let [drawing, beside] = Layout::horizontal([Constraint::Min(0), Constraint::Length(PANEL)]).areas(area);
-    let figure = figure(state, scene, state.position, &[]);
-    paint(state, &figure, drawing, buffer);
+    let [drawing, beside] = parts(area);
+    let figure = figure(state, scene, &[]);
+    paint_zoomed(state, &figure, state.zoom, drawing, buffer);
     panel::draw(state, scene, &figure, drawing, beside, buffer);
 }
 
-/// The mechanism in a position; the links in `marked` are highlighted.
-pub(super) fn figure(state: &State, scene: &Scene, position: usize, marked: &[usize]) -> Figure {
-    let drawing = Drawing { linkage: &scene.linkage, strokes: &scene.strokes, marked };
+/// The drawing and the numbers beside it.
+fn parts(area: Rect) -> [Rect; 2] {
+    Layout::horizontal([Constraint::Min(0), Constraint::Length(PANEL)]).areas(area)
+}
+
+/// The place of the plane (m) under a cell of the view; `None` beside the drawing.
+pub(crate) fn place_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<[f64; 2]> {
+    let figure = figure(state, state.scene.as_ref()?, &[]);
+    let [drawing, _] = parts(area);
+    let cell = [column.checked_sub(drawing.x)?, row.checked_sub(drawing.y)?];
+    let size = [drawing.width, drawing.height];
+    assur_figure::cells::point_at(figure.panels.first()?, size, cells(state, state.zoom), cell)
+}
+
+/// The mechanism where it is now; the links in `marked` are highlighted.
+pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
+    let position = state.position;
     let mut items = traces(state, scene);
-    match scene.poses.get(position).and_then(Option::as_ref) {
-        Some(pose) => {
-            items.extend(drawing.items(pose));
-            items.extend(arrows::items(state, scene, pose, position));
-        }
-        None => items.extend(drawing.ground()),
+    if let Some(compared) = &state.compared {
+        items.extend(ghost(&compared.scene, state.at()));
     }
-    let frame =
-        Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+    match scene.pose(state.at()) {
+        Some(pose) => {
+            let hidden = not_joined(state, scene);
+            items.extend(Drawing { hidden: &hidden, ..drawing(scene, marked) }.items(&pose));
+            items.extend(arrows::items(state, scene, &pose, position));
+            items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
+        }
+        None => items.extend(drawing(scene, marked).ground()),
+    }
     let coordinate = &scene.series[0];
     let at = format!("position {position}, {} {}", plain(coordinate.at(position)), coordinate.unit);
     let title = match scene.linkage.mechanism.title.as_str() {
@@ -44,7 +64,57 @@ pub(super) fn figure(state: &State, scene: &Scene, position: usize, marked: &[us
     };
     let mut legend = arrows::legend(state, scene);
     legend.extend(links(scene));
-    Figure { title, legend, ..Figure::of(Panel { title: String::new(), frame, items }) }
+    Figure { title, legend, ..Figure::of(plane(scene, items)) }
+}
+
+/// A mechanism in its first position, for a list of mechanisms.
+pub(super) fn still(scene: &Scene) -> Figure {
+    let drawing = drawing(scene, &[]);
+    let pose = scene.pose(scene.first_position() as f64);
+    let mut items = paths(scene, |_| true);
+    items.extend(pose.map_or_else(|| drawing.ground(), |pose| drawing.items(&pose)));
+    Figure::of(plane(scene, items))
+}
+
+fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
+    let frame =
+        Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+    Panel { title: String::new(), frame, items }
+}
+
+fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
+    Drawing { linkage: &scene.linkage, strokes: &scene.strokes, marked, hidden: &[] }
+}
+
+/// The links of the groups that are not joined yet, while the structure is put together.
+fn not_joined(state: &State, scene: &Scene) -> Vec<usize> {
+    let joined = state.joined.filter(|_| state.view == View::Structure);
+    let groups = scene.linkage.structure.groups.iter().skip(joined.unwrap_or(usize::MAX));
+    groups.flat_map(|group| group.frame.links.iter().copied()).collect()
+}
+
+/// The links of another mechanism in the same place of the motion, as faint lines.
+fn ghost(scene: &Scene, at: f64) -> Vec<Item> {
+    let Some(pose) = scene.pose(at) else { return Vec::new() };
+    let faint = |item| match item {
+        Item::Line { points, .. } => Some(Item::line(points, Stroke::Dashed, Ink::Dim)),
+        Item::Area { mut outline, .. } => {
+            outline.extend(outline.first().copied());
+            Some(Item::line(outline, Stroke::Dashed, Ink::Dim))
+        }
+        _ => None,
+    };
+    drawing(scene, &[]).items(&pose).into_iter().filter_map(faint).collect()
+}
+
+/// The moved point with its path.
+fn of_probe(scene: &Scene, probe: &Probe, pose: &Position) -> [Item; 3] {
+    let at = pose.bodies[probe.link].point(probe.at);
+    [
+        Item::line(probe.path(scene), Stroke::Solid, Ink::Marked),
+        Item::sign(at, Sign::Cross, Ink::Marked),
+        Item::name(at, "P", Ink::Marked),
+    ]
 }
 
 /// The names of the links, which have numbers in the drawing; too many would leave no room for it.
@@ -56,13 +126,36 @@ fn links(scene: &Scene) -> impl Iterator<Item = Key> {
     })
 }
 
+/// The paths that are wanted; a trail is the part of a path that was passed last.
 fn traces(state: &State, scene: &Scene) -> Vec<Item> {
     let chosen = scene.transfers.get(state.chosen.transfer).map(|transfer| &transfer.owner);
-    let wanted = |id: usize| match state.traces {
-        Traces::All => true,
-        Traces::Chosen => chosen == Some(&Owner::Point(id)),
-        Traces::None => false,
-    };
+    match state.traces {
+        Traces::All => paths(scene, |_| true),
+        Traces::Chosen => paths(scene, |id| chosen == Some(&Owner::Point(id))),
+        Traces::None => Vec::new(),
+        Traces::Trail => {
+            let moving = scene.paths.iter().filter(|path| !path.is_empty());
+            moving.map(|path| Item::line(trail(state, scene, path), Stroke::Dotted, Ink::Velocity)).collect()
+        }
+    }
+}
+
+fn paths(scene: &Scene, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
     let paths = scene.paths.iter().enumerate().filter(|(id, path)| !path.is_empty() && wanted(*id));
     paths.map(|(_, path)| Item::line(path.as_slice(), Stroke::Dotted, Ink::Trace)).collect()
+}
+
+/// The last part of a path up to the present place.
+fn trail(state: &State, scene: &Scene, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    // The last point of a path is the end of the last step, which of a closed cycle is its first point again.
+    let steps = path.len().saturating_sub(1);
+    let positions = (state.positions() - usize::from(!scene.closed())).max(1);
+    let now = (state.at() / positions as f64 * steps as f64).floor();
+    let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
+    let back = (0..=(steps as f64 * TRAIL) as usize).rev();
+    let points = back.filter_map(|back| match now.checked_sub(back) {
+        None if scene.closed() => path.get((now + steps - back) % steps),
+        at => path.get(at?),
+    });
+    points.copied().collect()
 }

@@ -12,14 +12,16 @@ mod footer;
 mod forces;
 mod header;
 pub(crate) mod help;
-mod mechanism;
-mod menu;
+pub(crate) mod mechanism;
 mod motion;
 mod panel;
+mod picker;
 mod plans;
 mod plots;
+mod quantities;
 mod reactions;
 mod regime;
+pub(crate) mod report;
 mod structure;
 mod table;
 pub(crate) mod values;
@@ -33,11 +35,18 @@ use ratatui::style::Style;
 
 pub(crate) use advice::text as advice;
 
-use crate::screen::draw::put;
-use crate::screen::state::{State, View};
+use crate::screen::draw::{cut, paint, put};
+use crate::screen::state::{Role, State, View};
 
 /// Smallest terminal that holds the views.
 const LEAST: (u16, u16) = (80, 24);
+
+/// Least width of a terminal in which several views are shown beside each other.
+const SEVERAL: u16 = 120;
+/// Least width of the view that is chosen.
+const MAIN: u16 = 80;
+/// Least height of a view beside it.
+const PANEL: u16 = 15;
 
 /// Draws the whole frame.
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
@@ -49,11 +58,7 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     } else {
         let [header, body, footer] = parts(area);
         header::draw(state, header, buffer);
-        let [view, list] = shared(state, body);
-        draw_view(state, view, buffer);
-        if list.height > 0 {
-            values::draw(state, list, buffer);
-        }
+        draw_body(state, body, buffer);
         footer::draw(state, footer, buffer);
         if state.help.is_some() {
             help::draw(state, body, buffer);
@@ -66,27 +71,72 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     }
 }
 
+/// Draws the views and what is open over them.
+fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
+    let [views, list] = shared(state, body);
+    for (number, (view, area)) in tiles(state, views).into_iter().enumerate() {
+        if number == 0 {
+            draw_view(state, view, area, buffer);
+        } else {
+            draw_panel(state, view, area, buffer);
+        }
+    }
+    if list.height > 0 {
+        values::draw(state, list, buffer);
+    }
+    if let Some(open) = &state.picker {
+        picker::draw(state, open, body, buffer);
+    }
+}
+
 /// Header, body, footer.
 fn parts(area: Rect) -> [Rect; 3] {
     Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
 }
 
-/// The body for the view, and for the list of values below it.
+/// The body for the views, and for the list of values below them.
 fn shared(state: &State, body: Rect) -> [Rect; 2] {
     let list = if state.values_open() { values::height(body) } else { 0 };
     Layout::vertical([Constraint::Min(0), Constraint::Length(list)]).areas(body)
 }
 
-/// Where the view is drawn on the terminal.
-pub(crate) fn room(state: &State) -> Rect {
-    shared(state, parts(Rect::new(0, 0, state.size.0, state.size.1))[1])[0]
+/// The chosen view with its place, then the views beside it with theirs.
+fn tiles(state: &State, body: Rect) -> Vec<(View, Rect)> {
+    let beside = |view: &View| *view != state.view && state.has(*view);
+    let rows = usize::from(body.height / PANEL);
+    let others: Vec<View> = state
+        .panels
+        .views
+        .iter()
+        .copied()
+        .filter(beside)
+        .take(if state.panels.shown { rows } else { 0 })
+        .collect();
+    if body.width < SEVERAL || others.is_empty() || state.scene.is_none() {
+        return vec![(state.view, body)];
+    }
+    let [main, column] =
+        Layout::horizontal([Constraint::Length(MAIN.max(body.width / 2)), Constraint::Min(0)]).areas(body);
+    let rows = Layout::vertical(vec![Constraint::Fill(1); others.len()]).split(column);
+    std::iter::once((state.view, main)).chain(others.into_iter().zip(rows.iter().copied())).collect()
 }
 
-/// The figure of the view that is shown; `None` where it has none.
-pub(crate) fn figure(state: &State) -> Option<Figure> {
-    let scene = state.scene.as_ref().filter(|_| state.has(state.view))?;
-    let figure = match state.view {
-        View::Mechanism => mechanism::figure(state, scene, state.position, &[]),
+/// The views with their places on the terminal, the chosen one first.
+pub(crate) fn areas(state: &State) -> Vec<(View, Rect)> {
+    let body = parts(Rect::new(0, 0, state.size.0, state.size.1))[1];
+    tiles(state, shared(state, body)[0])
+}
+
+/// Where the chosen view is drawn on the terminal.
+pub(crate) fn room(state: &State) -> Rect {
+    areas(state)[0].1
+}
+
+/// The figure of a view; `None` where it has none.
+pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
+    let scene = state.scene.as_ref().filter(|_| state.has(view))?;
+    let figure = match view {
+        View::Mechanism => mechanism::figure(state, scene, &[]),
         View::Curves => curves::figure(state, scene),
         View::Forces => forces::figure(state, scene),
         View::Plans => plans::figure(state, scene),
@@ -94,27 +144,49 @@ pub(crate) fn figure(state: &State) -> Option<Figure> {
         View::Drive => drive::figure(state, scene, 1),
         View::Structure => structure::figure(state, scene),
         View::Accuracy => accuracy::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
-        View::Menu | View::Checks | View::Table | View::Values => return None,
+        View::Checks | View::Table | View::Working | View::Values | View::Probe => return None,
     };
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }
 
-/// Draws what is between header and footer.
-pub(crate) fn draw_view(state: &State, area: Rect, buffer: &mut Buffer) {
-    if let Some(scene) = state.scene.as_ref().filter(|_| !state.has(state.view)) {
+/// Draws a view in its own area.
+pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
+    let Some(scene) = &state.scene else { return };
+    if !state.has(view) {
         return advice::draw(state, scene, area, buffer);
     }
-    match (state.view, &state.scene) {
-        (View::Mechanism, Some(scene)) => mechanism::draw(state, scene, area, buffer),
-        (View::Curves, Some(scene)) => curves::draw(state, scene, area, buffer),
-        (View::Forces, Some(scene)) => forces::draw(state, scene, area, buffer),
-        (View::Plans, Some(scene)) => plans::draw(state, scene, area, buffer),
-        (View::Motion, Some(scene)) => motion::draw(state, scene, area, buffer),
-        (View::Drive, Some(scene)) => drive::draw(state, scene, area, buffer),
-        (View::Checks, Some(scene)) => checks::draw(state, scene, area, buffer),
-        (View::Accuracy, Some(_)) => accuracy::draw(state, area, buffer),
-        (View::Structure, Some(scene)) => structure::draw(state, scene, area, buffer),
-        (View::Table, Some(scene)) => table::draw(state, scene, area, buffer),
-        (View::Menu | View::Values, _) | (_, None) => menu::draw(state, area, buffer),
+    match view {
+        View::Mechanism => mechanism::draw(state, scene, area, buffer),
+        View::Curves => curves::draw(state, scene, area, buffer),
+        View::Forces => forces::draw(state, scene, area, buffer),
+        View::Plans => plans::draw(state, scene, area, buffer),
+        View::Motion => motion::draw(state, scene, area, buffer),
+        View::Drive => drive::draw(state, scene, area, buffer),
+        View::Checks => checks::draw(state, scene, area, buffer),
+        View::Accuracy | View::Working => report::draw(state, view, area, buffer),
+        View::Structure => structure::draw(state, scene, area, buffer),
+        View::Table => table::draw(state, scene, area, buffer),
+        View::Values | View::Probe => {}
+    }
+}
+
+/// Draws a view beside the chosen one: its figure alone if it has one, under the name of the view.
+fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let [title, inside] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(Rect {
+        x: area.x + 1,
+        width: area.width.saturating_sub(1),
+        ..area
+    });
+    for row in 0..area.height {
+        put(buffer, area, 0, row, "│", theme.style(Role::Dim));
+    }
+    let figure = figure(state, view);
+    let heading = figure.as_ref().map_or("", |figure| figure.title.as_str());
+    let heading = format!("{} {}  {heading}", state.keys.first(view.command()), view.name());
+    put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), theme.style(Role::Header));
+    match figure {
+        Some(figure) => paint(state, &figure, inside, buffer),
+        None => draw_view(state, view, inside, buffer),
     }
 }

@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{advice, curves, plots, regime};
 use crate::number::{digits, number};
 use crate::screen::draw::{paint, put, put_lines};
-use crate::screen::state::{Found, Pane, Role, Scene, State};
+use crate::screen::state::{Found, Part, Role, Scene, State, View};
 
 /// Least number of rows of a readable chart.
 const LEAST_ROWS: u16 = 5;
@@ -28,7 +28,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     let regime = dynamics.map(|dynamics| &dynamics.regime);
     // The table needs the whole width.
-    if let (Some(regime), Pane::Hodograph) = (regime, state.pane) {
+    if let (Some(regime), Part::Iteration) = (regime, state.part(View::Motion)) {
         return regime::draw_iteration(state, regime, area, buffer);
     }
     put_lines(buffer, numbers, 1, state.look, &lines);
@@ -44,16 +44,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
-    let over_time =
-        matches!(state.pane, Pane::Curves | Pane::Hodograph) && !found.analysis.trajectory.is_empty();
-    let panels = match regime {
-        Some(regime) if state.pane == Pane::Curves => regime::course(state, scene, regime),
-        _ if over_time || found.motion.is_empty() => course(state, &found.analysis),
+    let panels = match (regime, state.part(View::Motion)) {
+        (Some(regime), Part::Course) => regime::course(state, scene, regime),
+        (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, &found.analysis),
         _ => {
             let shown = most.clamp(1, found.motion.len());
             let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
             let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
-            curves::stack(state, scene, found, &wanted)
+            curves::stack(state, scene, found, None, &wanted)
         }
     };
     Figure { title: heading(scene, found).1, panels, columns: 1, legend: Vec::new() }

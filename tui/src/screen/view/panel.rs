@@ -41,7 +41,7 @@ pub(super) fn draw(
 /// The legend of the arrows: what they are, then the length of a round value.
 fn legend(state: &State, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
     let Some(panel) = figure.panels.first() else { return Vec::new() };
-    let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state)) else {
+    let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state, state.zoom)) else {
         return Vec::new();
     };
     let mut lines = Vec::new();

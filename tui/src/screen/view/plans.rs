@@ -10,7 +10,7 @@ use super::advice;
 use super::vectors::{self, Vector};
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put_lines, wrapped};
-use crate::screen::state::{Bounds, Found, PlanKind, Plans, Role, Scene, State};
+use crate::screen::state::{Bounds, Found, Part, Plans, Role, Scene, State, View};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
@@ -47,8 +47,8 @@ enum Shown<'a> {
 
 fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
     let nothing = |text: &str| Shown::Nothing(Some(text.to_owned()));
-    let sheet = match (&plans.sheet, state.plan) {
-        (_, PlanKind::Construction) => {
+    let sheet = match (&plans.sheet, state.part(View::Plans)) {
+        (_, Part::Construction) => {
             return match chosen_step(plans, state.chosen.step) {
                 Some((construction, last)) => Shown::Construction(construction, last),
                 None => nothing("no method with a construction fits here"),
@@ -57,9 +57,9 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
         (Err(error), _) => return nothing(&error.to_string()),
         (Ok(sheet), _) => sheet,
     };
-    let plan = match state.plan {
-        PlanKind::Velocity => Some(&sheet.velocities),
-        PlanKind::Acceleration => Some(&sheet.accelerations),
+    let plan = match state.part(View::Plans) {
+        Part::Velocities => Some(&sheet.velocities),
+        Part::Accelerations => Some(&sheet.accelerations),
         _ if !has_forces(state, found) => None,
         _ => sheet.polygons.get(state.chosen.polygon.min(sheet.polygons.len().saturating_sub(1))),
     };
@@ -111,14 +111,14 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> =
         wrapped(&plan.title, width).into_iter().map(|line| (Role::Header, line)).collect();
-    if state.plan == PlanKind::Forces {
+    if state.part(View::Plans) == Part::Forces {
         rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
     }
     let shown = vectors_of(plan);
     // The last rows show the closure error; a long list must not push them out.
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
-    let skip = match state.plan {
-        PlanKind::Forces => 0,
+    let skip = match state.part(View::Plans) {
+        Part::Forces => 0,
         _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
     };
     for (number, item) in shown.iter().enumerate().skip(skip).take(room) {
@@ -137,14 +137,14 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
 
 fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
     let vectors = vectors_of(plan).into_iter().enumerate().map(|(number, item)| {
-        let absolute = state.plan == PlanKind::Acceleration && item.kind == VectorKind::Absolute;
+        let absolute = state.part(View::Plans) == Part::Accelerations && item.kind == VectorKind::Absolute;
         let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
         let name = if ink == Ink::Trace { String::new() } else { label(state, item, number) };
         Vector { from: item.start, to: item.end, name, ink }
     });
-    let (unit, symbol, pole) = match state.plan {
-        PlanKind::Velocity => (plan.unit.as_str(), "v", Some(POLE)),
-        PlanKind::Acceleration => (plan.unit.as_str(), "a", Some(POLE)),
+    let (unit, symbol, pole) = match state.part(View::Plans) {
+        Part::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
+        Part::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
     };
     vectors::panel(String::new(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
@@ -152,10 +152,10 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
 fn label(state: &State, item: &PlanVector, number: usize) -> String {
-    match (state.plan, item.kind) {
-        (PlanKind::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
-        (PlanKind::Forces, VectorKind::Inner) => "..".to_owned(),
-        (PlanKind::Forces, _) => format!("F{}", number + 1),
+    match (state.part(View::Plans), item.kind) {
+        (Part::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
+        (Part::Forces, VectorKind::Inner) => "..".to_owned(),
+        (Part::Forces, _) => format!("F{}", number + 1),
         (_, VectorKind::Absolute) => image(&item.name),
         _ => "..".to_owned(),
     }

@@ -56,7 +56,7 @@ pub(super) fn over_positions(
     let frame = Frame::Axes {
         x: coordinate_axis(scene),
         y: Axis::around(unit, values, floor),
-        cursor: Some(coordinate(scene, state.position as f64)),
+        cursor: Some(coordinate(scene, state.at())),
     };
     Panel { title, frame, items }
 }

@@ -38,5 +38,5 @@ pub(super) fn curves(state: &State, scene: &Scene, found: &Found, which: &[usize
     let mut wanted: Vec<usize> =
         which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
     wanted.dedup();
-    super::curves::stack(state, scene, found, &wanted)
+    super::curves::stack(state, scene, found, scene.other.as_deref(), &wanted)
 }

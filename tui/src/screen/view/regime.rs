@@ -18,7 +18,7 @@ fn over(scene: &Scene, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64
 
 /// The present coordinate in the unit that is shown.
 fn cursor(state: &State, scene: &Scene) -> f64 {
-    plots::coordinate(scene, state.position as f64)
+    plots::coordinate(scene, state.at())
 }
 
 /// Speed in the regime and in the first turn, then the moments.

@@ -6,7 +6,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::mechanism;
 use crate::number::{digits, plain};
-use crate::screen::draw::{cut, paint, put, short, wrapped};
+use crate::screen::draw::{cut, paint_zoomed, put, short, wrapped};
 use crate::screen::state::{Role, Scene, State};
 
 /// Indent of the text on a group, in columns.
@@ -46,14 +46,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
         put(buffer, wide, 1, short(row), text, style);
     }
-    paint(state, &figure(state, scene), drawing, buffer);
+    paint_zoomed(state, &figure(state, scene), state.zoom, drawing, buffer);
 }
 
 /// The mechanism with the chosen group marked.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let group = scene.linkage.structure.groups.get(state.chosen.group);
     let marked = group.map_or(&[][..], |group| &group.frame.links);
-    mechanism::figure(state, scene, state.position, marked)
+    mechanism::figure(state, scene, marked)
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is expanded.
@@ -66,6 +66,11 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
     };
     let mut lines = vec![(false, format!("input link {input} on {pair}"))];
+    if let Some(joined) = state.joined {
+        let with = (1..=joined).map(|group| format!(", with group {group}")).collect::<String>();
+        let next = state.keys.first("join");
+        lines.push((false, format!("drawn: input link{with} ({next}: next)")));
+    }
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };

@@ -98,12 +98,14 @@ fn fitted(text: String, width: usize) -> String {
 /// The content of a cell: the value, or the difference to a second scene; of the coordinate always the value.
 fn value(state: &State, column: usize, series: &Series, position: usize) -> String {
     match &state.compared {
-        Some(compared) if column > 0 => compared.difference(series, position).map_or_else(
-            || "-".to_owned(),
-            |difference| {
-                if difference.abs() <= series.floor { "0".to_owned() } else { number(difference) }
-            },
-        ),
+        Some(compared) if column > 0 && !compared.before => {
+            compared.difference(series, position).map_or_else(
+                || "-".to_owned(),
+                |difference| {
+                    if difference.abs() <= series.floor { "0".to_owned() } else { number(difference) }
+                },
+            )
+        }
         _ => series.bare(position),
     }
 }
@@ -141,7 +143,7 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
         let name = scene.column(column).map_or("", |series| series.short.as_str());
         let _ = write!(text, "   sorted by {name}{}", if up { '↑' } else { '↓' });
     }
-    if let Some(compared) = &state.compared {
+    if let Some(compared) = state.compared.as_ref().filter(|compared| !compared.before) {
         let _ = write!(text, "   differences to {} (:compare off)", compared.name);
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));

@@ -1,0 +1,108 @@
+//! Motors of the catalogues for the drive of the open scene.
+
+use assur_mechanism::{Motor as Wanted, Torque};
+use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_motors, rpm, select};
+use assur_scene::{Dimension, edit, quantity};
+
+use super::whatif;
+use crate::number::digits;
+use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
+
+/// Key of the scene that names the motor.
+const KEY: &str = "drive.motor";
+
+/// Opens the list of the motors that fit the drive.
+pub(super) fn list(state: &mut State) {
+    match suitable(state) {
+        Ok((heading, rows)) => {
+            let mut picker = Picker::new(PickerKind::Motors, heading, rows);
+            picker.filter.typing = true;
+            state.picker = Some(picker);
+        }
+        Err(text) => state.say(Role::Bad, text),
+    }
+}
+
+/// `motors POWER, SPEED` of the `:` line: lists the motors of at least this power and at most this speed.
+pub(super) fn limits(state: &mut State, rest: &str) {
+    let read = |text: &str, dimension| quantity(text.trim(), dimension).map_err(|error| error.to_string());
+    let limits = match rest.split_once(',') {
+        Some((power, speed)) => {
+            read(power, Dimension::Power).and_then(|power| Ok([power, read(speed, Dimension::AngularSpeed)?]))
+        }
+        None => Err("`:motors` wants a power and a speed, such as :motors 1.5 kW, 1500 rpm".to_owned()),
+    };
+    match limits {
+        Ok(limits) => {
+            state.motor_limits = Some(limits);
+            list(state);
+        }
+        Err(text) => state.say(Role::Bad, text),
+    }
+}
+
+/// The motors that fit the drive of the scene under a heading that says what is asked of them; or why there are none.
+fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
+    let drive = state.scene.as_ref().and_then(|scene| scene.linkage.mechanism.drive.as_ref());
+    let Some(Torque::Motor { motor, catalogue, max_speed, characteristic }) =
+        drive.map(|drive| &drive.torque)
+    else {
+        return Err("the scene has no drive with a motor: add motor = \"auto\" to [drive]".to_owned());
+    };
+    if matches!(motor, Wanted::Rated(_)) {
+        return Err("the scene gives the data of its motor: write motor = \"auto\" to choose one".to_owned());
+    }
+    let dynamics = state.found().and_then(|found| found.analysis.dynamics.as_ref());
+    let dynamics = dynamics.ok_or("no regime is found, so the needed power is not known")?;
+    let (required_power, max_motor_speed) = match state.motor_limits {
+        Some([power, speed]) => (power, Some(speed)),
+        None => (dynamics.required_power, *max_speed),
+    };
+    let request = SelectionRequest {
+        required_power,
+        input_speed: dynamics.mean_speed,
+        max_motor_speed,
+        characteristic: *characteristic,
+    };
+    let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
+    let all = catalogues()
+        .and_then(|all| list_motors(&all, &filter).map_err(|error| error))
+        .map_err(|error| error.to_string())?;
+    let found = select(all, &request).map_err(|error| error.to_string())?;
+    // The load on the shaft of another motor, with the ratio that this one needs.
+    let work = dynamics.motor.as_ref().map(|motor| &motor.work);
+    let load = work.map(|work| work.starting_load * dynamics.ratio.unwrap_or(1.0));
+    let rows = std::iter::once(&found.chosen).chain(&found.runners_up).map(|candidate| row(candidate, load));
+    let limit = max_motor_speed.map_or_else(String::new, |speed| format!(", at most {:.0} rpm", rpm(speed)));
+    let power = digits(required_power / 1e3, 4);
+    let heading = format!("Motors of at least {power} kW{limit} (:motors POWER, SPEED asks for others)");
+    Ok((heading, rows.collect()))
+}
+
+/// A row of the list; `load`: greatest torque of the load at rest, reduced to the input, N m.
+fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
+    let motor = candidate.motor;
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| digits(value, 4));
+    let torque = motor.max_torque_ratio.map(|ratio| ratio * motor.rated_power / motor.rated_speed);
+    let reserve = torque.zip(load).filter(|(_, load)| *load > 0.0);
+    let reserve = or_dash(reserve.map(|(torque, load)| torque * candidate.ratio / load));
+    let text = format!(
+        "{:<18}{:<8}{:>7} kW {:>6.0} rpm  ratio {:>7}  reserve {:>6} {:>8} kg",
+        motor.designation,
+        motor.catalogue,
+        digits(motor.rated_power / 1e3, 4),
+        rpm(motor.rated_speed),
+        digits(candidate.ratio, 4),
+        reserve,
+        or_dash(motor.mass),
+    );
+    Choice { name: motor.designation.clone(), text }
+}
+
+/// Takes a motor into the scene as a change that can be undone.
+pub(super) fn take(state: &mut State, designation: &str) {
+    match state.what_if.values.iter().position(|value| value.key == KEY) {
+        Some(index) => whatif::put(state, index, edit::quoted(designation)),
+        None => state.say(Role::Bad, format!("the scene has no `{KEY}` to be changed")),
+    }
+}

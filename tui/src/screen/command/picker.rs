@@ -1,0 +1,95 @@
+//! Lists to choose from: opened, searched, taken.
+
+use assur_fixtures::SCENES;
+use crossterm::event::KeyCode;
+
+use super::{motors, whatif};
+use crate::screen::state::{Choice, Job, Key, Picker, PickerKind, Source, State, View, Wish};
+
+/// Rows by which a page key moves.
+const PAGE: isize = 10;
+
+/// Opens the list of the shipped scenes.
+pub(crate) fn scenes(state: &mut State) {
+    state.playing = false;
+    let row = |(name, _): &(&str, &str)| Choice { name: (*name).to_owned(), text: format!("{name}.toml") };
+    let rows = SCENES.iter().map(row).collect();
+    let line = state.keys.first("command");
+    let heading = format!("Shipped scenes: type to search, {line}open FILE for a file of your own");
+    state.picker = Some(Picker::new(PickerKind::Scenes, heading, rows));
+    preview(state);
+}
+
+/// Opens the list for the view: motors for the drive, otherwise quantities for the chart.
+pub(super) fn pick(state: &mut State) {
+    if state.view == View::Drive {
+        return motors::list(state);
+    }
+    let Some(scene) = &state.scene else { return };
+    let all = (1..scene.column_count()).filter_map(|index| scene.column(index));
+    let rows = all.map(|series| Choice { name: series.short.clone(), text: series.title() }).collect();
+    let heading = "Quantities for the chart: type to search, Tab marks several".to_owned();
+    let mut picker = Picker::new(PickerKind::Quantities, heading, rows);
+    picker.filter.typing = true;
+    state.picker = Some(picker);
+}
+
+/// A key while a list is open.
+pub(super) fn press(state: &mut State, key: Key) {
+    let Some(picker) = &mut state.picker else { return };
+    match key.code {
+        KeyCode::Down => picker.step(1),
+        KeyCode::Up => picker.step(-1),
+        KeyCode::PageDown => picker.step(PAGE),
+        KeyCode::PageUp => picker.step(-PAGE),
+        KeyCode::Home => picker.chosen = 0,
+        KeyCode::End => picker.chosen = picker.left().len().saturating_sub(1),
+        KeyCode::Tab if picker.kind == PickerKind::Quantities => {
+            picker.mark();
+            picker.step(1);
+        }
+        KeyCode::Enter => return take(state),
+        _ => {
+            if picker.filter.press(key) {
+                picker.chosen = 0;
+            }
+        }
+    }
+    preview(state);
+}
+
+/// Takes what is chosen, and closes the list.
+fn take(state: &mut State) {
+    let Some(picker) = &state.picker else { return };
+    let (kind, taken) = (picker.kind, picker.taken());
+    let Some(first) = taken.first() else { return };
+    match kind {
+        PickerKind::Scenes => {
+            if let Some((name, _)) = SCENES.iter().find(|(name, _)| name == first) {
+                whatif::open(state, Source::Shipped(name));
+            }
+            // The list stays until the scene is there.
+            return;
+        }
+        PickerKind::Quantities => {
+            state.picked = taken;
+            state.view = View::Curves;
+        }
+        PickerKind::Motors => {
+            let designation = first.clone();
+            motors::take(state, &designation);
+        }
+    }
+    state.picker = None;
+}
+
+/// Requests the picture of the scene that is chosen in the list.
+fn preview(state: &mut State) {
+    let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
+    let Some(chosen) = picker.and_then(Picker::choice) else { return };
+    if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
+        && !state.previews.contains_key(&index)
+    {
+        state.wishes.push(Wish::Work(Job::Preview(index)));
+    }
+}

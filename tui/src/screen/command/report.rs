@@ -1,0 +1,47 @@
+//! Commands of the views that show a long text: the report on the methods, and the working of the position.
+
+use super::jobs;
+use crate::screen::state::{Purpose, Role, State};
+use crate::screen::view::report as view;
+
+/// Starts a measurement, or stops the one in progress.
+pub(super) fn measure(state: &mut State) {
+    if state.measuring().is_some() {
+        stop(state);
+    } else {
+        jobs::ask(state, Purpose::Measurement);
+    }
+}
+
+/// Stops the measurement in progress; finished measurements are shown.
+pub(super) fn stop(state: &mut State) {
+    if let Some(running) = state.measuring() {
+        running.cancel.stop();
+        state.say(Role::Plain, "stopping ...");
+    }
+}
+
+/// Scrolls the text by this many lines, within its limits.
+pub(super) fn scroll(state: &mut State, by: isize) {
+    let last = view::last_line(state);
+    let line = state.line();
+    *line = (*line).min(last).saturating_add_signed(by).min(last);
+}
+
+/// Scrolls the text by a page, less one line.
+pub(super) fn page(state: &mut State, sense: isize) {
+    let page = isize::from(i16::try_from(view::page(state)).unwrap_or(i16::MAX));
+    scroll(state, sense * (page - 1).max(1));
+}
+
+/// Scrolls to the next line that contains a text; false if there is none.
+pub(super) fn find(state: &mut State, wanted: &str) -> bool {
+    let lines = view::lines(state, state.view, view::width(state));
+    let now = *state.line();
+    let fits = |index: &usize| lines[*index].to_lowercase().contains(wanted);
+    let found = (1..=lines.len()).map(|step| (now + step) % lines.len()).find(fits);
+    if let Some(found) = found {
+        *state.line() = found;
+    }
+    found.is_some()
+}

@@ -1,0 +1,86 @@
+//! A list to choose from: scenes, quantities, motors. What is typed narrows it, letters in order and not necessarily
+//! side by side.
+
+use frizbee::{CaseMatching, Config, Matcher};
+
+use super::kinds::{Filter, round};
+
+/// What a list is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PickerKind {
+    /// A shipped scene to be opened.
+    Scenes,
+    /// Quantities for the chart.
+    Quantities,
+    /// A motor for the drive of the open scene.
+    Motors,
+}
+
+/// One row of the list.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Choice {
+    /// What is taken: the name of a scene, the short name of a quantity, the designation of a motor.
+    pub(crate) name: String,
+    /// What is shown and searched.
+    pub(crate) text: String,
+}
+
+/// The list while it is open.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Picker {
+    pub(crate) kind: PickerKind,
+    /// What is said above the list.
+    pub(crate) heading: String,
+    pub(crate) filter: Filter,
+    /// Number of the chosen row among those that are left.
+    pub(crate) chosen: usize,
+    pub(crate) rows: Vec<Choice>,
+    /// Names that are taken together, in the order of their marking.
+    pub(crate) marked: Vec<String>,
+}
+
+impl Picker {
+    /// A list that is just opened.
+    pub(crate) fn new(kind: PickerKind, heading: String, rows: Vec<Choice>) -> Self {
+        Self { kind, heading, filter: Filter::default(), chosen: 0, rows, marked: Vec::new() }
+    }
+
+    /// The rows that the typed text leaves, the best match first.
+    pub(crate) fn left(&self) -> Vec<&Choice> {
+        if self.filter.text.trim().is_empty() {
+            return self.rows.iter().collect();
+        }
+        let texts: Vec<&str> = self.rows.iter().map(|row| row.text.as_str()).collect();
+        let config = Config::default().casing(CaseMatching::Ignore);
+        let found = Matcher::from_query(&self.filter.text, &config).match_list(&texts);
+        found.iter().filter_map(|found| self.rows.get(usize::try_from(found.index).ok()?)).collect()
+    }
+
+    /// The chosen row.
+    pub(crate) fn choice(&self) -> Option<&Choice> {
+        self.left().get(self.chosen).copied()
+    }
+
+    /// Moves the choice by this many rows.
+    pub(crate) fn step(&mut self, by: isize) {
+        self.chosen = round(self.chosen, by, self.left().len());
+    }
+
+    /// Marks the chosen row, or removes its mark.
+    pub(crate) fn mark(&mut self) {
+        let Some(name) = self.choice().map(|choice| choice.name.clone()) else { return };
+        match self.marked.iter().position(|marked| *marked == name) {
+            Some(at) => drop(self.marked.remove(at)),
+            None => self.marked.push(name),
+        }
+    }
+
+    /// The names that are taken: those that are marked, or else the chosen one.
+    pub(crate) fn taken(&self) -> Vec<String> {
+        if self.marked.is_empty() {
+            self.choice().map(|choice| choice.name.clone()).into_iter().collect()
+        } else {
+            self.marked.clone()
+        }
+    }
+}

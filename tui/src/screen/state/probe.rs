@@ -1,0 +1,56 @@
+//! A point that is moved over the drawing, to see which curve a point of a link describes.
+
+use assur_mechanism::{GROUND, LinkId};
+
+use super::scene::Scene;
+
+/// A point of a link that the scene does not name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Probe {
+    pub(crate) link: LinkId,
+    /// Its place in the frame of the link, m.
+    pub(crate) at: [f64; 2],
+}
+
+impl Probe {
+    /// The middle of the named points of a link.
+    pub(crate) fn of(scene: &Scene, link: LinkId) -> Self {
+        let mechanism = &scene.linkage.mechanism;
+        let points: Vec<[f64; 2]> =
+            (0..mechanism.points.len()).filter_map(|point| mechanism.place_in(point, link)).collect();
+        let count = points.len().max(1) as f64;
+        let at = [0, 1].map(|axis| points.iter().map(|at| at[axis]).sum::<f64>() / count);
+        Self { link, at }
+    }
+
+    /// The link whose points describe the most general curves: the first that has no point on the ground.
+    pub(crate) fn first_link(scene: &Scene) -> LinkId {
+        let mechanism = &scene.linkage.mechanism;
+        let fixed = |link: LinkId| {
+            let pinned = mechanism.points.iter().any(|point| {
+                let on = |wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
+                on(link) && on(GROUND)
+            });
+            pinned || mechanism.slides.iter().any(|slide| slide.link == link && slide.on == GROUND)
+        };
+        (1..mechanism.links.len()).find(|link| !fixed(*link)).unwrap_or(1)
+    }
+
+    /// Its path over the whole cycle, m; NaN where there is no assembly.
+    pub(crate) fn path(&self, scene: &Scene) -> Vec<[f64; 2]> {
+        let at = |position: &Option<assur_kinematics::Position>| {
+            position.as_ref().map_or([f64::NAN; 2], |position| position.bodies[self.link].point(self.at))
+        };
+        scene.fine.iter().map(at).collect()
+    }
+
+    /// Moves it so that it is at a place of the plane (m) in a position.
+    pub(crate) fn put(&mut self, scene: &Scene, at: f64, place: [f64; 2]) {
+        let Some(pose) = scene.pose(at) else { return };
+        let body = &pose.bodies[self.link];
+        let origin = body.point([0.0; 2]);
+        let [x, y] = [place[0] - origin[0], place[1] - origin[1]];
+        let [[ax, ay], [bx, by]] = [body.turned([1.0, 0.0]), body.turned([0.0, 1.0])];
+        self.at = [ax * x + ay * y, bx * x + by * y];
+    }
+}

@@ -1,0 +1,73 @@
+//! A list to choose from, over the body, with a picture of what is chosen beside it.
+
+use assur_figure::{Figure, Ink, Stroke};
+use assur_fixtures::SCENES;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::widgets::{Clear, Widget};
+
+use super::{mechanism, plots};
+use crate::screen::draw::{cut, first_shown, paint, put, put_lines, short};
+use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
+
+/// Columns of the list of scenes.
+const SCENE: u16 = 26;
+/// Columns of the list of quantities.
+const QUANTITY: u16 = 44;
+
+/// Draws an open list.
+pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+    Clear.render(area, buffer);
+    let [title, rest] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
+    let width = match picker.kind {
+        PickerKind::Scenes => SCENE,
+        PickerKind::Quantities => QUANTITY,
+        PickerKind::Motors => rest.width,
+    };
+    let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
+    let theme = state.look.theme;
+    put(buffer, title, 1, 0, &picker.heading, theme.style(Role::Header));
+    let left = picker.left();
+    let count = format!("{} of {}", left.len(), picker.rows.len());
+    put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), theme.style(Role::Key));
+    let height = usize::from(list.height);
+    let shown = left.iter().enumerate().skip(first_shown(picker.chosen, height)).take(height);
+    for (row, (index, choice)) in shown.enumerate() {
+        let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
+        let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
+        let text = cut(&choice.text, usize::from(list.width.saturating_sub(4)));
+        put(buffer, list, 1, short(row), &format!("{sign}{mark}{text}"), theme.style(role));
+    }
+    match (picker.kind, picker.choice()) {
+        (PickerKind::Scenes, Some(choice)) => preview(state, choice, picture, buffer),
+        (PickerKind::Quantities, Some(choice)) => curve(state, choice, picture, buffer),
+        _ => {}
+    }
+}
+
+/// The mechanism of a shipped scene.
+fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let index = SCENES.iter().position(|(name, _)| *name == choice.name);
+    match index.and_then(|index| state.previews.get(&index)) {
+        Some(Ok(scene)) => {
+            let [name, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
+            put(buffer, name, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
+            paint(state, &mechanism::still(scene), drawing, buffer);
+        }
+        Some(Err(text)) => {
+            let lines: Vec<_> = text.lines().map(|line| (Role::Plain, line.to_owned())).collect();
+            put_lines(buffer, area, 1, state.look, &lines);
+        }
+        None => put(buffer, area, 1, 0, &format!("reading {} ...", choice.text), theme.style(Role::Dim)),
+    }
+}
+
+/// The curve of a quantity.
+fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
+    let Some(scene) = &state.scene else { return };
+    let Some(series) = scene.named(&choice.name) else { return };
+    let curves = [(series, Stroke::Solid, Ink::First)];
+    let panel = plots::over_positions(state, scene, series.show(state.position), &curves, Vec::new());
+    paint(state, &Figure::of(panel), area, buffer);
+}

@@ -1,0 +1,65 @@
+//! Long texts that are scrolled: the report on the methods, and the working of the position.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::screen::draw::{folded, put, short};
+use crate::screen::state::{Role, State, View};
+
+/// Draws the text of a view.
+pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    let top = u16::from(view == View::Accuracy && state.measuring().is_some());
+    if view == View::Accuracy {
+        progress(state, area, buffer);
+    }
+    let height = usize::from(area.height.saturating_sub(top));
+    let lines = lines(state, view, area.width);
+    let first = if view == View::Working { state.chosen.equation } else { state.chosen.line };
+    let skip = first.min(lines.len().saturating_sub(height));
+    for (row, line) in lines.iter().skip(skip).take(height).enumerate() {
+        put(buffer, area, 1, short(row) + top, line, theme.style(Role::Plain));
+    }
+}
+
+/// How far the measurement is, or what starts it.
+fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
+    let theme = state.look.theme;
+    if let Some(running) = state.measuring() {
+        let count = if running.count.is_empty() { "measuring ..." } else { &running.count };
+        let text = format!("{count}   ({} stops)", state.keys.first("close"));
+        put(buffer, area, 1, 0, &text, theme.style(Role::Header));
+    } else if state.measured.is_none() {
+        let measure = state.keys.first("measure");
+        let text = format!("{measure} measures every method here: speed, accuracy, stability (some seconds)");
+        put(buffer, area, 1, 1, &text, theme.style(Role::Plain));
+    }
+}
+
+/// Visible rows of the text.
+pub(crate) fn page(state: &State) -> usize {
+    let top = u16::from(state.view == View::Accuracy && state.measuring().is_some());
+    usize::from(super::room(state).height.saturating_sub(top))
+}
+
+/// Columns in which the text of the view is written.
+pub(crate) fn width(state: &State) -> u16 {
+    super::room(state).width
+}
+
+/// The first line of the last page.
+pub(crate) fn last_line(state: &State) -> usize {
+    lines(state, state.view, width(state)).len().saturating_sub(page(state))
+}
+
+/// The text of a view in lines of a width.
+pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
+    // A column stays free at each side.
+    let width = usize::from(width.max(40)) - 2;
+    let text = match (view, &state.measured, state.found()) {
+        (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
+        (View::Working, _, Some(found)) => found.plans.at(state.position).working().to_owned(),
+        _ => String::new(),
+    };
+    text.lines().flat_map(|line| folded(line, width)).collect()
+}
