@@ -79,7 +79,7 @@ impl Found {
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
                 let name = format!("residual {}", of.name(column.owner));
-                gather.add(name.clone(), name, *column);
+                gather.add([name.clone(), name], "", *column);
             }
         }
         self.series = gather.series;
