@@ -1,13 +1,12 @@
-//! `assur geometry` from outside: exit status, errors, forms.
+//! `assur geometry` and `assur shaking` from outside: exit status, errors, forms.
 
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
 use std::path::Path;
 use std::process::{Command, Output};
 
-fn geometry(arguments: &[&str]) -> Output {
+fn assur(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_assur"))
-        .arg("geometry")
         .args(arguments)
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures"))
         .env("LC_ALL", "C.UTF-8")
@@ -21,8 +20,8 @@ fn text(output: &Output) -> (i32, &str, &str) {
 }
 
 #[test]
-fn forms() {
-    let output = geometry(&["shaper.toml", "--format", "json"]);
+fn forms_of_the_geometry() {
+    let output = assur(&["geometry", "shaper.toml", "--format", "json"]);
     let (code, out, _) = text(&output);
     let found: serde_json::Value = serde_json::from_str(out).unwrap();
     assert_eq!(code, 0);
@@ -31,12 +30,12 @@ fn forms() {
     assert!((ram["max"].as_f64().unwrap() - 0.175).abs() < 1e-12);
     assert_eq!(found["positions"].as_array().unwrap().len(), 48);
 
-    let output = geometry(&["shaper.toml", "--ascii"]);
+    let output = assur(&["geometry", "shaper.toml", "--ascii"]);
     let (code, out, _) = text(&output);
     assert!(code == 0 && out.is_ascii());
     assert!(out.contains("ram/ground     350 mm      194.478, 345.522"), "{out}");
 
-    let output = geometry(&["shaper.toml", "--format", "csv", "--against", "rocker"]);
+    let output = assur(&["geometry", "shaper.toml", "--format", "csv", "--against", "rocker"]);
     let (code, out, _) = text(&output);
     assert_eq!((code, out.lines().count()), (0, 49));
     assert!(out.starts_with("position,coordinate_rad,crank_center_x_m,"));
@@ -44,8 +43,8 @@ fn forms() {
 }
 
 #[test]
-fn faults() {
-    let output = geometry(&["shaper.toml", "--against", "crnk"]);
+fn faults_of_the_geometry() {
+    let output = assur(&["geometry", "shaper.toml", "--against", "crnk"]);
     let (code, out, err) = text(&output);
     assert_eq!((code, out), (2, ""));
     assert!(err.contains("no such link, only ground, crank"), "{err}");
@@ -53,8 +52,41 @@ fn faults() {
     let scene = assur_fixtures::scene("slider-crank").replace("240 mm", "50 mm");
     let path = folder.path().join("short.toml");
     std::fs::write(&path, scene).unwrap();
-    let output = geometry(&[path.to_str().unwrap()]);
+    let output = assur(&["geometry", path.to_str().unwrap()]);
     let (code, out, err) = text(&output);
     assert_eq!((code, out), (1, ""));
     assert!(err.contains("the motion is measured over the whole cycle"), "{err}");
+}
+
+#[test]
+fn forms_of_the_shaking() {
+    let output = assur(&["shaking", "four-bar.toml", "--format", "json"]);
+    let (code, out, _) = text(&output);
+    let found: serde_json::Value = serde_json::from_str(out).unwrap();
+    assert_eq!(code, 0);
+    assert_eq!(found["balances"].as_array().unwrap().len(), 4);
+    assert_eq!(found["balances"][2]["counterweights"][1]["link"], "rocker");
+    let output = assur(&["shaking", "four-bar.toml", "--ascii"]);
+    let (code, out, _) = text(&output);
+    assert!(code == 0 && out.is_ascii() && out.contains("on crank and rocker: least maximum"), "{out}");
+    let output = assur(&["shaking", "four-bar.toml", "--format", "csv"]);
+    let (code, out, _) = text(&output);
+    assert_eq!((code, out.lines().count()), (0, 37));
+    // A steady regime: its speed over the cycle is found first.
+    let output = assur(&["shaking", "shaper-drive.toml"]);
+    let (code, _, err) = text(&output);
+    assert_eq!(code, 0, "{err}");
+}
+
+#[test]
+fn faults_of_the_shaking() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene =
+        assur_fixtures::scene("four-bar").replace("[motion]\nspeed = \"180 rpm\"\nacceleration = 30\n", "");
+    let path = folder.path().join("still.toml");
+    std::fs::write(&path, scene).unwrap();
+    let output = assur(&["shaking", path.to_str().unwrap()]);
+    let (code, out, err) = text(&output);
+    assert_eq!((code, out), (2, ""));
+    assert!(err.contains("give `[motion]`"), "{err}");
 }

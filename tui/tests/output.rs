@@ -5,8 +5,10 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
 
 /// A crank that turns; its analysis succeeds.
 const CRANK: &str = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = \"100 mm\" }\n\
@@ -158,6 +160,60 @@ fn an_output_that_is_full_is_told() {
         assert!(err(&output).contains("can't write to standard output"), "{arguments:?}: {}", err(&output));
     }
     assert_eq!(code(&assur(folder.path(), &["analyze", "crank.toml", "-o", "/dev/full"])), 2);
+}
+
+/// Starts an analysis of very many positions and waits until it writes: its temporary file has content.
+fn writing(folder: &Path, format: &[&str]) -> Child {
+    let scene = CRANK.replace("positions = 4", "positions = 500000");
+    fs::write(folder.join("crank.toml"), scene).unwrap();
+    let mut child = command(folder, &[&["analyze", "crank.toml"], format].concat()).spawn().unwrap();
+    let has_begun = || {
+        let mut entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+        entries.any(|entry| is_temporary(&entry.file_name()) && entry.metadata().is_ok_and(|found| found.len() > 0))
+    };
+    while !has_begun() {
+        assert_eq!(child.try_wait().unwrap(), None, "the analysis has ended");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child
+}
+
+fn is_temporary(name: &std::ffi::OsStr) -> bool {
+    name.to_string_lossy().starts_with(".assur-")
+}
+
+#[test]
+fn a_signal_while_a_file_is_written_leaves_what_was_there() {
+    for (name, number) in [("HUP", 1), ("INT", 2), ("TERM", 15)] {
+        for format in [["--format", "json", "-o", "old.json"], ["--format", "csv", "-o", "."]] {
+            let folder = folder();
+            let path = folder.path();
+            fs::write(path.join("old.json"), "old").unwrap();
+            let mut child = writing(path, &format);
+            let kill = format!("kill -{name} {}", child.id());
+            assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+            // A shell reports this as 128 more: 143 for SIGTERM.
+            assert_eq!(child.wait().unwrap().signal(), Some(number), "{name} {format:?}");
+            assert_eq!(names(path), ["crank.toml", "old.json", "short.toml"], "{name} {format:?}");
+            assert_eq!(fs::read_to_string(path.join("old.json")).unwrap(), "old");
+        }
+    }
+}
+
+#[test]
+fn a_kill_while_a_file_is_written_leaves_at_most_a_temporary_file() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("old.json"), "old").unwrap();
+    let mut child = writing(path, &["--format", "json", "-o", "old.json"]);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let mut left = names(path);
+    left.retain(|name| !is_temporary(name.as_ref()));
+    assert_eq!(left, ["crank.toml", "old.json", "short.toml"]);
+    assert_eq!(fs::read_to_string(path.join("old.json")).unwrap(), "old");
+    // The next run goes on as if nothing had happened.
+    assert_eq!(code(&assur(path, &["analyze", "short.toml", "--format", "json", "-o", "new.json"])), 1);
 }
 
 #[test]

@@ -1,31 +1,8 @@
 //! The registry refuses two kinds of one pattern. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
-    Number, Pattern, RegistryError, Ways, inventory, plugin_for,
+    Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, inventory, plugin_for,
 };
-use assur_number::Real;
-
-#[derive(Debug)]
-struct Nothing(GroupFrame);
-
-impl<T: Real> AssurGroup<T> for Nothing {
-    fn frame(&self) -> &GroupFrame {
-        &self.0
-    }
-
-    fn place(&self, _: &mut [Body<T>], _: usize) -> Result<T, GroupError> {
-        Ok(T::ONE)
-    }
-}
-
-impl GroupKind for Nothing {
-    type Kernel<T: Number> = Nothing;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Nothing, BuildError> {
-        Ok(Nothing(frame.clone()))
-    }
-}
 
 const fn entry(name: &'static str) -> GroupPlugin {
     GroupPlugin {
@@ -40,7 +17,7 @@ const fn entry(name: &'static str) -> GroupPlugin {
         singular: "never",
         force_angle: ForceAngle::DEFAULT,
         source: "a test",
-        builders: Builders::of::<Nothing>(),
+        builders: Builders::of::<Iterated>(),
     }
 }
 

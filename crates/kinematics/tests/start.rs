@@ -1,28 +1,12 @@
 //! A group that iterates starts from all that is known: the ground, the input link, `[assembly]` and its slides.
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ForceAngle, GroupPlugin, Iterated, Order, Pattern, Ways, inventory};
+use assur_group::{Order, Pattern, inventory};
 use assur_kinematics::{Linkage, Position};
-
-const fn entry(name: &'static str, pattern: Pattern) -> GroupPlugin {
-    GroupPlugin {
-        name,
-        kind: name,
-        number: 0,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: "a ternary link on three binary ones",
-        pattern,
-        ways: Ways { most: 1, varies: false, words: "the one near the start" },
-        iterates: true,
-        singular: "where its determinant is 0",
-        force_angle: ForceAngle::DEFAULT,
-        source: "a test",
-        builders: Builders::of::<Iterated>(),
-    }
-}
+use assur_testkit::iterated;
 
 inventory::submit! {
-    entry("triad-inner-slide", Pattern {
+    iterated("triad-inner-slide", Pattern {
         links: 4,
         inner: &[([0, 1], Pin), ([0, 2], Pin), ([0, 3], Slide)],
         outer: &[(1, Pin), (2, Pin), (3, Pin)],
@@ -30,7 +14,7 @@ inventory::submit! {
 }
 
 inventory::submit! {
-    entry("triad-outer-slide", Pattern {
+    iterated("triad-outer-slide", Pattern {
         links: 4,
         inner: &[([0, 1], Pin), ([0, 2], Pin), ([0, 3], Pin)],
         outer: &[(1, Pin), (2, Pin), (3, Slide)],

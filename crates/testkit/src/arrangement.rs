@@ -62,9 +62,7 @@ pub(crate) fn drawn_pairs(
 }
 
 /// The matrix of the constraints of a group in a given arrangement, two rows for each pair and three columns for each
-/// link; lengths in units of `size`.
-/// Derived directly from the places of the pairs, independently of the program's equations.
-/// Written from the pairs where they lie, so that it owes nothing to the equations of the program.
+/// link; lengths in units of `size`. Derived from the places of the pairs alone, independently of the program's equations.
 pub(crate) fn constraints(
     links: &[usize],
     joins: &[Join],

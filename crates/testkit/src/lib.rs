@@ -16,7 +16,9 @@ pub mod specimen;
 pub use case::Fault;
 pub use rng::Rng;
 
-use assur_group::{Body, GroupFrame, Number, Wrench, groups, kernel_of};
+use assur_group::{
+    Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Ways, Wrench, groups, kernel_of,
+};
 use assur_number::Dd;
 
 use case::Case;
@@ -67,6 +69,24 @@ pub fn judge(name: &str) -> Result<(), Fault> {
         }
     }
     tried.enough()
+}
+
+/// The entry of a kind that has nothing but its pattern: it iterates, and finds the assembly near its start.
+pub const fn iterated(name: &'static str, pattern: Pattern) -> GroupPlugin {
+    GroupPlugin {
+        name,
+        kind: name,
+        number: 0,
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: "a kind of a test",
+        pattern,
+        ways: Ways { most: 1, varies: false, words: "the one near the start" },
+        iterates: true,
+        singular: "where its determinant is 0",
+        force_angle: ForceAngle::DEFAULT,
+        source: "a test",
+        builders: Builders::of::<Iterated>(),
+    }
 }
 
 /// Reactions of a group of a registered kind under these loads, by the kernel in f64 and in 32 digits (rounded), with

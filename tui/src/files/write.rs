@@ -184,9 +184,11 @@ impl Replacement {
             // The umask applies, as for any new file.
             builder.permissions(fs::Permissions::from_mode(0o666))
         };
-        let file = builder.tempfile_in(folder)?;
-        temporaries().push(file.path().to_owned());
-        Ok(Self { content: file, path })
+        // Locked, so that a signal finds every file that was made.
+        let mut temporaries = temporaries();
+        let content = builder.tempfile_in(folder)?;
+        temporaries.push(content.path().to_owned());
+        Ok(Self { content, path })
     }
 
     /// Replaces the content of the target.
@@ -241,7 +243,11 @@ fn temporaries() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
 
 /// Removes leftover temporary files, for exits that run no destructors.
 pub(crate) fn remove_temporaries() {
-    temporaries().drain(..).for_each(|path| drop(fs::remove_file(path)));
+    remove(&mut temporaries());
+}
+
+fn remove(temporaries: &mut Vec<PathBuf>) {
+    temporaries.drain(..).for_each(|path| drop(fs::remove_file(path)));
 }
 
 /// From this call on, a signal that ends the program first removes its temporary files.
@@ -252,7 +258,9 @@ pub(crate) fn remove_on_signals() {
         let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
         let listen = move || {
             for signal in signals.forever() {
-                remove_temporaries();
+                // Locked to the end, so that no other file is made.
+                let mut temporaries = temporaries();
+                remove(&mut temporaries);
                 let _ = signal_hook::low_level::emulate_default_handler(signal);
             }
         };

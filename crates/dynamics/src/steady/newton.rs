@@ -54,6 +54,21 @@ impl Moment {
     }
 }
 
+/// The energies of a stretch are solved down to this part of that at its start; below, the machine counts as stalled.
+const FLOOR: f64 = 1e-9;
+
+/// Where Newton's method fails, the machine counts as stalled if an energy is below this part of that at the start.
+const NEARLY_AT_REST: f64 = 1e-2;
+
+/// A Newton step reduces an energy to this part of itself at most, so that it stays positive.
+const LEAST_LEFT: f64 = 0.05;
+
+/// The last Newton step, as part of the greatest energy. It is taken: the remaining error is of the size of its square.
+const CONVERGED: f64 = 1e-11;
+
+/// The equations of the nodes, factorized at the solution.
+type Factors = nalgebra::LU<f64, nalgebra::Const<S>, nalgebra::Const<S>>;
+
 /// Solves `T(i) = T(0) + h sum over j of a(i, j) M(x(j), T(j))`; `guess`: energies of a solution nearby.
 pub(crate) fn solve(
     setup: &Setup,
@@ -62,45 +77,57 @@ pub(crate) fn solve(
     coefficients: &NodalCoefficients,
     guess: Option<&Values>,
 ) -> Result<Segment, Failure> {
-    let floor = 1e-9 * start.energy;
+    let moment = |j: usize, energy: &Values| {
+        Moment::at(setup, start.factor, &coefficients.nodes[j], energy[j])
+    };
     let mut energy = guess.copied().unwrap_or([start.energy; S + 1]);
     energy[0] = start.energy;
-    let failure = |energy: &Values| Failure { stalled: energy.iter().any(|t| *t < 1e-2 * start.energy) };
-    let mut moments = [Moment::default(); S + 1];
-    let mut steps = 0;
-    let lu = loop {
-        for j in 1..=S {
-            moments[j] = Moment::at(setup, start.factor, &coefficients.nodes[j], energy[j]);
-        }
+    let (moments, lu) = converge(&mut energy, h, moment)?;
+    Ok(Segment {
+        x,
+        h,
+        coefficients: *coefficients,
+        energy,
+        moment: moments.map(|moment| moment.value),
+        derivatives: derivatives(&moments, &lu, start, h),
+        factor: start.factor,
+    })
+}
+
+/// Newton's method from the energies given, of which the first stays. Returns the moments of the last step, with that at the
+/// start, and the factors of its equations.
+fn converge(
+    energy: &mut Values,
+    h: f64,
+    moment: impl Fn(usize, &Values) -> Moment,
+) -> Result<([Moment; S + 1], Factors), Failure> {
+    let start = energy[0];
+    let mut moments: [Moment; S + 1] = std::array::from_fn(|j| moment(j, energy));
+    for _ in 0..MOST_STEPS {
         let integrals = RULE.integrals(&moments.map(|moment| moment.value));
-        let miss = SVector::<f64, S>::from_fn(|i, _| start.energy + h * integrals[i + 1] - energy[i + 1]);
-        let lu = SMatrix::<f64, S, S>::from_fn(|i, j| {
-            f64::from(u8::from(i == j)) - h * RULE.a[i][j] * moments[j + 1].by_energy
-        })
-        .lu();
-        let step = lu.solve(&miss).unwrap_or_else(|| SVector::repeat(f64::NAN));
-        if !step.iter().all(|d| d.is_finite()) {
-            return Err(failure(&energy));
-        }
-        let largest = step.amax();
+        let miss = SVector::<f64, S>::from_fn(|i, _| start + h * integrals[i + 1] - energy[i + 1]);
+        let unit = |i, j| f64::from(u8::from(i == j));
+        let slope = |i: usize, j: usize| unit(i, j) - h * RULE.a[i][j] * moments[j + 1].by_energy;
+        let lu = SMatrix::<f64, S, S>::from_fn(slope).lu();
+        let Some(step) = lu.solve(&miss).filter(|step| step.iter().all(|d| d.is_finite())) else { break };
         for (t, d) in energy[1..].iter_mut().zip(&step) {
-            *t = (*t + d).max(0.05 * *t).max(floor);
+            *t = (*t + d).max(LEAST_LEFT * *t).max(FLOOR * start);
         }
-        steps += 1;
         let most = energy.iter().copied().fold(0.0, f64::max);
-        // The step has already been taken: the remaining error is its square.
-        if largest <= 1e-11 * most {
-            break lu;
+        if step.amax() <= CONVERGED * most {
+            let stalled = energy.iter().any(|t| *t <= 2.0 * FLOOR * start);
+            return if stalled { Err(Failure { stalled }) } else { Ok((moments, lu)) };
         }
-        if steps == MOST_STEPS {
-            return Err(failure(&energy));
+        for j in 1..=S {
+            moments[j] = moment(j, energy);
         }
-    };
-    if energy.iter().any(|t| *t <= 2.0 * floor) {
-        return Err(Failure { stalled: true });
     }
-    moments[0] = Moment::at(setup, start.factor, &coefficients.nodes[0], start.energy);
-    // The derivatives solve the same linear system with other right-hand sides.
+    Err(Failure { stalled: energy.iter().any(|t| *t < NEARLY_AT_REST * start) })
+}
+
+/// Derivatives of the energies with respect to each parameter: they solve the linear system of the last Newton step with
+/// other right-hand sides.
+fn derivatives(moments: &[Moment; S + 1], lu: &Factors, start: &Start, h: f64) -> [Values; PARAMETERS] {
     let vary = |right: SVector<f64, S>, first: f64| -> Values {
         let found = lu.solve(&right).unwrap_or_else(|| SVector::repeat(f64::NAN));
         std::array::from_fn(|i| if i == 0 { first } else { found[i - 1] })
@@ -113,13 +140,5 @@ pub(crate) fn solve(
         let first = start.derivatives[p];
         derivatives[p] = vary(SVector::from_fn(|i, _| first + h * sources[i + 1]), first);
     }
-    Ok(Segment {
-        x,
-        h,
-        coefficients: *coefficients,
-        energy,
-        moment: moments.map(|moment| moment.value),
-        derivatives,
-        factor: start.factor,
-    })
+    derivatives
 }
