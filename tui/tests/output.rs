@@ -169,7 +169,9 @@ fn writing(folder: &Path, format: &[&str]) -> Child {
     let mut child = command(folder, &[&["analyze", "crank.toml"], format].concat()).spawn().unwrap();
     let has_begun = || {
         let mut entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
-        entries.any(|entry| is_temporary(&entry.file_name()) && entry.metadata().is_ok_and(|found| found.len() > 0))
+        entries.any(|entry| {
+            is_temporary(&entry.file_name()) && entry.metadata().is_ok_and(|found| found.len() > 0)
+        })
     };
     while !has_begun() {
         assert_eq!(child.try_wait().unwrap(), None, "the analysis has ended");

@@ -8,8 +8,8 @@ use assur_force::Loads;
 use assur_formula::Formula;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, Mechanism, Moment, Motion, Over, Place, Sense, Shape,
-    Solve, Spring, Table, Torque, Until, Value,
+    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, Mechanism, Moment, Motion, Over, Place,
+    Sense, Shape, Solve, Spring, Table, Torque, Until, Value,
 };
 
 /// Every so many combinations one runs.

@@ -1,7 +1,8 @@
 //! The registry refuses two kinds of one pattern. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, inventory, plugin_for,
+    Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, inventory,
+    plugin_for,
 };
 
 const fn entry(name: &'static str) -> GroupPlugin {

@@ -17,7 +17,8 @@ pub use case::Fault;
 pub use rng::Rng;
 
 use assur_group::{
-    Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Ways, Wrench, groups, kernel_of,
+    Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Ways, Wrench, groups,
+    kernel_of,
 };
 use assur_number::Dd;
 

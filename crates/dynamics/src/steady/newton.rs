@@ -77,9 +77,8 @@ pub(crate) fn solve(
     coefficients: &NodalCoefficients,
     guess: Option<&Values>,
 ) -> Result<Segment, Failure> {
-    let moment = |j: usize, energy: &Values| {
-        Moment::at(setup, start.factor, &coefficients.nodes[j], energy[j])
-    };
+    let moment =
+        |j: usize, energy: &Values| Moment::at(setup, start.factor, &coefficients.nodes[j], energy[j]);
     let mut energy = guess.copied().unwrap_or([start.energy; S + 1]);
     energy[0] = start.energy;
     let (moments, lu) = converge(&mut energy, h, moment)?;
