@@ -48,6 +48,7 @@ pub(crate) const POSITIONS: &[Family] = &[
     SLIDES,
     Family { applies: |calculation| calculation.positions_move() && calculation.plan.velocities, ..RATES },
     REDUCED,
+    INERTIA_OF_LINKS,
     LOADS,
     INERTIA_LOADS,
     SHAKING,
@@ -181,6 +182,25 @@ const REDUCED: Family = Family {
     fill: |row, cells| {
         if let Some(reduced) = row.reduced {
             cells.all([reduced.inertia, reduced.inertia_derivative, reduced.moment]);
+        }
+    },
+};
+
+/// The reduced moment of inertia of each link, of which the whole one is the sum; where an equation of motion is solved.
+const INERTIA_OF_LINKS: Family = Family {
+    applies: |calculation| {
+        (REDUCED.applies)(calculation) && calculation.plan.dynamics && calculation.knows_all_loads()
+    },
+    columns: |calculation, schema| {
+        for link in heavy(&calculation.linkage.mechanism) {
+            schema.add(Section::ALWAYS, [Column::of(Quantity::ReducedInertia, Owner::Link(link))]);
+        }
+    },
+    fill: |row, cells| {
+        for link in heavy(&row.calculation.linkage.mechanism) {
+            let (found, body) = (&row.calculation.linkage.mechanism.links[link], &row.position.bodies[link]);
+            let [x, y] = body.first(body.arm(found.center));
+            cells.all([found.mass * (x * x + y * y) + found.inertia * body.w1 * body.w1]);
         }
     },
 };
@@ -364,7 +384,7 @@ impl Calculation {
     }
 
     /// Whether all loads can be evaluated: groups that nothing wanted depends on are not solved.
-    fn knows_all_loads(&self) -> bool {
+    pub(crate) fn knows_all_loads(&self) -> bool {
         self.loads.is_some() && self.linkage.mechanism.output.is_none()
     }
 

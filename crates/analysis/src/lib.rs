@@ -8,6 +8,7 @@ mod blocks;
 mod calculation;
 mod checks;
 mod dynamics;
+mod energies;
 mod error;
 mod families;
 mod filler;

@@ -8,6 +8,7 @@ use assur_mechanism::{LinkId, PairId};
 
 use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
+mod energies;
 mod forces;
 mod jumps;
 mod watched;

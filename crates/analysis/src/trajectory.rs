@@ -76,6 +76,7 @@ impl Calculation {
             }
         }
         Angles::new(table.schema()).follow(&self.linkage, &mut table);
+        table.join(&self.energies());
         Ok((table, without))
     }
 }

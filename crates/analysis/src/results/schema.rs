@@ -20,12 +20,19 @@ pub enum Quantity {
     Velocity,
     /// Second derivative by time.
     Acceleration,
-    /// Moment of inertia (mass) of all moving links, reduced to the input.
+    /// Moment of inertia (mass) of all moving links, or of one, reduced to the input.
     ReducedInertia,
-    /// Its derivative with respect to the coordinate.
+    /// Derivative of the reduced inertia with respect to the coordinate.
     ReducedInertiaDerivative,
     /// Moment (force) of all loads, reduced to the input; no motor, no balancing load.
     ReducedMoment,
+    /// Work since the first sample of the drive and of all loads whose power is positive.
+    DrivingWork,
+    /// Work since the first sample of the drive and of all loads whose power is negative; itself negative, so that both works
+    /// together are the change of the kinetic energy.
+    ResistingWork,
+    /// Kinetic energy of the mechanism with flywheel and rotor.
+    KineticEnergy,
     /// Force that a pair exerts on a link, in the frame of the ground.
     Force,
     /// Moment of a slide on its sliding link about its point.
@@ -143,6 +150,8 @@ pub enum Base {
     Newton,
     /// N m
     NewtonMeter,
+    /// J
+    Joule,
 }
 
 /// SI unit of a column.
@@ -305,6 +314,7 @@ impl Schema {
             Quantity::ReducedInertiaDerivative => Unit { per_coordinate: 1, ..plain(inertia) },
             Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => plain(moment),
             Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => plain(Base::NewtonMeter),
+            Quantity::DrivingWork | Quantity::ResistingWork | Quantity::KineticEnergy => plain(Base::Joule),
             Quantity::Offset => plain(Base::Meter),
             Quantity::Balancing if self.balances_by_moment => plain(Base::NewtonMeter),
             Quantity::Balancing | Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => {

@@ -145,6 +145,10 @@ pub(crate) fn name(schema: &Schema, column: Column) -> Option<String> {
         (Q::Acceleration, Owner::Link(_)) => format!("{owner}_e"),
         (Q::Velocity, _) => format!("{owner}_v{part}"),
         (Q::Acceleration, _) => format!("{owner}_a{part}"),
+        (Q::DrivingWork, _) => "work_driving".to_owned(),
+        (Q::ResistingWork, _) => "work_resisting".to_owned(),
+        (Q::KineticEnergy, _) => "kinetic_energy".to_owned(),
+        (Q::ReducedInertia, Owner::Link(_)) => format!("{owner}_reduced_inertia"),
         (Q::ReducedInertia, _) => "reduced_inertia".to_owned(),
         (Q::ReducedInertiaDerivative, _) => "reduced_inertia_derivative".to_owned(),
         (Q::ReducedMoment, _) => "reduced_moment".to_owned(),
@@ -175,6 +179,7 @@ fn unit(schema: &Schema, column: Column) -> String {
         Base::KilogramMeter2 => "kgm2",
         Base::Newton => "N",
         Base::NewtonMeter => "Nm",
+        Base::Joule => "J",
     };
     let q = if schema.angular() { "rad" } else { "m" };
     let per = |of: &str, times: u8| match times {

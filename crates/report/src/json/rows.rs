@@ -9,11 +9,14 @@ use super::quoted;
 use crate::template::{Template, Templates};
 
 /// The keys of a row, in their order.
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 23] = [
     "time",
     "coordinate",
     "speed",
     "acceleration",
+    "work_driving",
+    "work_resisting",
+    "kinetic_energy",
     "links",
     "points",
     "slides",
@@ -76,6 +79,10 @@ pub(super) fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
         }
         (Q::Velocity, _) => of("velocities"),
         (Q::Acceleration, _) => of("accelerations"),
+        (Q::DrivingWork, _) => vec![key("work_driving")],
+        (Q::ResistingWork, _) => vec![key("work_resisting")],
+        (Q::KineticEnergy, _) => vec![key("kinetic_energy")],
+        (Q::ReducedInertia, Owner::Link(_)) => vec![key("reduced"), key("inertia_of_links"), name()],
         (Q::ReducedInertia, _) => vec![key("reduced"), key("inertia")],
         (Q::ReducedInertiaDerivative, _) => vec![key("reduced"), key("inertia_derivative")],
         (Q::ReducedMoment, _) => vec![key("reduced"), key("moment")],

@@ -5,7 +5,7 @@ use super::forces::{force, has_reactions, shown};
 use super::layout::{Column, Page};
 use super::motion::{each, modulus};
 use super::number::{short, single};
-use super::units::SECOND;
+use super::units::{JOULE, SECOND};
 use assur_analysis::results::{Column as Values, Event, Integration, Owner, Quantity, Table};
 
 /// Rows of the table; of more samples every so many are shown.
@@ -95,6 +95,15 @@ fn samples(source: &Source<'_>, page: &mut Page) {
         column("speed", units.rates[0], of(Quantity::Velocity)),
         column("acceleration", units.rates[1], of(Quantity::Acceleration)),
     ];
+    for (head, quantity) in [
+        ("driving work", Quantity::DrivingWork),
+        ("resisting work", Quantity::ResistingWork),
+        ("kinetic energy", Quantity::KineticEnergy),
+    ] {
+        if all.schema().find(of(quantity)).is_some() {
+            columns.push(column(head, JOULE, of(quantity)));
+        }
+    }
     let drive = all.schema().find(Values::BALANCING).filter(|column| all.has(*column));
     if source.mechanism.drive.is_some() && drive.is_some() {
         columns.push(column("drive", units.reduced[2], Values::BALANCING));

@@ -2,10 +2,12 @@
 
 use super::Source;
 use super::layout::{Column, Page};
+use super::motion::each;
 use super::number::{short, single};
 use super::units::Unit;
 use assur_analysis::results::{
-    Dynamics, FlywheelByMethod, Iteration, MotorReport, RegimePoint, RegimeReport, RunnerUp, Trial,
+    Column as Values, Dynamics, FlywheelByMethod, Iteration, MotorReport, Owner, Quantity, RegimePoint, RegimeReport,
+    RunnerUp, Table, Trial,
 };
 
 /// Rows of the table over a cycle, without the first.
@@ -66,12 +68,28 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
     ] {
         row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
     }
+    energies(&source.analysis.trajectory, page);
     let effort = &regime.effort;
     page.paragraph(&format!(
         "Found by shooting on collocation of order 15: {} cycles, {} panels a cycle, {} evaluations of the mechanism; the \
          equation of motion is missed between the nodes by {:.1e} of the kinetic energy",
         effort.cycles, effort.panels, effort.evaluations, effort.residual
     ));
+}
+
+/// Works over the cycle, and the range of the kinetic energy (E eq. 1).
+fn energies(cycle: &Table, page: &mut Page) {
+    let of = |quantity| each(cycle, Values::of(quantity, Owner::Input)).into_iter().flatten();
+    let last = |quantity| of(quantity).last();
+    if let (Some(driving), Some(resisting)) = (last(Quantity::DrivingWork), last(Quantity::ResistingWork)) {
+        row(page, "Work of driving loads over a cycle", &single(driving), "J");
+        row(page, "Work of resisting loads over a cycle", &single(resisting), "J");
+    }
+    let energy = || of(Quantity::KineticEnergy);
+    if let (Some(least), Some(most)) = (energy().reduce(f64::min), energy().reduce(f64::max)) {
+        let range = format!("{} to {}", single(least), single(most));
+        row(page, "Kinetic energy with flywheel and rotor", &range, "J");
+    }
 }
 
 fn iteration(source: &Source<'_>, regime: &RegimeReport, page: &mut Page) {

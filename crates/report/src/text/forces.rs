@@ -32,6 +32,13 @@ fn reduction(source: &Source<'_>, page: &mut Page) {
     ];
     let caption = "Inertia J, its derivative dJ/dq, and Q of all loads but the balancing one";
     page.table(caption, &keys, vec![columns]);
+    let owners = table.schema().owners(Quantity::ReducedInertia).into_iter();
+    let links = owners.filter(|owner| matches!(owner, Owner::Link(_)));
+    let share = |owner| column(source, table.schema().name(owner), units[0], Values::of(Quantity::ReducedInertia, owner));
+    let shares: Vec<_> = links.map(share).collect();
+    if shares.len() > 1 {
+        page.table("Shares of the links in J (E eq. 8); flywheel and rotor are not in J", &keys, vec![shares]);
+    }
     // E eqs. 4-6.
     let dynamics = source.analysis.dynamics.as_ref();
     let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };

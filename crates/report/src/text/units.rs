@@ -37,6 +37,8 @@ pub(super) const KILOGRAM: Unit = unit("kg", 1.0);
 pub(super) const SECOND: Unit = unit("s", 1.0);
 /// N m.
 pub(super) const MOMENT: Unit = unit("N·m", 1.0);
+/// J.
+pub(super) const JOULE: Unit = unit("J", 1.0);
 /// N.
 pub(super) const FORCE: Unit = unit("N", 1.0);
 /// mm.

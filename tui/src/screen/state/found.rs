@@ -269,6 +269,7 @@ fn unit(unit: Unit, angular: bool) -> String {
         Base::KilogramMeter2 => "kg m2",
         Base::Newton => "N",
         Base::NewtonMeter => "N m",
+        Base::Joule => "J",
     };
     let q = if angular { "rad" } else { "m" };
     let per = |of: &str, times: u8| match times {

@@ -1,0 +1,69 @@
+//! Works and energies of motions, against closed forms.
+
+use std::f64::consts::PI;
+
+use crate::results::{Analysis, Column, Owner, Quantity};
+
+use super::{analyzed, text};
+
+/// Driving work, resisting work and kinetic energy at the last sample.
+fn last(found: &Analysis) -> [f64; 3] {
+    let table = &found.trajectory;
+    [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::KineticEnergy]
+        .map(|quantity| table.get(table.len() - 1, Column::of(quantity, Owner::Input)).unwrap())
+}
+
+fn assert_energies(found: &Analysis, wanted: [f64; 3], tolerance: f64) {
+    let last = last(found);
+    for (found, wanted) in last.iter().zip(wanted) {
+        assert!((found - wanted).abs() <= tolerance * wanted.abs().max(1.0), "{last:?}: {found} {wanted}");
+    }
+}
+
+#[test]
+fn e1_drives_with_150_pi_and_resists_with_100_pi() {
+    assert_energies(&analyzed(&text("run-up")), [150.0 * PI, -100.0 * PI, 50.0 * PI], 1e-8);
+}
+
+#[test]
+fn d1_brakes_all_energy_away() {
+    assert_energies(&analyzed(&text("brake")), [0.0, -2000.0, 0.0], 1e-8);
+}
+
+/// A resistance that jumps from 5 to 15 N m in the middle of a sample, along a falling coordinate.
+#[test]
+fn a_jump_between_samples_is_seen() {
+    let scene = text("run-up")
+        .replace("value = -10", "value = { over = \"angle\", table = [[-100, 15], [-1.23456, 15], [-1.23456, 5], [0, 5]], repeat = false }")
+        .replace("value = { over = \"angle\", table = [[0, 30], [\"5 rev\", 0]], repeat = false }", "value = -30")
+        .replace("until = \"5 rev\"", "until = \"0.5 rev\"\nsamples = 7")
+        .replace("link = \"AB\"\n\n[motion]", "link = \"AB\"\ndirection = \"cw\"\n\n[motion]");
+    let resisting = -5.0 * 1.23456 - 15.0 * (PI - 1.23456);
+    assert_energies(&analyzed(&scene), [30.0 * PI, resisting, 30.0 * PI + resisting], 1e-8);
+}
+
+/// E example 2: the triangle of the engine has 40 pi J, the constant resistance takes them away.
+#[test]
+fn e2_takes_in_a_cycle_what_it_gives() {
+    let found = analyzed(&text("flywheel"));
+    let dynamics = found.dynamics.as_ref().unwrap();
+    let first = 0.5 * dynamics.flywheel.unwrap() * found.trajectory.get(0, SPEED).unwrap().powi(2);
+    assert_energies(&found, [40.0 * PI, -40.0 * PI, first], 1e-9);
+}
+
+const SPEED: Column = Column::of(Quantity::Velocity, Owner::Input);
+
+/// The shares of the links are the reduced inertia of all.
+#[test]
+fn shares_of_links_sum_to_the_reduced_inertia() {
+    let table = analyzed(&text("shaper-drive")).positions;
+    let of = |owner| Column::of(Quantity::ReducedInertia, owner);
+    let links = table.schema().owners(Quantity::ReducedInertia).into_iter();
+    let links: Vec<_> = links.filter(|owner| *owner != Owner::Input).collect();
+    assert!(links.len() > 3);
+    for row in 0..table.len() {
+        let sum: f64 = links.iter().map(|owner| table.get(row, of(*owner)).unwrap()).sum();
+        let whole = table.get(row, of(Owner::Input)).unwrap();
+        assert!((sum - whole).abs() <= 1e-14 * whole, "{row}: {sum} {whole}");
+    }
+}
