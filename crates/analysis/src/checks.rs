@@ -1,7 +1,7 @@
 //! The checks of the numbers.
 
 use assur_check::{Check, Chosen, Coverage, Residuals, Subject, methods, notable};
-use assur_dynamics::{Steady, Transient};
+use assur_dynamics::{Steady, Transient, section_margin};
 use assur_force::{Loads, Side, State, tolerance};
 use assur_group::Body;
 use assur_mechanism::{Motion, Solve, Torque};
@@ -160,7 +160,7 @@ impl Calculation {
             let miss = ((regime.mean_speed - mean_speed) / mean_speed).abs();
             rows.push(Check::of("mean speed", miss, 1e-9, "(max + min) / 2", "the search ends below 1e-10"));
         }
-        if let (Some(wanted_unevenness), true, false) =
+        if let (Some(Solve::Given(wanted_unevenness)), true, false) =
             (unevenness, wanted(drive.and_then(|drive| drive.flywheel)), regime.flywheel_needless)
         {
             let miss = ((regime.unevenness - wanted_unevenness) / wanted_unevenness).abs();
@@ -172,6 +172,13 @@ impl Calculation {
                 "the search ends below 1e-10 of the speed",
             ));
         }
+        rows.extend(found.motor.as_ref().filter(|_| unevenness == Some(Solve::Wanted)).map(|motor| {
+            let margin = section_margin(regime, &motor.motor.characteristic);
+            // Without a flywheel the motor may stay well inside.
+            let miss = if regime.flywheel_needless { (-margin).max(0.0) } else { margin.abs() };
+            let reason = "the least or the greatest speed of the motor against the end of its section, in parts of the section";
+            Check::of("unevenness of the motor", miss, 1e-8, "stable section of its characteristic", reason)
+        }));
         rows
     }
 }

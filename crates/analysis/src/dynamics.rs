@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use assur_dynamics::{ReductionPoint, Regime, Steady, SteadyMotor, Transient};
-use assur_mechanism::Motion;
+use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, SteadyMotor, Transient, advise};
+use assur_mechanism::{Motion, Solve};
 
 use crate::results::{
-    Dynamics, Energy, Integration, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
+    AdvisedRegime, Dynamics, Energy, Integration, MotorAdvice, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
 };
-use crate::{Calculation, InputMotion};
+use crate::{AnalysisError, Calculation, InputMotion};
 
 /// Intervals over a cycle at which the regime is reported.
 const INTERVALS: u32 = 144;
+/// Motors that are compared by the unevenness that they allow.
+const MOST_ADVICE: usize = 8;
 /// Points of the motor's curves.
 const CURVE: usize = 61;
 
@@ -41,9 +43,28 @@ impl Calculation {
             flywheel_by_method: methods.clone().map(|row| (Arc::from(row.method), row.flywheel)).collect(),
             flywheel_methods: methods.copied().collect(),
             flywheel_places: found.flywheel_sizes.clone(),
+            motors_by_unevenness: match self.linkage.mechanism.motion {
+                Some(Motion::Steady { unevenness: Some(Solve::Wanted), .. }) => {
+                    self.advice(MOST_ADVICE).map_or_else(|_| Vec::new(), |(motors, _)| motors)
+                }
+                _ => Vec::new(),
+            },
             regime: self.regime(found),
             reduction_point: self.reduction_point(),
         })
+    }
+
+    /// The motors that would do, the best first, at most `most`, each with the greatest unevenness that it allows; and how many
+    /// such motors there are.
+    ///
+    /// # Errors
+    ///
+    /// [`AnalysisError`]: the scene has no steady motion with a motor, or no motor fits.
+    pub fn advice(&self, most: usize) -> Result<(Vec<MotorAdvice>, usize), AnalysisError> {
+        let no_motion = DynamicsError::NoMotion { kind: "steady" };
+        let loads = self.loads.as_ref().ok_or(no_motion)?;
+        let (found, count) = advise(&self.linkage, loads, most)?;
+        Ok((found.iter().map(advised).collect(), count))
     }
 
     fn reduction_point(&self) -> Option<PointReport> {
@@ -102,6 +123,28 @@ fn regime_point(regime: &Regime, coordinate: f64) -> RegimePoint {
         load: at.load,
         inertia: at.inertia,
         inertia_derivative: at.inertia_derivative,
+    }
+}
+
+fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
+    let regime = found.as_ref().ok().and_then(|found| {
+        let greatest_torque = found.motor.as_ref()?.torque[1];
+        let breakdown = found.motor.as_ref()?.motor.characteristic.breakdown_torque;
+        Some(AdvisedRegime {
+            unevenness: found.regime.unevenness,
+            ratio: found.regime.ratio?,
+            flywheel: found.regime.flywheel,
+            greatest_torque,
+            torque_reserve: breakdown.map(|torque| torque / greatest_torque).filter(|ratio| ratio.is_finite()),
+        })
+    });
+    MotorAdvice {
+        designation: motor.designation.clone(),
+        catalogue: motor.catalogue.clone(),
+        power: motor.rated_power,
+        rated_speed: motor.rated_speed,
+        mass: motor.mass,
+        regime,
     }
 }
 

@@ -133,6 +133,22 @@ pub enum DynamicsError {
         /// Most on the stable branch, W.
         most: f64,
     },
+    /// The motor is off the stable section of its characteristic even at a constant speed.
+    #[error(
+        "the motor stays on the stable section of its characteristic, {low:.3} to {high:.3} rad/s, at no unevenness: at constant \
+         speed it turns with {speed:.3} rad/s; use `ratio = \"solve\"` or another motor"
+    )]
+    OffSection {
+        /// Its mean speed, rad/s.
+        speed: f64,
+        /// Speed of the breakdown torque, rad/s.
+        low: f64,
+        /// Synchronous speed, rad/s.
+        high: f64,
+    },
+    /// The drive has no motor.
+    #[error("the scene has no motor; give [drive] a `motor`, such as \"auto\"")]
+    NoMotor,
     /// The machine drives its drive: no motor is needed.
     #[error(
         "the loads do {work:.6e} J of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor"
@@ -173,6 +189,8 @@ impl DynamicsError {
             Self::NoCycle => Some(&["input"]),
             Self::SteadyOnly { .. } | Self::Stalled { .. } | Self::NotTuned { .. } => Some(&["drive"]),
             Self::TooWeak { .. }
+            | Self::OffSection { .. }
+            | Self::NoMotor
             | Self::NoLoad { .. }
             | Self::Rated(_)
             | Self::Lookup(_)

@@ -6,6 +6,7 @@
 //!
 //! Knows no scene file and no terminal. SI units; angles, speeds and moments counter-clockwise positive.
 
+mod advice;
 mod drive;
 mod error;
 mod instant;
@@ -17,8 +18,10 @@ mod steady;
 #[cfg(test)]
 mod tests;
 mod transient;
+mod unevenness;
 mod watched;
 
+pub use advice::{Advice, advise};
 pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
@@ -31,4 +34,5 @@ pub use steady::{
     TorqueRequest, Trial,
 };
 pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};
+pub use unevenness::section_margin;
 pub use watched::Watcher;

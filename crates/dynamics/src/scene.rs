@@ -7,6 +7,7 @@ use assur_motor::{FlywheelSize, flywheel_sizes};
 
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
+use crate::unevenness::greatest;
 use crate::watched::{Watched, Watcher};
 use crate::{DynamicsError, Machine};
 
@@ -37,7 +38,48 @@ pub fn steady(
     loads: &Loads,
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
-    let mechanism = &linkage.mechanism;
+    steady_of(linkage, loads, &linkage.mechanism, watcher)
+}
+
+/// The steady regime with the motion and the drive of `mechanism`, which is else that of the linkage.
+pub(crate) fn steady_of(
+    linkage: &Linkage,
+    loads: &Loads,
+    mechanism: &Mechanism,
+    watcher: Option<&mut Watcher<'_>>,
+) -> Result<Steady, DynamicsError> {
+    let (request, unevenness) = cycle_request(mechanism)?;
+    let mut motion = Watched { motion: &mut Machine::new(linkage, loads), watcher };
+    let mut solver = RegimeSolver::new(&mut motion, request)?;
+    let given = if let Some(Solve::Given(value)) = unevenness { Some(value) } else { None };
+    let (drive, motor) = drive_request(mechanism, &solver, given)?;
+    let regime = match &motor {
+        Some(motor) if unevenness == Some(Solve::Wanted) => {
+            greatest(&mut solver, &drive, &motor.characteristic)?
+        }
+        _ => solver.solve(&drive)?,
+    };
+    let efficiency = mechanism.drive.as_ref().map_or(1.0, |drive| drive.efficiency);
+    let motor = motor.map(|motor| SteadyMotor::new(motor, &regime, solver.greatest_resistance(), efficiency));
+    let flywheel_sizes = sizes(&regime, motor.is_some(), drive.flywheel_on_motor);
+    let (mean_resistance, resistance_work) = (solver.mean_resistance(), solver.resistance_work());
+    Ok(Steady { regime, motor, mean_resistance, resistance_work, flywheel_sizes })
+}
+
+/// The motor of a scene, looked up or chosen.
+pub(crate) fn chosen_motor(
+    linkage: &Linkage,
+    loads: &Loads,
+    mechanism: &Mechanism,
+) -> Result<DriveMotor, DynamicsError> {
+    let (request, _) = cycle_request(mechanism)?;
+    let mut machine = Machine::new(linkage, loads);
+    let solver = RegimeSolver::new(&mut machine, request)?;
+    drive_request(mechanism, &solver, None)?.1.ok_or(DynamicsError::NoMotor)
+}
+
+/// The cycle of a scene, and its unevenness.
+fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
     let Some(Motion::Steady { mean_speed, unevenness }) = mechanism.motion else {
         return Err(DynamicsError::NoMotion { kind: "steady" });
     };
@@ -47,15 +89,7 @@ pub fn steady(
         mean_speed,
         constant_inertia: constant_inertia(mechanism),
     };
-    let mut motion = Watched { motion: &mut Machine::new(linkage, loads), watcher };
-    let mut solver = RegimeSolver::new(&mut motion, request)?;
-    let (drive, motor) = drive_request(mechanism, &solver, unevenness)?;
-    let regime = solver.solve(&drive)?;
-    let efficiency = mechanism.drive.as_ref().map_or(1.0, |drive| drive.efficiency);
-    let motor = motor.map(|motor| SteadyMotor::new(motor, &regime, solver.greatest_resistance(), efficiency));
-    let flywheel_sizes = sizes(&regime, motor.is_some(), drive.flywheel_on_motor);
-    let (mean_resistance, resistance_work) = (solver.mean_resistance(), solver.resistance_work());
-    Ok(Steady { regime, motor, mean_resistance, resistance_work, flywheel_sizes })
+    Ok((request, unevenness))
 }
 
 /// The input link about its pin (a sliding one: its mass): the part of J(q) that never varies.

@@ -10,6 +10,7 @@ mod loads;
 mod settled;
 mod steady;
 mod transient;
+mod unevenness;
 mod unmet;
 mod wishes;
 

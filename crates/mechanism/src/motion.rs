@@ -1,5 +1,7 @@
 //! How the input moves.
 
+use crate::Solve;
+
 /// Motion of the input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
@@ -27,8 +29,9 @@ pub enum Motion {
     Steady {
         /// Mean speed (max + min) / 2 with its sign, rad/s or m/s.
         mean_speed: f64,
-        /// delta = (max - min) / mean; `None` where the flywheel is given.
-        unevenness: Option<f64>,
+        /// delta = (max - min) / mean; wanted: the greatest for which the motor stays on the stable section of its
+        /// characteristic; `None` where the flywheel is given.
+        unevenness: Option<Solve>,
     },
 }
 

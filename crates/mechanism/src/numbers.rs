@@ -113,7 +113,9 @@ fn in_motion(motion: &mut Motion, visit: &mut impl FnMut(&mut f64)) {
         }
         Motion::Steady { mean_speed, unevenness } => {
             visit(mean_speed);
-            unevenness.iter_mut().for_each(visit);
+            if let Some(Solve::Given(number)) = unevenness {
+                visit(number);
+            }
         }
     }
 }

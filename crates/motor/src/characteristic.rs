@@ -115,6 +115,14 @@ impl Characteristic {
         self.critical_slip().map(|sk| self.synchronous_speed * (1.0 - sk))
     }
 
+    /// The section on which the motor drives and runs stably, rad/s: from the speed of its greatest torque (of a straight line:
+    /// where the line reaches the breakdown torque, or without this value from the rated speed) to synchronous speed.
+    pub fn stable_section(&self) -> [f64; 2] {
+        let slip_of = |torque: f64| torque / self.rated_torque * self.slip(self.rated_speed);
+        let slip = self.critical_slip().unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
+        [self.synchronous_speed * (1.0 - slip), self.synchronous_speed]
+    }
+
     /// Torque at rest, N·m; `None` for a straight line, which does not hold there.
     pub fn starting_torque(&self) -> Option<f64> {
         self.kloss.map(|kloss| kloss.torque(1.0))

@@ -56,6 +56,7 @@ mod rated;
 mod selection;
 mod table;
 mod units;
+mod usual;
 mod warning;
 
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
@@ -72,6 +73,7 @@ pub use rated::RatedDataError;
 pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
 pub use units::{rad_per_s, rpm};
+pub use usual::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,
     starting_torque,

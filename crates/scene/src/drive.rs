@@ -29,7 +29,9 @@ const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("mo
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
-    let section = root.get("drive")?.section("the drive", KEYS)?;
+    let section = root.get("drive").and_then(|entry| entry.section("the drive", KEYS));
+    check_unevenness(root, section.as_ref(), motion);
+    let section = section?;
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
@@ -99,6 +101,21 @@ fn check_solved(section: &Section<'_>, motion: Option<&Motion>) {
     }
     if let (Some(Motion::Steady { unevenness: None, .. }), Some(entry)) = (motion, wanted("flywheel")) {
         entry.fault("`flywheel = \"solve\"` needs `unevenness` in [motion]", "such as unevenness = 0.05");
+    }
+}
+
+/// Checks what `unevenness = "motor"` requires of the drive.
+fn check_unevenness(root: &Section<'_>, drive: Option<&Section<'_>>, motion: Option<&Motion>) {
+    if !matches!(motion, Some(Motion::Steady { unevenness: Some(Solve::Wanted), .. })) {
+        return;
+    }
+    let finds_flywheel =
+        |drive: &&Section<'_>| drive.get("flywheel").is_some_and(|entry| entry.value.as_str() == Some("solve"));
+    if drive.filter(finds_flywheel).is_none_or(|drive| drive.get("motor").is_none())
+        && let Some(entry) = root.get("motion")
+    {
+        let message = "`unevenness = \"motor\"` needs a [drive] with a motor and `flywheel = \"solve\"`";
+        root.faults.push(Fault::new(entry.key, message));
     }
 }
 

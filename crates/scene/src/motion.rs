@@ -1,6 +1,6 @@
 //! `[motion]`: how the input moves.
 
-use assur_mechanism::{Motion, Until};
+use assur_mechanism::{Motion, Solve, Until};
 
 use crate::context::Context;
 use crate::numbers::Bound;
@@ -146,6 +146,9 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         section.faults.push(fault.label("give the input a `cycle`"));
     }
     let unevenness = section.get("unevenness").and_then(|entry| {
+        if entry.value.as_str() == Some("motor") {
+            return Some(Solve::Wanted);
+        }
         let value = entry.bounded(Dimension::Number, Bound::Positive)?;
         if value >= 2.0 {
             entry.fault(
@@ -153,7 +156,7 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
                 "such as 0.05",
             );
         }
-        Some(value)
+        Some(Solve::Given(value))
     });
     let entry = section.need("mean_speed")?;
     let mean = entry.bounded(context.speed(), Bound::Positive)?;

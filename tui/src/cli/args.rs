@@ -132,6 +132,9 @@ pub(crate) struct MotorArgs {
     /// Number of poles
     #[arg(long, value_name = "N")]
     pub(crate) poles: Option<u32>,
+    /// Compare the motors that suit this scene by the unevenness that each allows
+    #[arg(long, value_name = "SCENE", conflicts_with_all = ["catalogue", "min_power", "max_power", "poles", "designation"])]
+    pub(crate) advise: Option<PathBuf>,
     /// Only designations that contain this
     pub(crate) designation: Option<String>,
 }

@@ -1,13 +1,17 @@
 //! `assur plugins` and `assur motors`.
 
+use std::path::Path;
+
+use assur_analysis::{Calculation, Options};
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
 use assur_report::text::columns;
 use assur_scene::{Dimension, quantity};
 
 use super::args::MotorArgs;
 use super::fault::{Fault, Status};
-use super::output;
 use super::style::Style;
+use super::{output, scene};
+use crate::progress::ProgressLine;
 
 /// Every registered plugin: kind, name, crate, one line.
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
@@ -33,6 +37,9 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
 
 /// Rows of the motor catalogues.
 pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
+    if let Some(scene) = &args.advise {
+        return advise(scene, style);
+    }
     let filter = MotorFilter {
         catalogue: args.catalogue.clone(),
         min_power: args.min_power.as_deref().map(power).transpose()?,
@@ -49,6 +56,18 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     if motors.is_empty() {
         style.tell("no motor fits");
     }
+    Ok(Status::Done)
+}
+
+/// The motors that suit a scene.
+fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
+    /// Most motors that are compared.
+    const MOST: usize = 20;
+    let mechanism = scene::read(path, style)?;
+    let study = Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new().watch())
+        .map_err(|error| scene::fault(path, &error, style))?;
+    let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error, style))?;
+    output::print(&assur_report::text::advice(&motors, count, style.ascii))?;
     Ok(Status::Done)
 }
 

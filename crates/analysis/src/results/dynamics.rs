@@ -49,6 +49,9 @@ pub struct Dynamics {
     /// The flywheel on each of the two shafts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flywheel_places: Vec<FlywheelSize>,
+    /// Where the unevenness follows from the motor: the motors that would do, with the greatest unevenness of each.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub motors_by_unevenness: Vec<MotorAdvice>,
     /// The regime over the cycle.
     pub regime: RegimeReport,
     /// The point of the input link to which loads and masses are reduced, too.
@@ -164,6 +167,41 @@ pub struct MotorWork {
     pub curve: Vec<[f64; 2]>,
     /// The working section: speed, torque.
     pub working_section: Vec<[f64; 2]>,
+}
+
+/// A motor that would do, with the greatest unevenness for which it stays on the stable section of its characteristic.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MotorAdvice {
+    /// Designation.
+    pub designation: String,
+    /// Catalogue.
+    pub catalogue: String,
+    /// Rated power, W.
+    pub power: f64,
+    /// Rated speed, rad/s.
+    pub rated_speed: f64,
+    /// Mass, kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
+    /// The greatest unevenness and what goes with it; absent if the motor has no regime.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub regime: Option<AdvisedRegime>,
+}
+
+/// The regime of the greatest unevenness that a motor allows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AdvisedRegime {
+    /// (max - min) / mean of the input speed.
+    pub unevenness: f64,
+    /// Motor speed / input speed.
+    pub ratio: f64,
+    /// Moment of inertia of the flywheel for it, kg m²; 0 where none is needed.
+    pub flywheel: f64,
+    /// Greatest torque of the motor over the cycle, N m.
+    pub greatest_torque: f64,
+    /// Breakdown torque over this greatest torque, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_reserve: Option<f64>,
 }
 
 /// Another suitable motor.

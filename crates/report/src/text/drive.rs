@@ -168,6 +168,10 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
     if found.regime.shaft_inertia > 0.0 {
         row(page, "Flywheel and rotor, reduced to the input", &single(found.regime.shaft_inertia), unit);
     }
+    if !found.motors_by_unevenness.is_empty() {
+        row(page, "Greatest unevenness for which the motor stays on its stable section", &single(found.unevenness), "");
+        super::advice::write(&found.motors_by_unevenness, page);
+    }
     if let Some(flywheel) = found.flywheel {
         row(page, "Flywheel, on its own shaft, without the rotor", &single(flywheel), "kg·m²");
     }

@@ -71,7 +71,7 @@ fn input_motion_and_force_of_the_shaper() {
 #[test]
 fn drive_of_the_shaper() {
     let scene = fixture("shaper-drive.toml");
-    assert_eq!(scene.motion, Some(Motion::Steady { mean_speed: TAU, unevenness: Some(0.05) }));
+    assert_eq!(scene.motion, Some(Motion::Steady { mean_speed: TAU, unevenness: Some(Solve::Given(0.05)) }));
     let drive = scene.drive.unwrap();
     assert_eq!((drive.ratio, drive.efficiency), (Solve::Wanted, 0.95));
     assert_eq!((drive.flywheel, drive.flywheel_on), (Some(Solve::Wanted), FlywheelPlace::Crank));
