@@ -6,7 +6,8 @@ use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, Stea
 use assur_mechanism::{Motion, Solve};
 
 use crate::results::{
-    AdvisedRegime, Dynamics, Energy, Integration, MotorAdvice, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
+    AdvisedRegime, Dynamics, Energy, Integration, MotorAdvice, MotorReport, MotorWork, PointReport,
+    RegimePoint, RegimeReport, RunnerUp,
 };
 use crate::{AnalysisError, Calculation, InputMotion};
 
@@ -135,7 +136,9 @@ fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
             ratio: found.regime.ratio?,
             flywheel: found.regime.flywheel,
             greatest_torque,
-            torque_reserve: breakdown.map(|torque| torque / greatest_torque).filter(|ratio| ratio.is_finite()),
+            torque_reserve: breakdown
+                .map(|torque| torque / greatest_torque)
+                .filter(|ratio| ratio.is_finite()),
         })
     });
     MotorAdvice {

@@ -93,7 +93,12 @@ impl Calculation {
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.
-    fn over_coordinate(&self, loads: &Loads, found: &Steady, [from, to]: [f64; 2]) -> Option<(Works, [f64; 2])> {
+    fn over_coordinate(
+        &self,
+        loads: &Loads,
+        found: &Steady,
+        [from, to]: [f64; 2],
+    ) -> Option<(Works, [f64; 2])> {
         let sense = (to - from).signum();
         let mut position = self.linkage.position();
         let mut moments = |coordinate: f64, side| {
@@ -201,7 +206,8 @@ fn split(loads: &Loads, state: &State, bodies: &[Body<f64>], torque: f64, direct
             None => moments.push((Some(cause), moment)),
         }
     });
-    let sum = |sense: f64| moments.iter().map(|(_, moment)| moment).filter(|moment| *moment * sense > 0.0).sum();
+    let sum =
+        |sense: f64| moments.iter().map(|(_, moment)| moment).filter(|moment| *moment * sense > 0.0).sum();
     [sum(direction), sum(-direction)]
 }
 

@@ -43,7 +43,8 @@ fn set_motor(mechanism: &mut Mechanism, new: Asked, from: Option<String>) {
     if let Some(Motion::Steady { unevenness, .. }) = &mut mechanism.motion {
         *unevenness = Some(Solve::Wanted);
     }
-    let Some(Drive { torque: Torque::Motor { motor, catalogue, .. }, flywheel, ratio, .. }) = &mut mechanism.drive
+    let Some(Drive { torque: Torque::Motor { motor, catalogue, .. }, flywheel, ratio, .. }) =
+        &mut mechanism.drive
     else {
         return;
     };

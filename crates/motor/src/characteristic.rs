@@ -119,7 +119,9 @@ impl Characteristic {
     /// where the line reaches the breakdown torque, or without this value from the rated speed) to synchronous speed.
     pub fn stable_section(&self) -> [f64; 2] {
         let slip_of = |torque: f64| torque / self.rated_torque * self.slip(self.rated_speed);
-        let slip = self.critical_slip().unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
+        let slip = self
+            .critical_slip()
+            .unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
         [self.synchronous_speed * (1.0 - slip), self.synchronous_speed]
     }
 

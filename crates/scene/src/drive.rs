@@ -109,8 +109,9 @@ fn check_unevenness(root: &Section<'_>, drive: Option<&Section<'_>>, motion: Opt
     if !matches!(motion, Some(Motion::Steady { unevenness: Some(Solve::Wanted), .. })) {
         return;
     }
-    let finds_flywheel =
-        |drive: &&Section<'_>| drive.get("flywheel").is_some_and(|entry| entry.value.as_str() == Some("solve"));
+    let finds_flywheel = |drive: &&Section<'_>| {
+        drive.get("flywheel").is_some_and(|entry| entry.value.as_str() == Some("solve"))
+    };
     if drive.filter(finds_flywheel).is_none_or(|drive| drive.get("motor").is_none())
         && let Some(entry) = root.get("motion")
     {

@@ -40,7 +40,11 @@ fn the_section_of_a_straight_line_ends_at_the_breakdown_torque() {
     let found = solved("\"motor\"", "linear").unwrap();
     let characteristic = found.motor.unwrap().motor.characteristic;
     let [low, high] = characteristic.stable_section();
-    assert_relative_eq!(characteristic.torque(low), characteristic.breakdown_torque.unwrap(), max_relative = 1e-12);
+    assert_relative_eq!(
+        characteristic.torque(low),
+        characteristic.breakdown_torque.unwrap(),
+        max_relative = 1e-12
+    );
     assert!(characteristic.torque(high).abs() < 1e-12);
 }
 

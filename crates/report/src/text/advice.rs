@@ -9,7 +9,10 @@ use super::number::{short, single};
 /// The motors that suit a scene, the best first, out of `count`; `ascii`: no character beyond ASCII.
 pub fn advice(motors: &[MotorAdvice], count: usize, ascii: bool) -> String {
     let mut page = Page::new(ascii);
-    page.paragraph(&format!("The first {} of {count} motors that have the power and keep the limit of speed", motors.len()));
+    page.paragraph(&format!(
+        "The first {} of {count} motors that have the power and keep the limit of speed",
+        motors.len()
+    ));
     write(motors, &mut page);
     page.finish()
 }
@@ -33,7 +36,8 @@ pub(super) fn write(motors: &[MotorAdvice], page: &mut Page) {
             optional(motor.mass),
         ]
     };
-    let head = ["motor", "catalogue", "kW", "rpm", "unevenness", "ratio", "flywheel, kg·m²", "reserve", "mass, kg"];
+    let head =
+        ["motor", "catalogue", "kW", "rpm", "unevenness", "ratio", "flywheel, kg·m²", "reserve", "mass, kg"];
     page.caption(
         "Greatest unevenness for which each motor stays on the stable section of its characteristic, with the flywheel for it; \
          reserve: breakdown torque over the greatest torque of the cycle",

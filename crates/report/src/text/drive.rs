@@ -6,8 +6,8 @@ use super::motion::each;
 use super::number::{short, single};
 use super::units::Unit;
 use assur_analysis::results::{
-    Column as Values, Dynamics, FlywheelByMethod, Iteration, MotorReport, Owner, Quantity, RegimePoint, RegimeReport,
-    RunnerUp, Table, Trial,
+    Column as Values, Dynamics, FlywheelByMethod, Iteration, MotorReport, Owner, Quantity, RegimePoint,
+    RegimeReport, RunnerUp, Table, Trial,
 };
 
 /// Rows of the table over a cycle, without the first.
@@ -169,7 +169,12 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
         row(page, "Flywheel and rotor, reduced to the input", &single(found.regime.shaft_inertia), unit);
     }
     if !found.motors_by_unevenness.is_empty() {
-        row(page, "Greatest unevenness for which the motor stays on its stable section", &single(found.unevenness), "");
+        row(
+            page,
+            "Greatest unevenness for which the motor stays on its stable section",
+            &single(found.unevenness),
+            "",
+        );
         super::advice::write(&found.motors_by_unevenness, page);
     }
     if let Some(flywheel) = found.flywheel {

@@ -34,10 +34,16 @@ fn reduction(source: &Source<'_>, page: &mut Page) {
     page.table(caption, &keys, vec![columns]);
     let owners = table.schema().owners(Quantity::ReducedInertia).into_iter();
     let links = owners.filter(|owner| matches!(owner, Owner::Link(_)));
-    let share = |owner| column(source, table.schema().name(owner), units[0], Values::of(Quantity::ReducedInertia, owner));
+    let share = |owner| {
+        column(source, table.schema().name(owner), units[0], Values::of(Quantity::ReducedInertia, owner))
+    };
     let shares: Vec<_> = links.map(share).collect();
     if shares.len() > 1 {
-        page.table("Shares of the links in J (E eq. 8); flywheel and rotor are not in J", &keys, vec![shares]);
+        page.table(
+            "Shares of the links in J (E eq. 8); flywheel and rotor are not in J",
+            &keys,
+            vec![shares],
+        );
     }
     // E eqs. 4-6.
     let dynamics = source.analysis.dynamics.as_ref();

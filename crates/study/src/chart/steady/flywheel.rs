@@ -17,7 +17,8 @@ const SAMPLES: usize = 4000;
 /// All methods; `None` if no flywheel is to be found.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
     let drive = cycle.linkage.mechanism.drive.as_ref()?;
-    let Some(Asked::Steady { unevenness: Some(Solve::Given(wanted)), .. }) = cycle.linkage.mechanism.motion else {
+    let Some(Asked::Steady { unevenness: Some(Solve::Given(wanted)), .. }) = cycle.linkage.mechanism.motion
+    else {
         return None;
     };
     if drive.flywheel != Some(Solve::Wanted) || cycle.regime.flywheel <= 0.0 {
