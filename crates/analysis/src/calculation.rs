@@ -1,5 +1,7 @@
 //! A mechanism with its plan, compiled.
 
+use std::sync::OnceLock;
+
 use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
@@ -38,6 +40,8 @@ pub struct Calculation {
     pub no_motion: Option<AnalysisError>,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<String>,
+    /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
+    pub(crate) notable: OnceLock<[Vec<usize>; 2]>,
 }
 
 impl Calculation {
@@ -77,7 +81,7 @@ impl Calculation {
             Err(error) => return Err(error),
         };
         let unused = crate::notes::unused(&linkage.mechanism, options);
-        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused })
+        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused, notable: OnceLock::new() })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.

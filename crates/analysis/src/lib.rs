@@ -20,7 +20,6 @@ mod plans;
 mod positions;
 mod progress;
 mod proof;
-mod reader;
 mod residuals;
 pub mod results;
 mod structure;

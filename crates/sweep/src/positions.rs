@@ -1,7 +1,7 @@
 //! The positions of one point of a sweep, eight at once.
 
 use assur_analysis::Calculation;
-use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics, Reactions, State, applicable};
+use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
 use assur_group::plane::{dot, minus, vector};
 use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
@@ -149,8 +149,8 @@ impl<'a, 'w> Positions<'a, 'w> {
         for (lane, _) in &failures {
             valid[*lane] = false;
         }
-        let (reactions, found) = (&forces.reactions, &mut self.worker.found);
-        let numbers = block.numbers();
+        let found = &mut self.worker.found;
+        let (reactions, numbers) = (&forces.reactions, block.numbers());
         found.balancing.add(valid, numbers, reactions.balancing);
         found.load.add(valid, numbers, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
@@ -162,29 +162,15 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         failures.retain(|(lane, error)| {
             let change_point = matches!(error, ForceError::ChangePoint { .. });
-            if change_point {
-                self.balancing_alone(block, *lane, &states[*lane]);
+            let state = &states[*lane];
+            let alone = change_point.then(|| forces.balancing_alone(*lane, state, &self.position)).flatten();
+            if let Some(balancing) = alone {
+                found.balancing.add_one(*lane, numbers.0[*lane], balancing);
+                found.load.add_one(*lane, numbers.0[*lane], balancing.abs());
             }
             !change_point
         });
         failures
-    }
-
-    /// Adds the balancing load at a change point, where the reactions are not determined but the powers of the loads are:
-    /// by a method that finds it without reactions, where there is one.
-    fn balancing_alone(&mut self, block: &Block, lane: usize, state: &State) {
-        let Calculation { linkage, loads: Some(loads), .. } = self.calculation else { return };
-        let Some(method) = applicable(linkage).into_iter().find(|plugin| !plugin.gives_reactions) else {
-            return;
-        };
-        self.position.copy_lane(lane, &mut self.single);
-        let mut wrenches = loads.total(state, &self.single.bodies);
-        let mut alone = Reactions::new(linkage);
-        if method.instance.solve(linkage, &self.single, &mut wrenches, &mut alone).is_ok() {
-            let (found, number) = (&mut self.worker.found, block.numbers().0[lane]);
-            found.balancing.add_one(lane, number, alone.balancing);
-            found.load.add_one(lane, number, alone.balancing.abs());
-        }
     }
 }
 
