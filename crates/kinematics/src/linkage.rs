@@ -23,7 +23,7 @@ pub struct Linkage {
     /// The compiled chain.
     pub chain: Chain<f64>,
     /// The compiled chain for eight positions at once.
-    pub(crate) lane_chain: Chain<Lanes>,
+    pub lane_chain: Chain<Lanes>,
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
