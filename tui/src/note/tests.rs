@@ -7,7 +7,7 @@ use assur_scene::Note;
 
 use super::words::Words;
 use crate::number::digits;
-use crate::screen::still::analyzed;
+use crate::screen::still::{analyzed, open};
 
 fn note(language: &'static str) -> Note {
     let text = |text: &str| Some(text.to_owned());
@@ -16,7 +16,7 @@ fn note(language: &'static str) -> Note {
 
 fn of(scene: &str, language: &'static str) -> String {
     let path = assur_fixtures::path(&format!("{scene}.toml"));
-    let mut state = analyzed(path, [None, None], true).unwrap();
+    let mut state = analyzed(open(path).unwrap(), [None, None], true);
     super::write(&mut state, &note(language)).unwrap()
 }
 
@@ -49,7 +49,7 @@ fn a_phrase_of_a_figure_is_translated_whole_and_names_are_not() {
 #[test]
 fn the_numbers_of_the_note_are_those_of_the_results() {
     let path = assur_fixtures::path("shaper-drive.toml");
-    let mut state = analyzed(path, [None, None], true).unwrap();
+    let mut state = analyzed(open(path).unwrap(), [None, None], true);
     let html = super::write(&mut state, &note("en")).unwrap();
     let found = state.found().unwrap();
     let dynamics = found.analysis.dynamics.as_ref().unwrap();
