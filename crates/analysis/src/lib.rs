@@ -26,7 +26,7 @@ mod structure;
 mod trajectory;
 
 pub use assur_check::Coverage;
-pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, methods};
+pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};
 pub use positions::{MOST_FAILURES, MOST_KEPT};
