@@ -115,9 +115,11 @@ impl Calculation {
             _ => 0.0,
         };
         if found.energy.conservative {
-            let reason = "a hundred times the tolerance of the integration, whose errors add up over the motion, and what the rounding \
+            let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
                  of the coordinate makes of the potential energy";
-            let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding;
+            // The energy goes with the square of the speed.
+            let steps = 4.0 * found.error_of_fixed_steps();
+            let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding + steps;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
         let Some(Ok(machine)) =

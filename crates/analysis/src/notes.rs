@@ -4,6 +4,7 @@ mod assembly;
 mod loads;
 mod springs;
 
+use assur_integrator::Knob;
 use assur_mechanism::{Mechanism, Motion};
 
 use crate::trajectory::WithoutForces;
@@ -141,6 +142,19 @@ pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<String> {
             "the scene asks for no motion from an initial state"
         };
         notes.push(format!("Integrator `{name}` is not used: {why}."));
+    }
+    if let Some(Motion::Transient { step: Some(_), integrator, .. }) = &mechanism.motion {
+        let named = options.integrator.as_deref().unwrap_or(integrator);
+        let all = assur_integrator::integrators().unwrap_or_default();
+        let fixed: Vec<_> =
+            all.iter().filter(|plugin| plugin.knob == Knob::Step).map(|plugin| plugin.name).collect();
+        if !fixed.contains(&named) {
+            notes.push(format!(
+                "`step` of [motion] is not used: integrator `{named}` chooses its steps by the tolerance; methods with a fixed \
+                 step: {}.",
+                fixed.join(", ")
+            ));
+        }
     }
     notes
 }

@@ -28,7 +28,8 @@ impl Calculation {
             let finer = Request { samples, until, ..asked };
             let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
             let balance = Balance::of(&mut motion, &trajectory)?;
-            let own = 2.0 * asked.tolerance * (trajectory.statistics.steps + 1) as f64;
+            let own = 2.0
+                * (asked.tolerance * (trajectory.statistics.steps + 1) as f64 + found.error_of_fixed_steps());
             worst = balance.worst(own);
             let (residual, limit) = worst;
             // The error of the quadrature is no greater than that of the motion.
@@ -40,7 +41,7 @@ impl Calculation {
         let (residual, limit) = worst;
         let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
                       energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
-                      from the change of the power), the rounding of coordinate and speed, and the tolerance of every step";
+                      from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or the error of fixed steps";
         Some(Check::of("work and kinetic energy", residual, limit, "input link", reason))
     }
 

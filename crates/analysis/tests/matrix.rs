@@ -76,6 +76,7 @@ fn set_motion(mechanism: &mut Mechanism, kind: &str) {
                 samples: fewer(mechanism, SAMPLES),
                 integrator,
                 tolerance: 1e-9,
+                step: None,
             })
         }
         "steady" => {

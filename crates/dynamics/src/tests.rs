@@ -9,6 +9,7 @@ mod energy;
 mod loads;
 mod settled;
 mod steady;
+mod steps;
 mod transient;
 mod unevenness;
 mod unmet;

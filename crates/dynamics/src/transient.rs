@@ -2,10 +2,13 @@
 
 use assur_force::Loads;
 use assur_integrator::{
-    Dependence, Equation, IntegrationError, Motion, Request, Solution, State, Trajectory, Until, enter,
+    Dependence, Equation, FixedStep, IntegrationError, Knob, Motion, Request, Solution, State, Trajectory,
+    Until, enter,
 };
 use assur_kinematics::Linkage;
-use assur_mechanism::{FlywheelPlace, Mechanism, Motion as Asked, Solve, Torque, Until as AskedUntil};
+use assur_mechanism::{
+    FlywheelPlace, Mechanism, Motion as Asked, Solve, StepLength, Torque, Until as AskedUntil,
+};
 
 use crate::drive::{Driven, InputDrive, Source};
 use crate::instant::Instant;
@@ -30,6 +33,15 @@ pub struct Transient {
     pub energy: EnergyBalance,
     /// Why there is no rest for good, if it was requested and the motion ends at its first turning point instead.
     pub unrest: Option<String>,
+}
+
+impl Transient {
+    /// The measured error of a method with fixed steps, which keep no tolerance; 0 for other methods.
+    pub fn error_of_fixed_steps(&self) -> f64 {
+        let has_fixed_steps =
+            assur_integrator::find(self.integrator).is_ok_and(|method| method.knob == Knob::Step);
+        self.trajectory.statistics.error.filter(|_| has_fixed_steps).unwrap_or(0.0)
+    }
 }
 
 /// The method of a transient motion, where it differs from the scene's.
@@ -129,9 +141,13 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 ///
 /// [`DynamicsError::NoMotion`]; from rest, the first position may fail.
 pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
-    let Some(Asked::Transient { speed, until, samples, tolerance, .. }) = &mechanism.motion else {
+    let Some(Asked::Transient { speed, until, samples, tolerance, step, .. }) = &mechanism.motion else {
         return Err(DynamicsError::NoMotion { kind: "transient" });
     };
+    let fixed_step = step.map(|step| match step {
+        StepLength::Time(step) => FixedStep::Time(step),
+        StepLength::Way(step) => FixedStep::Coordinate(step),
+    });
     let initial = State { time: 0.0, coordinate: mechanism.input.from, speed: *speed };
     let until = match until {
         AskedUntil::Time(end) => Until::Time(*end),
@@ -141,7 +157,7 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
             Until::Coordinate(initial.coordinate + heading(&initial, mechanism, motion)? * way)
         }
     };
-    Ok(Request { samples: *samples, tolerance: *tolerance, ..Request::new(initial, until) })
+    Ok(Request { samples: *samples, tolerance: *tolerance, fixed_step, ..Request::new(initial, until) })
 }
 
 /// The direction in which the motion begins: that of the speed; from rest, that of the moments; else the input's.

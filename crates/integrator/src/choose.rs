@@ -2,7 +2,9 @@
 
 use crate::accuracy;
 use crate::error::SUSPICIOUS;
-use crate::{Dependence, IntegrationError, IntegratorPlugin, Motion, Request, Trajectory, find, integrators};
+use crate::{
+    Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, find, integrators,
+};
 
 /// The name that leaves the choice of the method to the program.
 pub const AUTO: &str = "auto";
@@ -44,7 +46,18 @@ pub struct Solution {
 ///
 /// Those of [`choose`] and [`Choice::solve`].
 pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
-    choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)
+    let mut found = choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)?;
+    if found.integrator.knob == Knob::Step {
+        found.trajectory.statistics.error = error_of_steps(&found, motion, request);
+    }
+    Ok(found)
+}
+
+/// The deviation of a motion by fixed steps from that by the method that [`AUTO`] stands for; `None` where that fails, or
+/// has fixed steps as well.
+fn error_of_steps(found: &Solution, motion: &mut dyn Motion, request: &Request) -> Option<f64> {
+    let adaptive = choose(AUTO, &motion.dependence(), request.tolerance).ok()?.solve(motion, request).ok()?;
+    (adaptive.integrator.knob != Knob::Step).then(|| adaptive.trajectory.deviation(&found.trajectory))
 }
 
 /// The method of that name; for [`AUTO`] all that can treat the equation, the cheapest first.

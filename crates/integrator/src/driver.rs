@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run, Scale,
-    State, Step, Stepper, Trajectory, first_step,
+    Attempt, Dense, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
+    Scale, State, Step, Stepper, Trajectory, first_step,
 };
 
 mod events;
@@ -163,6 +163,9 @@ impl<'a, S: Stepper> Drive<'a, S> {
     fn plan(&mut self) -> Result<Plan, IntegrationError> {
         if let Some((h, side)) = self.redo.take() {
             return Ok(Plan { h, time: None, bound: Some(side) });
+        }
+        if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (self.pace, self.run.request.fixed_step) {
+            self.step = first_step::fixed(self.run.request, &self.run.node);
         }
         let mut plan = Plan { h: self.step, time: None, bound: None };
         let margin = if S::PARABOLIC { 1.0 } else { OVERSHOOT };

@@ -1,6 +1,6 @@
 //! The first step, and the fixed step where the user gives none.
 
-use crate::{Equation, Node, Request, Until};
+use crate::{Equation, FixedStep, Node, Request, Until};
 
 /// Number of steps of a motion at a fixed step, where the request gives no step.
 const FIXED_STEPS: f64 = 1000.0;
@@ -15,8 +15,10 @@ fn time_for(distance: f64, node: &Node) -> f64 {
 /// The fixed step: the requested one, else a thousandth of the duration; for an end by coordinate or rest, of the
 /// duration of uniformly accelerated motion.
 pub(crate) fn fixed(request: &Request, node: &Node) -> f64 {
-    if let Some(step) = request.fixed_step {
-        return step;
+    match request.fixed_step {
+        Some(FixedStep::Time(step)) => return step,
+        Some(FixedStep::Coordinate(way)) => return time_for(way, node),
+        None => {}
     }
     let start = node.state.time;
     let duration = match request.until {

@@ -17,6 +17,15 @@ pub enum Until {
     Rest,
 }
 
+/// Length of the steps of a method with a fixed step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FixedStep {
+    /// In time, s.
+    Time(f64),
+    /// In the coordinate, rad or m: each step takes the time in which uniformly accelerated motion covers it.
+    Coordinate(f64),
+}
+
 /// What is requested: initial state, end, accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
@@ -30,8 +39,8 @@ pub struct Request {
     pub tolerance: f64,
     /// Most steps, accepted and rejected.
     pub max_steps: usize,
-    /// Step of `uniform` and `rk4`, s. `None`: a thousandth of the (estimated) duration.
-    pub fixed_step: Option<f64>,
+    /// Step of the methods with a fixed step. `None`: a thousandth of the (estimated) duration.
+    pub fixed_step: Option<FixedStep>,
     /// Latest time, s, for an end by coordinate or rest: if it is reached first, the result is an error. May be
     /// infinite.
     pub time_limit: f64,
@@ -73,8 +82,10 @@ impl Request {
         if self.samples == 0 || self.max_steps == 0 {
             return refuse("samples and max_steps must be at least 1".to_owned());
         }
-        if let Some(step) = self.fixed_step.filter(|step| !(*step > 0.0 && step.is_finite())) {
-            return refuse(format!("fixed step {step:e} s: must be positive"));
+        if let Some(FixedStep::Time(step) | FixedStep::Coordinate(step)) = self.fixed_step
+            && !(step > 0.0 && step.is_finite())
+        {
+            return refuse(format!("fixed step {step:e}: must be positive"));
         }
         match self.until {
             Until::Time(end) if !(end > time && end.is_finite()) => {
@@ -195,8 +206,8 @@ pub struct Statistics {
     /// above, stiffness limits the steps of an explicit method.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
-    /// Estimated error of the motion: [`Trajectory::deviation`] from a run at a tenth of the tolerance. `None` for a
-    /// method without discretization error in time, for a fixed step, and if the finer run failed. If it is far above
+    /// Estimated error of the motion: [`Trajectory::deviation`] from a run at a tenth of the tolerance. `For a method with a fixed step: from the motion by a method that controls its
+    /// error. `None` for a method without discretization error in time, and if the other run failed. If it is far above
     /// the tolerance, the motion is too sensitive for it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,

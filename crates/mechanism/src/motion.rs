@@ -24,6 +24,8 @@ pub enum Motion {
         integrator: String,
         /// Relative tolerance.
         tolerance: f64,
+        /// Length of the steps, for a method with a fixed step; `None`: the method's own.
+        step: Option<StepLength>,
     },
     /// The periodic regime.
     Steady {
@@ -48,6 +50,15 @@ pub fn passage(way: f64, speed: f64, acceleration: f64) -> Option<f64> {
     let leads = if speed == 0.0 { acceleration } else { speed };
     let sum = speed + square.sqrt().copysign(leads);
     (square >= 0.0 && sum != 0.0).then(|| 2.0 * way / sum)
+}
+
+/// Length of the steps of a method with a fixed step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepLength {
+    /// s.
+    Time(f64),
+    /// Displacement of the coordinate, rad or m.
+    Way(f64),
 }
 
 /// End of a transient motion.

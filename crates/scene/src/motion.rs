@@ -1,6 +1,6 @@
 //! `[motion]`: how the input moves.
 
-use assur_mechanism::{Motion, Solve, Until};
+use assur_mechanism::{Motion, Solve, StepLength, Until};
 
 use crate::context::Context;
 use crate::numbers::Bound;
@@ -18,6 +18,7 @@ const ALL_KEYS: &[&str] = &[
     "samples",
     "integrator",
     "tolerance",
+    "step",
     "mean_speed",
     "unevenness",
 ];
@@ -35,7 +36,7 @@ impl Kind {
     fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Prescribed => &["kind", "speed", "acceleration"],
-            Self::Transient => &["kind", "speed", "until", "samples", "integrator", "tolerance"],
+            Self::Transient => &["kind", "speed", "until", "samples", "integrator", "tolerance", "step"],
             Self::Steady => &["kind", "mean_speed", "unevenness"],
         }
     }
@@ -96,44 +97,48 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
-    Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance })
+    let step = section.get("step").and_then(|entry| time_or_way(&entry, context, ""));
+    let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
+    Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance, step })
 }
 
 /// Reads "rest", "turn", a time, or a displacement of the input.
 fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
-    let Some(text) = entry.value.as_str() else {
-        return entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time);
-    };
-    match text {
-        "rest" => return Some(Until::Rest),
-        "turn" => return Some(Until::Turn),
-        _ => {}
+    match entry.value.as_str() {
+        Some("rest") => Some(Until::Rest),
+        Some("turn") => Some(Until::Turn),
+        _ => time_or_way(entry, context, ", \"rest\" or \"turn\"")
+            .map(|found| found.map_or_else(Until::Time, Until::Way)),
     }
+}
+
+/// Reads a time (`Err`) or a displacement of the input (`Ok`), told apart by their units; a bare number is a time. `or`: what
+/// else the key allows, for messages.
+fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, or: &str) -> Option<Result<f64, f64>> {
+    let Some(text) = entry.value.as_str() else {
+        return entry.bounded(Dimension::Time, Bound::Positive).map(Err);
+    };
     let way = context.coordinate().unwrap_or(Dimension::Angle);
     // A displacement out of range is still a displacement.
     let found = quantity(text, way);
     let is_way = matches!(found, Ok(_) | Err(UnitError::TooLarge { .. } | UnitError::TooSmall { .. }));
     let is_way = is_way && !is_bare(text, way);
     if is_way {
-        return entry.bounded(way, Bound::Positive).map(Until::Way);
+        return entry.bounded(way, Bound::Positive).map(Ok);
     }
-    let wanted = format!(
-        "a time ({}), {} ({}), \"rest\" or \"turn\"",
-        Dimension::Time.units(),
-        way.name(),
-        way.units()
-    );
+    let comma = if or.is_empty() { " or" } else { "," };
+    let wanted = format!("a time ({}){comma} {} ({}){or}", Dimension::Time.units(), way.name(), way.units());
     match quantity(text, Dimension::Time) {
         Err(UnitError::WrongDimension { unit, found, .. }) => {
             let found = found.map_or("no quantity of a scene", Dimension::name);
-            entry.fault(format!("`until` wants {wanted}, got `{}`, {found}", shown(&unit)), "");
+            entry.fault(format!("`{}` wants {wanted}, got `{}`, {found}", entry.name, shown(&unit)), "");
             None
         }
         Err(UnitError::NotANumber { .. }) => {
-            entry.fault(format!("`until` wants {wanted}, got {}", entry.written()), "");
+            entry.fault(format!("`{}` wants {wanted}, got {}", entry.name, entry.written()), "");
             None
         }
-        _ => entry.bounded(Dimension::Time, Bound::Positive).map(Until::Time),
+        _ => entry.bounded(Dimension::Time, Bound::Positive).map(Err),
     }
 }
 

@@ -1,6 +1,6 @@
 use std::f64::consts::{PI, SQRT_2};
 
-use assur_integrator::{Request, Until};
+use assur_integrator::{FixedStep, Request, Until};
 
 use super::*;
 
@@ -13,7 +13,7 @@ fn the_order_is_four() {
     let period = assur_problems::pendulum_period(1.0);
     let initial = State { coordinate: 1.0, ..State::default() };
     let solve = |parts: f64| {
-        let step = Some(period / parts);
+        let step = Some(FixedStep::Time(period / parts));
         let request = Request { fixed_step: step, samples: 3, ..Request::new(initial, Until::Time(period)) };
         RK4.solve(&mut assur_problems::pendulum(), &request).unwrap()
     };
@@ -40,8 +40,10 @@ fn d1_and_e1_have_their_answers() {
 
 #[test]
 fn jumps_are_stepped_onto() {
-    let request =
-        Request { fixed_step: Some(0.15), ..Request::new(State::default(), Until::Coordinate(3.0)) };
+    let request = Request {
+        fixed_step: Some(FixedStep::Time(0.15)),
+        ..Request::new(State::default(), Until::Coordinate(3.0))
+    };
     let found = RK4.solve(&mut assur_problems::jumps(), &request).unwrap();
     assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
     assert!(found.statistics.rejected <= 3, "{:?}", found.statistics);
@@ -50,7 +52,8 @@ fn jumps_are_stepped_onto() {
 #[test]
 fn a_stiff_motor_at_a_long_step_is_reported() {
     let initial = State { speed: 9.9, ..State::default() };
-    let request = Request { fixed_step: Some(1e-3), ..Request::new(initial, Until::Coordinate(6.0)) };
+    let request =
+        Request { fixed_step: Some(FixedStep::Time(1e-3)), ..Request::new(initial, Until::Coordinate(6.0)) };
     let error = RK4.solve(&mut assur_problems::motor(1e6), &request).unwrap_err().to_string();
     assert!(error.starts_with("the fixed step 1e-3 s is unstable at t = 0.0"), "{error}");
     // The steepness over J(0) = 1.3 kg m²: lambda = 769 231 1/s.

@@ -1,11 +1,11 @@
 use std::f64::consts::SQRT_2;
 
-use assur_integrator::{Request, State, Until};
+use assur_integrator::{FixedStep, Request, State, Until};
 
 use super::*;
 
 fn request(until: Until, step: f64) -> Request {
-    Request { fixed_step: Some(step), samples: 4, ..Request::new(State::default(), until) }
+    Request { fixed_step: Some(FixedStep::Time(step)), samples: 4, ..Request::new(State::default(), until) }
 }
 
 fn assert_close(found: f64, wanted: f64, allowed: f64) {
@@ -54,4 +54,16 @@ fn without_a_step_it_takes_a_thousandth() {
 #[test]
 fn it_is_registered() {
     assert_eq!(assur_integrator::find("uniform").unwrap().crate_name, env!("CARGO_PKG_NAME"));
+}
+
+/// Under a constant moment a step over the coordinate is exact, and there are as many steps as parts of the way.
+#[test]
+fn a_step_may_be_a_part_of_the_way() {
+    let request = Request {
+        fixed_step: Some(FixedStep::Coordinate(0.125)),
+        ..Request::new(State { speed: 100.0, ..State::default() }, Until::Coordinate(100.0))
+    };
+    let found = UNIFORM.solve(&mut assur_problems::d1(), &request).unwrap();
+    assert!((800..810).contains(&found.statistics.steps), "{:?}", found.statistics);
+    assert_close(found.end.speed, (100.0_f64.powi(2) - 2.0 * 2.0 * 100.0).sqrt(), 1e-10);
 }

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq as close;
 use assur_mechanism::{
     Balance, Characteristic, Direction, FlywheelPlace, InputPair, Mechanism, Motion, Motor, Over, PairId,
-    Range, Sense, Shape, Solve, Table, Torque, Until, Value,
+    Range, Sense, Shape, Solve, StepLength, Table, Torque, Until, Value,
 };
 
 use super::{BASE, fixture, fixtures, steady};
@@ -87,8 +87,27 @@ fn drive_of_the_shaper() {
 }
 
 #[test]
+fn steps_are_times_or_displacements() {
+    let text = fixtures().into_iter().find(|(name, _)| name == "run-up.toml").unwrap().1;
+    for (step, wanted) in [
+        ("\"1 ms\"", Some(StepLength::Time(1e-3))),
+        ("0.5", Some(StepLength::Time(0.5))),
+        ("\"2 rad\"", Some(StepLength::Way(2.0))),
+    ] {
+        let scene = read("test", &format!("{text}\nstep = {step}\n")).unwrap();
+        let Some(Motion::Transient { step: found, .. }) = scene.motion else { panic!() };
+        assert_eq!(found, wanted);
+    }
+    let error = read("test", &format!("{text}\nstep = \"1 kg\"\n")).unwrap_err().to_string();
+    assert!(
+        error.contains("`step` wants a time (s, ms, min, h) or an angle (rad, deg, rev), got `kg`, a mass"),
+        "{error}"
+    );
+}
+
+#[test]
 fn ends_of_transient_motions() {
-    let Some(Motion::Transient { speed, until, samples, integrator, tolerance }) =
+    let Some(Motion::Transient { speed, until, samples, integrator, tolerance, step: None }) =
         fixture("andrews.toml").motion
     else {
         panic!()

@@ -5,7 +5,7 @@ pub(in crate::chart) mod reference;
 use std::hint::black_box;
 
 use assur_dynamics::{Driven, Machine};
-use assur_integrator::{IntegratorPlugin, Knob, Motion, Request, integrators};
+use assur_integrator::{FixedStep, IntegratorPlugin, Knob, Motion, Request, integrators};
 
 use super::entry::{Entry, Field, Verdict};
 use super::{ChartError, Options, Row, Setting, Stage};
@@ -74,7 +74,9 @@ fn settings(
         Knob::Step => (0..9)
             .step_by(if options.quick { 2 } else { 1 })
             .map(|half| duration / 30.0 / 10.0_f64.powf(0.5 * f64::from(half)))
-            .map(|step| (Setting::number("step", step), Request { fixed_step: Some(step), ..base }))
+            .map(|step| {
+                (Setting::number("step", step), Request { fixed_step: Some(FixedStep::Time(step)), ..base })
+            })
             .collect(),
         Knob::None => vec![(Setting::default(), base)],
     }

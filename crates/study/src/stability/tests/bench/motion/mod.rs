@@ -6,7 +6,7 @@ mod starts;
 mod stiff;
 mod stops;
 
-use assur_integrator::{IntegrationError, IntegratorPlugin, Request, Trajectory, integrators};
+use assur_integrator::{FixedStep, IntegrationError, IntegratorPlugin, Request, Trajectory, integrators};
 
 pub(crate) use case::Case;
 pub(super) use case::LAW;
@@ -40,7 +40,7 @@ impl Case {
         let duration = self.duration;
         let request = Request {
             tolerance: TOLERANCE,
-            fixed_step: Some(self.step()),
+            fixed_step: Some(FixedStep::Time(self.step())),
             samples: 4,
             max_steps: if plugin.order == 1 || plugin.order == 4 { MOST_FIXED } else { self.max_steps },
             time_limit: 1e3 * duration,
