@@ -15,7 +15,7 @@ pub use crate::program::Variable;
 pub struct Variables {
     /// `q`: the input coordinate, rad or m.
     pub coordinate: f64,
-    /// `w`: its speed with its sign, rad/s or m/s.
+    /// `w`: its speed, positive along the growing coordinate, rad/s or m/s.
     pub speed: f64,
     /// `t`: time, s.
     pub time: f64,
@@ -100,6 +100,28 @@ impl Formula {
             .map(|switch| Switch { used: self::used(&operations[switch.operations.clone()]), ..switch });
         let switches = switches.collect();
         Ok(Self { text: text.into(), operations: operations.into(), switches, used })
+    }
+
+    /// The formula with the opposite speed in the place of `w`.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mut operations = Vec::new();
+        // Where each operation begins now, and the end.
+        let mut starts = Vec::new();
+        for operation in &*self.operations {
+            starts.push(operations.len());
+            operations.push(*operation);
+            if *operation == Operation::Variable(Variable::Speed) {
+                operations.push(Operation::Negate);
+            }
+        }
+        starts.push(operations.len());
+        let moved = |switch: &Switch| {
+            let Range { start, end } = switch.operations;
+            Switch { operations: starts[start]..starts[end], ..switch.clone() }
+        };
+        let switches = self.switches.iter().map(moved).collect();
+        Self { operations: operations.into(), switches, ..self.clone() }
     }
 
     /// The text from which it was read.

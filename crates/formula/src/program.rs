@@ -5,7 +5,7 @@
 pub enum Variable {
     /// `q`: the input coordinate, rad or m.
     Coordinate,
-    /// `w`: its speed with its sign, rad/s or m/s.
+    /// `w`: its speed, positive along the growing coordinate, rad/s or m/s.
     Speed,
     /// `t`: time, s.
     Time,

@@ -152,3 +152,17 @@ proptest! {
         let _ = Formula::read(&text);
     }
 }
+
+/// With `-w` written for `w` a formula has the values of its mirror image, on each side of its switches.
+#[test]
+fn a_mirrored_formula_takes_the_opposite_speed() {
+    for text in ["2*w + q", "min(w, 3) - abs(w - q)*sign(w*q)", "5 + step(2 - w)^2", "q"] {
+        let (mirrored, written) = (read(text).mirrored(), read(&text.replace('w', "(-w)")));
+        assert_eq!(mirrored.used(), written.used());
+        for speed in [-4.0, -0.5, 0.0, 3.0] {
+            let at = Variables { coordinate: 1.5, speed, ..Variables::default() };
+            assert_eq!(mirrored.value(&at), written.value(&at), "{text} {speed}");
+            assert_eq!(mirrored.branches(&at), written.branches(&at), "{text} {speed}");
+        }
+    }
+}

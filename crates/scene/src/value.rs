@@ -98,7 +98,9 @@ fn formula(
                 .ok()?
         }
     };
+    // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
     let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    let formula = if context.sign() < 0.0 { formula.mirrored() } else { formula };
     let used = formula.used();
     if used.speed || used.time {
         context.need_motion(&entry, "a formula with `w` or `t`");
@@ -154,7 +156,6 @@ fn plain(
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
     let mut table = Table { rows: rows(&entry, argument, dimension)?, shape };
-    // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
     if over == Over::Speed && context.sign() < 0.0 {
         table = table.mirrored();
     }

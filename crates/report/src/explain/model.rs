@@ -133,8 +133,13 @@ fn law(value: &Value) -> &'static str {
     match value {
         Value::Constant(_) => "constant",
         Value::Table { over: Over::Coordinate, .. } => "by a table over the input coordinate",
-        Value::Table { over: Over::Speed, .. } => "by a table over the input speed",
+        Value::Table { over: Over::Speed, .. } => {
+            "by a table over the input speed, which is counted along the direction of the input"
+        }
         Value::Table { over: Over::Time, .. } => "by a table over time",
+        Value::Formula { formula, .. } if formula.used().speed => {
+            "by a formula, whose `w` is the input speed along the direction of the input"
+        }
         Value::Formula { .. } => "by a formula",
         Value::Stroke { .. } => "by tables over the stroke of the point, forward and back",
     }
@@ -156,7 +161,7 @@ fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
             "the motor's torque by its steady characteristic over speed, through the gear ratio, at the input shaft"
         }
         Torque::Balance => "a constant torque at the input shaft, which makes the work of a cycle zero",
-        Torque::Constant(_) => "a constant torque at the input shaft",
+        Torque::Constant(_) => "a constant torque at the input shaft, along the direction of the input",
         Torque::None => "no torque: the drive has neither `motor` nor `torque`",
     };
     list.push(remark("drive", torque));

@@ -86,6 +86,22 @@ fn drive_of_the_shaper() {
     close!(motor.rated_speed, 47.0 * PI, max_relative = 1e-15);
 }
 
+/// `w` is the speed along the direction of the input, as in a table over the speed; `q` is the coordinate itself.
+#[test]
+fn the_speed_of_a_formula_is_counted_along_the_direction() {
+    use assur_formula::Variables;
+    let at = Variables { coordinate: 3.0, speed: -10.0, ..Variables::default() };
+    for (direction, wanted) in [("cw", 13.0), ("ccw", -7.0)] {
+        let text = fixtures().into_iter().find(|(name, _)| name == "run-up.toml").unwrap().1;
+        let text = text.replace("value = -10", "value = { formula = \"q + w\", unit = \"N*m\" }").replace(
+            "link = \"AB\"\n\n[motion]",
+            &format!("link = \"AB\"\ndirection = \"{direction}\"\n\n[motion]"),
+        );
+        let Value::Formula { formula, .. } = &read("test", &text).unwrap().moments[1].value else { panic!() };
+        close!(formula.value(&at), wanted);
+    }
+}
+
 #[test]
 fn steps_are_times_or_displacements() {
     let text = fixtures().into_iter().find(|(name, _)| name == "run-up.toml").unwrap().1;
