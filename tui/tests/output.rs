@@ -144,7 +144,7 @@ fn streams_are_written_to_and_never_replaced() {
         assert_eq!(run.unwrap().code(), Some(0), "{target}");
     }
     let log = fs::read_to_string(path.join("log")).unwrap();
-    assert!(log.starts_with("kept\n") && log.matches("1. Structure").count() == 2, "{log}");
+    assert!(log.starts_with("kept\n") && log.matches("1. Results").count() == 2, "{log}");
 }
 
 #[test]

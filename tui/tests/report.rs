@@ -56,3 +56,39 @@ fn rounding_is_shown_as_zero() {
     assert!(!text.contains("e-1"), "{text}");
     assert!(!text.contains("-0.000 ") && !text.contains("-0.0000 "), "a minus before zero");
 }
+
+#[test]
+fn the_report_begins_with_what_is_asked_for_first() {
+    let text = assur(&["analyze", "shaper-drive.toml"]);
+    let page = &text[..text.find("2. Structure").unwrap()];
+    let value = |what: &str| {
+        let line =
+            page.lines().find(|line| line.starts_with(what)).unwrap_or_else(|| panic!("{what}: {page}"));
+        line[what.len()..].split_whitespace().next().unwrap().to_owned()
+    };
+    // The rocker of 700 mm swings as far as the crank of 100 mm turns it about a point 400 mm away: 2 * 700 * 100 / 400.
+    assert_eq!(value("stroke of ram/ground, dead points"), "350");
+    assert_eq!(value("unevenness"), "0.05");
+    // The speed is kept in the mean: 60 rpm.
+    assert_eq!(value("mean speed"), "6.28319");
+    // The guide of the ram carries its weight of 30 kg alone.
+    assert_eq!(value("greatest reaction of ram/ground on ram"), "294.3");
+    let checks = page.lines().find(|line| line.starts_with("checks that hold")).unwrap();
+    let numbers: Vec<usize> = checks.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    assert!(numbers.len() == 2 && numbers[0] == numbers[1] && numbers[0] > 10, "{checks}");
+}
+
+#[test]
+fn positions_limit_the_tables_and_not_the_results() {
+    let all = assur(&["analyze", "shaper.toml"]);
+    let some = assur(&["analyze", "shaper.toml", "--positions", "0,18,30..32"]);
+    let results = |text: &str| text[..text.find("2. Structure").unwrap()].to_owned();
+    assert_eq!(results(&all), results(&some));
+    let table = |text: &str| -> Vec<String> {
+        let from = text.find("\nPoints\nNo.").unwrap();
+        let rows = text[from..].lines().skip(5).take_while(|line| !line.is_empty());
+        rows.map(|row| row.split_whitespace().next().unwrap().to_owned()).collect()
+    };
+    assert_eq!(table(&all).len(), 48);
+    assert_eq!(table(&some), ["0", "18", "30", "31", "32"]);
+}

@@ -177,7 +177,7 @@ fn residuals_belong_to_their_positions() {
         let mut analysis = calculation.analyze(&mut unwatched).unwrap();
         analysis.add_checks(calculation.checks(Coverage::Sample, &mut unwatched).unwrap());
         let mut all = Table::new(Arc::clone(analysis.positions.schema()));
-        let add = |table: Table| Ok::<_, ()>(all.append(&table, 1));
+        let add = |table: Table| Ok::<_, ()>(all.append(&table, |_| true));
         calculation.each_block(&analysis, &mut unwatched, Table::clone, add).unwrap().unwrap();
         for (name, residual, owner) in [
             ("virtual power", Residual::Global, Owner::Input),
@@ -365,4 +365,15 @@ fn idle_loads_and_missing_times_are_noted() {
     assert_eq!(scene(timed, "speed = 3\nacceleration = 2"), "");
     // 3 rad/s against 1 rad/s² reach 4.5 rad: positions 0 to 5 of 8.
     assert!(scene(timed, "speed = 3\nacceleration = -1").contains("never reaches 2 positions"));
+}
+
+#[test]
+fn the_first_turn_ends_with_the_speed_after_it() {
+    let analysis = analyzed(&text("shaper-drive"));
+    let regime = &analysis.dynamics.as_ref().unwrap().regime;
+    let first = &regime.iteration[0];
+    let ends = [regime.course.first(), regime.course.last()].map(|row| row.unwrap().first_turn.unwrap());
+    assert!(first.speed_end - first.speed_start > 0.1, "{first:?}");
+    assert!((ends[0] - first.speed_start).abs() < 1e-9, "{ends:?} {first:?}");
+    assert!((ends[1] - first.speed_end).abs() < 1e-9, "{ends:?} {first:?}");
 }

@@ -12,6 +12,8 @@ pub enum Kind {
     Linear,
     /// Equal steps, ticks at parts of a turn (0, 90, 180, 270, 360).
     Degrees,
+    /// Equal steps, ticks at whole numbers.
+    Whole,
     /// Equal ratios, ticks at powers of ten.
     Logarithmic,
 }
@@ -105,6 +107,7 @@ impl Axis {
             || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
         match self.kind {
             Kind::Logarithmic => least.ceil().max(1.0),
+            Kind::Whole if least < 1.0 => 1.0,
             Kind::Degrees if (1.0..=180.0).contains(&least) => {
                 ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)
             }

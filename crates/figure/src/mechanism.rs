@@ -1,6 +1,5 @@
 //! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs.
 
-mod gap;
 #[cfg(test)]
 mod tests;
 

@@ -29,7 +29,7 @@ impl Figure {
     pub(crate) fn translated(&self, words: &dyn Fn(&str) -> String) -> Self {
         let mut figure = self.clone();
         figure.title = words(&figure.title);
-        figure.legend.iter_mut().for_each(|key| key.text = words(&key.text));
+        figure.legend.iter_mut().filter(|key| !key.is_name()).for_each(|key| key.text = words(&key.text));
         for panel in &mut figure.panels {
             panel.title = words(&panel.title);
             if let Frame::Axes { x, y, .. } = &mut panel.frame {
@@ -271,6 +271,13 @@ pub struct Key {
     pub sample: Sample,
     /// The explanation.
     pub text: String,
+}
+
+impl Key {
+    /// Whether the text is the name of a link, which is the same in every language.
+    pub(crate) fn is_name(&self) -> bool {
+        matches!(self.sample, Sample::Line(_, Ink::Link(_)))
+    }
 }
 
 /// What an entry of a legend explains.

@@ -28,9 +28,14 @@ pub fn digits(value: f64, significant: usize) -> String {
     }
 }
 
-/// A number without trailing zeros: for axes and scales.
+/// A number of at most four significant digits without trailing zeros: for axes and scales.
 pub fn plain(value: f64) -> String {
-    let text = digits(value, 4);
+    trimmed(value, 4)
+}
+
+/// A number of at most so many significant digits without trailing zeros: for given data.
+pub fn trimmed(value: f64, significant: usize) -> String {
+    let text = digits(value, significant);
     match text.split_once('e') {
         None if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         _ => text,

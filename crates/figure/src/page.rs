@@ -122,7 +122,7 @@ fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
     for mark in marks {
         if let Mark::Name { at, text: name, ink, needed } = mark {
             let (at, seen) = names.place(*at, name, *needed);
-            let mut element = text(at, name, *ink, "start");
+            let mut element = Element { is_name: true, ..text(at, name, *ink, "start") };
             // A name that is not seen stays, so that all frames of an animation have the same elements.
             element.attributes.push(("visibility", if seen { "visible" } else { "hidden" }.to_owned()));
             elements.push(element);

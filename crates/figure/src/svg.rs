@@ -10,13 +10,7 @@ const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
 
 /// A figure on a page of this width and height, mm.
 pub fn write(figure: &Figure, size: [f64; 2]) -> String {
-    write_in(figure, size, &str::to_owned)
-}
-
-/// A figure whose texts are translated by `words`.
-pub fn write_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) -> String {
-    let all = elements_in(figure, size, words);
-    document(figure, size, all.iter().map(|element| markup(element, "")))
+    animate(std::slice::from_ref(figure), size, 0.0)
 }
 
 /// The elements of a figure in the words of a language.
@@ -24,7 +18,7 @@ fn elements_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) 
     // Long texts are translated before they are laid out, numbers of axes and scales when they are there.
     let mut all = elements(&figure.translated(words), size);
     all.iter_mut()
-        .filter(|element| !element.text.is_empty())
+        .filter(|element| !element.text.is_empty() && !element.is_name)
         .for_each(|element| element.text = words(&element.text));
     all
 }
@@ -37,7 +31,7 @@ pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64) -> String {
     animate_in(frames, size, seconds, &str::to_owned)
 }
 
-/// A figure that moves, whose texts are translated by `words`.
+/// A figure that moves (of one frame: that does not), whose texts are translated by `words`; names of the scene are not.
 pub fn animate_in(frames: &[Figure], size: [f64; 2], seconds: f64, words: &dyn Fn(&str) -> String) -> String {
     let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements_in(frame, size, words)).collect();
     let Some(first) = all.first().cloned() else { return String::new() };
@@ -99,16 +93,33 @@ fn markup(element: &Element, inner: &str) -> String {
 /// Height of a subscript below its line, mm.
 const BELOW: f64 = 0.8;
 
-/// The words of a text, in which `_{...}` is a subscript.
 fn words(text: &str) -> String {
-    let Some((before, rest)) = text.split_once("_{") else { return escaped(text) };
-    let (low, after) = rest.split_once('}').unwrap_or((rest, ""));
-    format!(
-        "{}<tspan dy=\"{BELOW}\" font-size=\"70%\">{}</tspan><tspan dy=\"-{BELOW}\">{}</tspan>",
-        escaped(before),
-        escaped(low),
-        words(after)
-    )
+    let mut markup = String::new();
+    for (index, (part, low)) in lowered(text).enumerate() {
+        let part = escaped(part);
+        let _ = match index {
+            0 => write!(markup, "{part}"),
+            _ => write!(markup, "<tspan dy=\"-{BELOW}\">{part}</tspan>"),
+        };
+        if !low.is_empty() {
+            let _ = write!(markup, "<tspan dy=\"{BELOW}\" font-size=\"70%\">{}</tspan>", escaped(low));
+        }
+    }
+    markup
+}
+
+/// The parts of a text, each with the subscript behind it, `_{...}` in the text; the last one has none.
+pub fn lowered(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let mut rest = Some(text);
+    std::iter::from_fn(move || {
+        let (part, behind) = match rest?.split_once("_{") {
+            None => return rest.take().map(|part| (part, "")),
+            Some(found) => found,
+        };
+        let (low, behind) = behind.split_once('}').unwrap_or((behind, ""));
+        rest = Some(behind);
+        Some((part, low))
+    })
 }
 
 /// A text in which nothing is markup.

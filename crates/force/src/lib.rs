@@ -20,7 +20,6 @@ mod curve;
 mod dependence;
 mod error;
 mod formula;
-mod grid;
 mod group_by_group;
 mod joints;
 mod kinetostatics;

@@ -5,6 +5,7 @@ use assur_group::{Body, Wrench};
 use assur_number::Formula;
 
 use crate::LoadNumber;
+use crate::State;
 use crate::choice::Live;
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
@@ -82,27 +83,27 @@ impl<T: LoadNumber> Rates<T> {
 }
 
 /// Passes on the size of each load.
-struct Sizes<'a, T> {
+struct Sizes<'a> {
     cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, T),
+    hand_on: &'a mut dyn FnMut(Cause, f64),
 }
 
-impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
+impl Sink<f64> for Sizes<'_> {
     const SIZES: bool = true;
 
     fn cause(&mut self, cause: Cause) {
         self.cause = Some(cause);
     }
 
-    fn size(&mut self, size: T) {
+    fn size(&mut self, size: f64) {
         if let Some(cause) = self.cause {
             (self.hand_on)(cause, size);
         }
     }
 
-    fn force(&mut self, _: usize, _: &Body<T>, _: [T; 2], _: [T; 2]) {}
+    fn force(&mut self, _: usize, _: &Body<f64>, _: [f64; 2], _: [f64; 2]) {}
 
-    fn moment(&mut self, _: usize, _: &Body<T>, _: T) {}
+    fn moment(&mut self, _: usize, _: &Body<f64>, _: f64) {}
 }
 
 /// The wrenches of all loads at some states.
@@ -174,16 +175,10 @@ impl Loads {
     }
 
     /// The size of each applied load of a state: of a force along its direction (or against the motion), of a moment
-    /// counter-clockwise, of a contact its force F, of a spring its tension; N or N m. Loads that act in no lane are left
-    /// out.
-    pub fn sizes<T: LoadNumber>(
-        &self,
-        states: &T::States,
-        bodies: &[Body<T>],
-        mut hand_on: impl FnMut(Cause, T),
-    ) {
+    /// counter-clockwise, of a contact its force F, of a spring its tension; N or N m. Loads that do not act are left out.
+    pub fn sizes(&self, state: &State, bodies: &[Body<f64>], mut hand_on: impl FnMut(Cause, f64)) {
         let mut sizes = Sizes { cause: None, hand_on: &mut hand_on };
-        Visit { loads: self, choice: &Live, states, bodies }.each(&mut sizes);
+        Visit { loads: self, choice: &Live, states: state, bodies }.each(&mut sizes);
     }
 
     /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames.

@@ -23,5 +23,5 @@ pub use course::Extremes;
 pub use curvature::Curvature;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::{Centers, centers_of};
-pub use measure::{GeometryError, geometry};
+pub use measure::{GeometryError, geometry, output_strokes};
 pub use stroke::Stroke;

@@ -61,6 +61,23 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     })
 }
 
+/// The stroke of each slide on the ground that goes to and fro over the cycle: the motion of the machine's output.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn output_strokes(linkage: &Linkage) -> Result<Vec<(SlideId, Stroke)>, GeometryError> {
+    let slides = || linkage.mechanism.slides.iter().enumerate().filter(|(_, slide)| slide.on == GROUND);
+    if slides().next().is_none() {
+        return Ok(Vec::new());
+    }
+    let cycle = Cycle::of(linkage)?;
+    let all: Vec<_> = slides()
+        .map(|(id, _)| Ok(slide(&cycle, id)?.stroke.map(|stroke| (id, stroke))))
+        .collect::<Result<_, PositionError>>()?;
+    Ok(all.into_iter().flatten().collect())
+}
+
 fn coordinates(rests: &[Rest]) -> Vec<f64> {
     rests.iter().map(|rest| rest.coordinate).collect()
 }

@@ -28,7 +28,6 @@ mod motion;
 mod poles;
 mod poses;
 mod rank;
-mod regular;
 mod samples;
 mod start;
 mod ways;

@@ -45,11 +45,15 @@ fn schema(mechanism: &Mechanism) -> Schema {
 fn analysis(angle: f64) -> Analysis {
     let mechanism = mechanism();
     let mut positions = Table::new(Arc::new(schema(&mechanism)));
-    let motion = [0.1 + 0.2, angle, 1.0, 0.0, 1e-300, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0];
-    let forces = [1.0, -2.0, -1.0, 2.0, 0.5, 0.25, 3.0, 2.0];
-    positions.push(0, motion.into_iter().chain(forces).map(Some));
+    let mut cells = positions.row(0);
+    cells.all([0.1 + 0.2, angle, 1.0, 0.0, 1e-300, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0]);
+    cells.all([1.0, -2.0, -1.0, 2.0, 0.5, 0.25, 3.0, 2.0]);
     // A singular position without reactions.
-    positions.push(5, [Some(7.0); 10].into_iter().chain([None; 6]).chain([Some(4.0), None]));
+    let mut cells = positions.row(5);
+    cells.all([7.0; 10]);
+    cells.none(6);
+    cells.all([4.0]);
+    cells.none(1);
     let mut motion = Schema::new(&mechanism);
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
@@ -115,7 +119,8 @@ fn numbers_that_are_not_finite_are_never_written() {
         let fault = write(&["a", "b"], [[Cell::Empty, Cell::Number(bad)]], false).unwrap_err();
         assert!(matches!(&fault, CsvError::NotFinite { column, row: 1 } if column == "b"), "{fault}");
         let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
-        let fault = crate::text::report(&analysis(bad), &scene, false).unwrap_err();
+        let linkage = assur_kinematics::Linkage::compile(scene).unwrap();
+        let fault = crate::text::report(&analysis(bad), &linkage, None, false).unwrap_err();
         assert_eq!(fault.place, "positions[0].links.größe.pf0");
     }
 }
@@ -168,8 +173,8 @@ fn parquet_reads_back_over_groups() {
     let analysis = analysis(1.5);
     let mut bytes = Vec::new();
     let mut writer = crate::parquet::Writer::new(&analysis, &mut bytes).unwrap();
-    // Two rows of 18 columns: a group is full after 233,017 tables.
-    let tables = 240_000;
+    // Two rows of 18 columns: a group is full after 116,509 tables.
+    let tables = 120_000;
     for _ in 0..tables {
         writer.add(&analysis.positions).unwrap();
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Check, Failure, Table};
-use assur_report::{csv, json, parquet};
+use assur_report::{csv, json, parquet, text};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -30,6 +30,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
     let checks = study.checks(args.checked.checks.into(), &mut line.watch());
     analysis.add_checks(checks.map_err(Fault::other)?);
+    let count = study.linkage.mechanism.input.positions;
+    let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
     if let Err(problem) = json::analysis::finite(&analysis) {
         style.tell(&format!("error: {problem}"));
@@ -43,7 +45,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         Form::Csv => results.csv(output, status),
         Form::Parquet => results.parquet(output, status),
         Form::Text => {
-            let report = assur_report::text::report(&analysis, &study.linkage.mechanism, style.ascii);
+            let report = text::report(&analysis, &study.linkage, positions.as_deref(), style.ascii);
             output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
         }
     };

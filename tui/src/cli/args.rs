@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
 use super::options::{CheckedArgs, Format, MethodArgs, SceneArgs};
@@ -65,9 +64,6 @@ pub(crate) enum Command {
     New {
         /// File to write; must not exist
         file: PathBuf,
-        /// Mechanism of the scene (default: a slider-crank compressor)
-        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::starter::kinds()))]
-        kind: Option<String>,
     },
     /// Print the default configuration of the terminal UI, commented
     #[command(display_order = 99)]
@@ -90,6 +86,9 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) checked: CheckedArgs,
     #[command(flatten)]
     pub(crate) plans: super::plans::PlanArgs,
+    /// Show these positions alone in the tables of the text, for example 0,18,30..36
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = super::plans::interval)]
+    pub(crate) positions: Vec<std::ops::RangeInclusive<usize>>,
     /// Form of the results
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,

@@ -1,7 +1,9 @@
 //! `assur analyze --plans N`, `--by-cause`.
 
+use std::ops::RangeInclusive;
+
+use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
-use assur_analysis::{Calculation, MOST_KEPT};
 use assur_diagram::sheet_text;
 use clap::Args;
 
@@ -9,6 +11,51 @@ use super::fault::{Fault, Status};
 use super::options::{Format, SceneArgs};
 use super::scene;
 use super::style::Style;
+
+/// Reads a number of a position, or two with `..` between them: the positions from the first to the second.
+pub(crate) fn interval(text: &str) -> Result<RangeInclusive<usize>, String> {
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    let number = |text: &str| text.trim().trim_start_matches('=').parse::<usize>().ok();
+    match (number(first), number(last)) {
+        (Some(first), Some(last)) if first <= last => Ok(first..=last),
+        _ => Err("positions are numbers and intervals, as in 0,18,30..36".to_owned()),
+    }
+}
+
+/// The positions that the tables of a text show; `None`: all.
+///
+/// # Errors
+///
+/// A form of results that is no text, a position that does not exist, or one that was not kept.
+pub(crate) fn chosen(
+    intervals: &[RangeInclusive<usize>],
+    is_text: bool,
+    analysis: &Analysis,
+    count: usize,
+) -> Result<Option<Vec<usize>>, Fault> {
+    let Some(last) = intervals.iter().map(|interval| *interval.end()).max() else { return Ok(None) };
+    if !is_text {
+        return Err(Fault::other(
+            "--positions limits the tables of text; the other forms have all positions",
+        ));
+    }
+    if last >= count {
+        return Err(Fault::other(format!(
+            "--positions {last}: there is no such position; they are numbered 0 to {}",
+            count - 1
+        )));
+    }
+    let numbers: Vec<usize> = intervals.iter().cloned().flatten().collect();
+    let dropped = numbers.iter().find(|number| analysis.positions.row_of(**number).is_none());
+    if let Some(number) = dropped.filter(|_| !analysis.is_complete()) {
+        return Err(Fault::other(format!(
+            "--positions {number}: of so many positions only {} are kept for tables of text; write all by \
+             `-o FILE.parquet`",
+            analysis.positions.len()
+        )));
+    }
+    Ok(Some(numbers))
+}
 
 /// Additional results.
 #[derive(Debug, Clone, Default, Args)]
@@ -28,12 +75,6 @@ impl PlanArgs {
             return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
         }
         let count = study.linkage.mechanism.input.positions;
-        if self.by_cause && count > MOST_KEPT {
-            return Err(Fault::other(format!(
-                "--by-cause splits the reactions of at most {MOST_KEPT} positions, and the scene has {count}; lower \
-                 `positions` in `[input]`"
-            )));
-        }
         match self.plans.iter().find(|index| **index >= count) {
             Some(index) => Err(Fault::other(format!(
                 "--plans {index}: there is no such position; they are numbered 0 to {}",

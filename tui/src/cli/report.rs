@@ -1,5 +1,6 @@
 //! `assur report`: the explanatory note.
 
+use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,9 +11,8 @@ use super::output::Output;
 use super::scene;
 use super::style::Style;
 use crate::files;
-use crate::note;
-use crate::screen::state::{Scene, Source};
-use crate::screen::still;
+use crate::note::{self, Form};
+use crate::screen::still::{self, StillError};
 
 /// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
@@ -22,8 +22,9 @@ pub(crate) struct ReportArgs {
     /// Language of the note: en, uk, ru (default: `[note] language` of the scene)
     #[arg(long, value_name = "NAME", value_parser = ["en", "uk", "ru"])]
     language: Option<String>,
-    /// File to write: one HTML file with all figures in it
-    #[arg(short, long, value_name = "FILE.html")]
+    /// File to write; its ending chooses the form: .html and .typ are one file with all figures in it, .md has its figures
+    /// in a folder beside it
+    #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
 
@@ -33,9 +34,9 @@ const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
 pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
     let output = Output::of(Some(&args.output), path)?;
-    if args.output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("html")) {
-        return Err(Fault::other(format!("`{}` must end in .html", args.output.display())));
-    }
+    let ending = args.output.extension().unwrap_or_default().to_string_lossy().into_owned();
+    let form = Form::of(&ending)
+        .ok_or_else(|| Fault::other(format!("`{}` must end in .html, .md or .typ", args.output.display())))?;
     scene::options(&args.scene.methods)?;
     let text = files::read(path)?;
     let name = path.display().to_string();
@@ -44,23 +45,28 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
         note.language = language;
     }
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    let mut state = still::analyzed(still::open(path.clone())?, methods, true);
+    let mut state = match still::analyzed(path.clone(), methods, true) {
+        Ok(state) => state,
+        Err(StillError::Scene(error)) => return Err(error.into()),
+        Err(error) => return Err(Fault::Scene(error.to_string())),
+    };
     let failed = state.found().is_none_or(|found| {
         let analysis = &found.analysis;
         analysis.no_motion.is_some() || analysis.checks.iter().any(assur_analysis::results::Check::failed)
     });
     let status = if failed { Status::Failed } else { Status::Done };
-    let content = note::write(&mut state, &note).map_err(Fault::other)?;
-    output.write(content, status).map(|()| status)
-}
-
-/// The note of a scene that is open in the terminal UI, from its name, its present text, and its methods.
-///
-/// # Errors
-///
-/// Why there is no note; in words.
-pub(crate) fn of_text(name: &str, text: &str, methods: [Option<String>; 2]) -> Result<String, String> {
-    let note = assur_scene::note(name, text).map_err(|errors| errors.to_string())?;
-    let scene = Scene::read(Source::File(name.into()), text)?;
-    note::write(&mut still::analyzed(scene, methods, true), &note)
+    let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
+    let name = format!("{stem}-figures");
+    let written = note::write(&mut state, &note, form, &name).map_err(Fault::other)?;
+    if !written.figures.is_empty() {
+        let folder = args.output.with_file_name(&name);
+        let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
+        Output::of(Some(&folder), path)?.write_folder(status, &names, &names, |files| {
+            files
+                .iter_mut()
+                .zip(&written.figures)
+                .try_for_each(|(file, (_, drawn))| file.write_all(drawn.as_bytes()))
+        })?;
+    }
+    output.write(written.text, status).map(|()| status)
 }

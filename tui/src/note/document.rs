@@ -1,6 +1,6 @@
-//! The blocks of a note.
+//! What a note consists of, whatever the form in which it is written.
 
-use assur_figure::Figure;
+use assur_figure::{Figure, Frame};
 use assur_scene::Note;
 
 use super::Context;
@@ -12,33 +12,50 @@ use crate::screen::view;
 #[derive(Debug, Clone)]
 pub(super) struct Cover {
     pub(super) title: String,
-    /// Identifiers of what is told, and the texts.
+    /// Identifiers of what the author says, and the texts.
     pub(super) rows: Vec<(&'static str, String)>,
 }
 
 impl Cover {
     pub(super) fn of(title: &str, note: &Note) -> Self {
         let rows = [("author", &note.author), ("group-of-author", &note.group), ("variant", &note.variant)];
-        let told = rows.into_iter().filter_map(|(id, text)| Some((id, text.clone()?)));
-        Self { title: title.to_owned(), rows: told.collect() }
+        let given = rows.into_iter().filter_map(|(id, text)| Some((id, text.clone()?)));
+        Self { title: title.to_owned(), rows: given.collect() }
     }
 }
 
-/// One block of a note.
+/// One block of a note. `_{...}` in its texts is a subscript.
 #[derive(Debug, Clone)]
 pub(super) enum Block {
     /// The heading of a part.
     Heading(String),
+    /// A heading within a part.
+    Subheading(String),
     /// A paragraph.
     Text(String),
     /// A figure on a page of a width and height in mm, with its caption; several follow each other as an animation.
     Picture { frames: Vec<Figure>, size: [f64; 2], caption: String },
     /// A table with its caption.
     Table { caption: String, head: Vec<String>, rows: Vec<Vec<String>> },
-    /// An equation as HTML.
-    Equation(String),
-    /// A heading within a part.
-    Subheading(String),
+    /// An equation.
+    Equation(Vec<Term>),
+}
+
+/// A part of an equation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Term {
+    /// A quantity: letters with primes, and its subscript, which may be empty.
+    Name(String, String),
+    /// A function: `sin`.
+    Function(String),
+    /// A number with the signs of print.
+    Number(String),
+    /// The exponent of what stands before it.
+    Power(String),
+    /// Operators, parentheses and spaces.
+    Sign(String),
+    /// A unit.
+    Unit(String),
 }
 
 impl Block {
@@ -51,10 +68,16 @@ impl Block {
     ) -> Self {
         Self::Table { caption: words.get(caption), head: head.into_iter().collect(), rows }
     }
+
+    /// A figure that does not move.
+    pub(super) fn picture(figure: Figure, size: [f64; 2], caption: String) -> Self {
+        Self::Picture { frames: vec![figure], size, caption }
+    }
 }
 
 impl Context<'_> {
-    /// The figure that a view shows in a position, without its title: the caption says what it is; with it, the title.
+    /// The figure that a view shows in a position, without its title (the caption says what it is) and without what
+    /// belongs to a position on a screen: the cursor and the value at it. With it, the title.
     pub(super) fn figure(
         &mut self,
         shown: View,
@@ -67,30 +90,33 @@ impl Context<'_> {
         let figure = view::figure(self.state, shown);
         (self.state.position, self.state.chosen, self.state.parts) = before;
         figure.map(|mut figure| {
+            figure.panels.iter_mut().for_each(still);
             let title = std::mem::take(&mut figure.title);
             (figure, title)
         })
     }
 
-    /// A picture block of a view.
-    pub(super) fn picture(
-        &mut self,
-        shown: View,
-        position: usize,
-        size: [f64; 2],
-        caption: impl FnOnce(&Words, &str) -> String,
-        set: impl FnOnce(&mut State),
-    ) -> Option<Block> {
-        let words = self.words;
-        let (figure, title) = self.figure(shown, position, set)?;
-        Some(Block::Picture { frames: vec![figure], size, caption: caption(words, &title) })
-    }
-
     /// The coordinate of a position with its unit.
     pub(super) fn coordinate(&self, position: usize) -> String {
         let series = self.state.scene.as_ref().map(|scene| &scene.series[0]);
-        let text =
-            series.map(|series| format!("{} {}", crate::number::plain(series.at(position)), series.unit));
-        self.words.phrase(&text.unwrap_or_default())
+        series.map_or_else(String::new, |series| {
+            let value = self.words.number(&crate::number::plain(series.at(position)));
+            format!("{value} {}", self.words.unit(&series.unit))
+        })
+    }
+
+    /// `position 6, 45 deg`.
+    pub(super) fn place(&self, position: usize) -> String {
+        let values = [("position", position.to_string()), ("at", self.coordinate(position))];
+        self.words.with("position-at", &values)
+    }
+}
+
+/// Takes the cursor from a plot, and the value at it from its heading, where the unit stays.
+fn still(panel: &mut assur_figure::Panel) {
+    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
+    *cursor = None;
+    if let (false, Some((name, _))) = (y.label.is_empty(), panel.title.split_once("  ")) {
+        panel.title = format!("{name}, {}", y.label);
     }
 }

@@ -1,81 +1,214 @@
 //! Dynamics: the regime, its iteration, motor and flywheel.
 
-use assur_analysis::results::Dynamics;
+use assur_analysis::results::{Column, Dynamics, Owner, Quantity, RegimeReport, Trial};
+use assur_figure::{Axis, Figure, Frame, Ink, Item, Kind, Panel, Point, Stroke};
 
 use super::Context;
 use super::document::Block;
-use super::kinematics::CURVES;
-use crate::number::digits;
+use super::words::Words;
+use crate::number::{digits, trimmed};
 use crate::screen::state::{Part, View};
 
-/// Digits of a number in a table.
+/// Digits of a result, and of a row of an iteration.
 const DIGITS: usize = 6;
+/// Page of two curves, and of one, mm.
+const CURVES: [f64; 2] = [160.0, 120.0];
+const CURVE: [f64; 2] = [160.0, 80.0];
+/// A share of this part of the greatest reduced inertia is not seen.
+const LEAST_SHARE: f64 = 5e-3;
+/// Page of the energy-mass diagram, mm.
+const DIAGRAM: [f64; 2] = [130.0, 110.0];
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let words = context.words;
     let position = context.positions[0];
     let Some(dynamics) = context.state.found().and_then(|found| found.analysis.dynamics.clone()) else {
-        let caption = words.get("motion-curves");
-        let motion = context.picture(View::Motion, position, CURVES, |_, _| caption, |_| {});
-        return motion.into_iter().flat_map(|motion| [Block::Heading(words.get("motion")), motion]).collect();
+        let motion = context.figure(View::Motion, position, |_| {}).map(|(mut figure, _)| {
+            figure.panels.retain(|panel| !is_zero(panel));
+            [Block::Heading(words.get("motion")), Block::picture(figure, CURVES, words.get("motion-curves"))]
+        });
+        return motion.into_iter().flatten().collect();
     };
     let mut blocks = vec![
         Block::Heading(words.get("dynamics")),
         Block::Text(words.get("dynamics-text")),
-        Block::table(words, "regime", [words.get("quantity"), String::new()], numbers(context, &dynamics)),
+        Block::table(
+            words,
+            "regime",
+            ["quantity", "value", "unit"].map(|id| words.get(id)),
+            numbers(words, &dynamics),
+        ),
     ];
-    let number = |value: f64| words.number(&digits(value, DIGITS));
-    let rows = dynamics.regime.iteration.iter().map(|turn| {
-        let difference = words.number(&format!("{:.2e}", turn.residual));
-        vec![turn.number.to_string(), number(turn.speed_start), number(turn.speed_end), difference]
+    let moments = context.figure(View::Motion, position, |state| {
+        state.parts.insert(View::Motion, Part::Course);
     });
-    let rows: Vec<_> = rows.collect();
-    if !rows.is_empty() {
-        let head = ["turn", "start-speed", "end-speed", "difference"].map(|id| words.get(id));
-        blocks.push(Block::table(words, "iteration", head, rows));
-    }
-    let methods = dynamics.flywheel_methods.iter().map(|row| {
-        let off =
-            row.difference.map_or_else(String::new, |part| words.number(&format!("{:+.2} %", 1e2 * part)));
-        vec![row.method.to_string(), number(row.flywheel), off]
-    });
-    let methods: Vec<_> = methods.collect();
-    if !methods.is_empty() {
-        let head = ["method", "flywheel", "deviation"].map(|id| words.get(id));
-        blocks.push(Block::table(words, "flywheel-methods", head, methods));
-    }
-    let caption = words.get("speed-and-moments");
-    blocks.extend(context.picture(
-        View::Motion,
-        position,
-        CURVES,
-        |_, _| caption,
-        |state| {
-            state.parts.insert(View::Motion, Part::Course);
-        },
-    ));
-    let caption = words.get("characteristic-and-moments");
-    blocks.extend(context.picture(View::Drive, position, CURVES, |_, _| caption, |_| {}));
+    blocks.extend(moments.map(|(figure, _)| Block::picture(figure, CURVES, words.get("speed-and-moments"))));
+    blocks.extend(shares(context));
+    blocks.extend(energy_mass(words, &dynamics.regime));
+    blocks.extend(iteration(words, &dynamics));
+    // The second panel repeats the moments.
+    let drive = context.figure(View::Drive, position, |_| {}).filter(|(figure, _)| figure.panels.len() > 1);
+    blocks.extend(drive.map(|(mut figure, _)| {
+        figure.panels.truncate(1);
+        Block::picture(figure, CURVE, words.get("characteristic"))
+    }));
     blocks
 }
 
-fn numbers(context: &Context<'_>, dynamics: &Dynamics) -> Vec<Vec<String>> {
-    let words = context.words;
+/// Whether all curves of a panel are zero, and show nothing.
+fn is_zero(panel: &Panel) -> bool {
+    panel.items.iter().flat_map(Item::points).all(|[_, y]| y == 0.0 || !y.is_finite())
+}
+
+fn numbers(words: &Words, dynamics: &Dynamics) -> Vec<Vec<String>> {
     let all = [
-        ("mean-speed", Some(dynamics.mean_speed)),
-        ("unevenness", Some(dynamics.unevenness)),
-        ("least-speed", Some(dynamics.speed_min)),
-        ("greatest-speed", Some(dynamics.speed_max)),
-        ("excess-work", Some(dynamics.excess_work)),
-        ("required-power", Some(dynamics.required_power)),
-        ("motor-power", dynamics.motor.as_ref().map(|motor| motor.rated.power)),
-        ("ratio", dynamics.ratio),
-        ("flywheel", dynamics.flywheel),
+        ("mean-speed", Some(dynamics.mean_speed), "rad/s"),
+        ("unevenness", Some(dynamics.unevenness), ""),
+        ("least-speed", Some(dynamics.speed_min), "rad/s"),
+        ("greatest-speed", Some(dynamics.speed_max), "rad/s"),
+        ("cycle-time", Some(dynamics.regime.cycle_time), "s"),
+        ("mean-resistance", Some(dynamics.regime.mean_resistance), "N m"),
+        ("resistance-work", Some(dynamics.regime.resistance_work), "J"),
+        ("excess-work", Some(dynamics.excess_work), "J"),
+        ("required-power", Some(dynamics.required_power), "W"),
+        ("motor-power", dynamics.motor.as_ref().map(|motor| motor.rated.power), "W"),
+        ("ratio", dynamics.ratio, ""),
+        ("flywheel", dynamics.flywheel, "kg m2"),
+        ("shaft-inertia", Some(dynamics.regime.shaft_inertia).filter(|inertia| *inertia > 0.0), "kg m2"),
     ];
-    let told = all
-        .into_iter()
-        .filter_map(|(id, value)| Some(vec![words.get(id), words.number(&digits(value?, DIGITS))]));
-    let motor = dynamics.motor.as_ref().map(|motor| vec![words.get("motor"), motor.designation.clone()]);
-    told.chain(motor).collect()
+    let rows = all.into_iter().filter_map(|(id, value, unit)| {
+        Some(vec![words.get(id), words.number(&trimmed(value?, DIGITS)), words.unit(unit)])
+    });
+    let motor = dynamics.motor.as_ref().filter(|motor| !motor.designation.is_empty());
+    rows.chain(motor.map(|motor| vec![words.get("motor"), motor.designation.clone(), String::new()]))
+        .collect()
+}
+
+/// The iteration to the periodic regime, the trials of ratio and flywheel, and the flywheel by each method.
+fn iteration(words: &Words, dynamics: &Dynamics) -> Vec<Block> {
+    let number = |value: f64| words.number(&digits(value, DIGITS));
+    let head = |ids: &[&str]| ids.iter().map(|id| words.get(id)).collect::<Vec<_>>();
+    let turns = dynamics.regime.iteration.iter().map(|turn| {
+        let difference = words.number(&format!("{:.1e}", turn.residual));
+        vec![turn.number.to_string(), number(turn.speed_start), number(turn.speed_end), difference]
+    });
+    let trials = dynamics.regime.trials.iter().map(|trial| {
+        let mut cells = vec![trial.number.to_string()];
+        cells.push(trial.ratio.map_or_else(|| "–".to_owned(), number));
+        cells.extend([trial.flywheel, trial.mean_speed, trial.unevenness].map(number));
+        cells
+    });
+    let methods = dynamics.flywheel_methods.iter().map(|row| {
+        let part = |part: f64| words.number(&format!("{:+.2}", 1e2 * part));
+        let off = row.difference.map_or_else(|| "–".to_owned(), part);
+        vec![words.phrase(row.method), number(row.flywheel), off]
+    });
+    let all: [(&str, Vec<String>, Vec<Vec<String>>); 3] = [
+        ("iteration", head(&["turn", "start-speed", "end-speed", "difference"]), turns.collect()),
+        (
+            "trials",
+            head(&["trial", "ratio", "flywheel-unit", "mean-speed-unit", "unevenness"]),
+            trials.collect(),
+        ),
+        ("flywheel-methods", head(&["method", "flywheel-unit", "deviation"]), methods.collect()),
+    ];
+    let mut blocks = Vec::new();
+    for (id, head, rows) in all.into_iter().filter(|(.., rows)| !rows.is_empty()) {
+        blocks.push(Block::table(words, id, head, rows));
+        if id == "trials" {
+            blocks.extend(trials_drawn(words, &dynamics.regime));
+        }
+    }
+    blocks
+}
+
+/// A curve of points over an axis.
+fn plot(title: String, x: Axis, curves: Vec<(Vec<Point>, Stroke, Ink)>) -> Panel {
+    let y = Axis::around("", curves.iter().flat_map(|(points, ..)| points).map(|at| at[1]), 0.0);
+    let items = curves.into_iter().map(|(points, stroke, ink)| Item::line(points, stroke, ink)).collect();
+    Panel { title, frame: Frame::Axes { x, y, cursor: None }, items }
+}
+
+/// Flywheel and unevenness over the trials (S fig. 10).
+fn trials_drawn(words: &Words, regime: &RegimeReport) -> Option<Block> {
+    let trials = &regime.trials;
+    if trials.len() < 2 {
+        return None;
+    }
+    let numbers = || trials.iter().map(|trial| trial.number as f64);
+    let x = || Axis { kind: Kind::Whole, ..Axis::around(words.get("trial"), numbers(), 0.0) };
+    let curve = |title: String, read: &dyn Fn(&Trial) -> f64, ink| {
+        let points = trials.iter().map(|trial| [trial.number as f64, read(trial)]).collect();
+        plot(title, x(), vec![(points, Stroke::Solid, ink)])
+    };
+    let panels = vec![
+        curve(words.get("flywheel-unit"), &|trial| trial.flywheel, Ink::First),
+        curve(words.get("unevenness"), &|trial| trial.unevenness, Ink::Second),
+    ];
+    let figure = Figure { panels, columns: 1, ..Figure::default() };
+    Some(Block::picture(figure, CURVE, words.get("trials-drawn")))
+}
+
+/// The energy-mass diagram of Wittenbauer: kinetic energy over reduced inertia of the links, with the two lines
+/// T = J w²/2 of the greatest and the least speed, which touch it.
+fn energy_mass(words: &Words, regime: &RegimeReport) -> Option<Block> {
+    let rows = &regime.course;
+    let first = rows.first()?;
+    let energy = |inertia: f64, speed: f64| 0.5 * (regime.shaft_inertia + inertia) * speed * speed;
+    let start = energy(first.inertia, first.speed);
+    let diagram: Vec<Point> =
+        rows.iter().map(|row| [row.inertia, energy(row.inertia, row.speed) - start]).collect();
+    let speeds = || rows.iter().map(|row| row.speed.abs());
+    let (least, most) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
+    let x = Axis::around(words.get("links-inertia"), diagram.iter().map(|at| at[0]), 0.0);
+    let line = |speed: f64| x.range.map(|inertia| [inertia, energy(inertia, speed) - start]).to_vec();
+    let lines = vec![
+        (line(most), Stroke::Chain, Ink::Third),
+        (line(least), Stroke::Dashed, Ink::Second),
+        (diagram, Stroke::Solid, Ink::First),
+    ];
+    let panel = plot(words.get("energy-change"), x, lines);
+    Some(Block::picture(Figure::of(panel), DIAGRAM, words.get("energy-mass")))
+}
+
+/// The reduced inertia of the links over the cycle, one upon the other; shares too small to be seen are left out.
+fn shares(context: &Context<'_>) -> Option<Block> {
+    let (words, found) = (context.words, context.state.found()?);
+    let table = &found.analysis.positions;
+    let column = |column: Column| -> Option<Vec<f64>> { table.each(table.schema().find(column)?).collect() };
+    let mut q = column(Column::COORDINATE)?;
+    let factor = if found.analysis.input.angular { 180.0 / std::f64::consts::PI } else { 1e3 };
+    q.iter_mut().for_each(|q| *q *= factor);
+    let whole = column(Column::of(Quantity::ReducedInertia, Owner::Input))?;
+    let greatest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+    let mut sum = vec![0.0; q.len()];
+    let (mut curves, mut names) = (Vec::new(), Vec::new());
+    for owner in table.schema().owners(Quantity::ReducedInertia) {
+        let Owner::Link(link) = owner else { continue };
+        let share = column(Column::of(Quantity::ReducedInertia, owner))?;
+        if greatest(&share) < LEAST_SHARE * greatest(&whole) {
+            continue;
+        }
+        let most = (0..share.len()).max_by(|one, other| share[*one].total_cmp(&share[*other]))?;
+        names.push(Item::name(
+            [q[most], sum[most] + 0.5 * share[most]],
+            table.schema().link(link),
+            Ink::Link(link),
+        ));
+        sum.iter_mut().zip(&share).for_each(|(sum, share)| *sum += share);
+        let points = q.iter().zip(&sum).map(|(q, sum)| [*q, *sum]).collect();
+        curves.push((points, Stroke::Solid, Ink::Link(link)));
+    }
+    let kind = if found.analysis.input.angular { Kind::Degrees } else { Kind::Linear };
+    let label = if found.analysis.input.angular { "coordinate-deg" } else { "coordinate-mm" };
+    let x = Axis { kind, ..Axis::around(words.get(label), q, 0.0) };
+    let mut panel = plot(words.get("links-inertia"), x, curves);
+    panel.items.extend(names);
+    if let Frame::Axes { y, .. } = &mut panel.frame {
+        y.range[0] = 0.0;
+    }
+    let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |dynamics| dynamics.regime.shaft_inertia);
+    let values = [("shaft", words.number(&trimmed(shaft, DIGITS)))];
+    Some(Block::picture(Figure::of(panel), CURVE, words.with("shares-drawn", &values)))
 }

@@ -1,16 +1,22 @@
-//! Forces: polygons of every group, reactions, the balancing load.
+//! Forces: polygons of every group with their vectors, reactions, the balancing load.
+
+use assur_analysis::results::{Column, Owner, Quantity};
+use assur_mechanism::{LinkId, PairId};
 
 use super::Context;
 use super::document::Block;
-use super::kinematics::{PLAN, head, table};
-use crate::number::digits;
-use crate::screen::state::{Part, View, greatest as greatest_of};
+use super::kinematics::{cells, printed, vector};
+use crate::screen::state::{Part, View, greatest};
+use crate::screen::view::plans;
 
-/// Page of a curve beside its hodograph, mm.
-const CURVE: [f64; 2] = [160.0, 85.0];
+/// Page of two polygons, and of a curve beside its hodograph, mm.
+const POLYGONS: [f64; 2] = [165.0, 80.0];
+const CURVE: [f64; 2] = [165.0, 85.0];
+/// A force this small beside the greatest one of the position is rounding.
+const ROUNDING: f64 = 1e-12;
 
-/// Heading, force polygons and table of reactions in the chosen positions, curves of the greatest reaction and of the
-/// balancing load; nothing without forces.
+/// Heading, polygons and reactions in the chosen positions, curves of the greatest reaction and of the balancing load;
+/// nothing without forces.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let words = context.words;
     let Some(found) = context.state.found().filter(|found| !found.reactions.is_empty()) else {
@@ -19,89 +25,153 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let values = [("analyzer", found.analyzer.clone())];
     let mut blocks =
         vec![Block::Heading(words.get("forces")), Block::Text(words.with("forces-text", &values))];
-    let all: Vec<usize> = found
-        .reactions
-        .iter()
-        .flat_map(|reaction| reaction.series.iter().chain(&reaction.moment))
-        .copied()
-        .collect();
-    let reactions = table(context, all.iter().map(|index| &found.series[*index]));
-    let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
-    let greatest = pairs
-        .map(|(index, reaction)| (index, greatest_of(&found.series[reaction.series[2]].values)))
-        .max_by(|one, other| one.1.total_cmp(&other.1))
-        .map(|(index, _)| index);
-    let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
-    let name = greatest.map(|index| found.reactions[index].name()).unwrap_or_default();
     for &position in context.positions {
-        let count = context
-            .state
-            .found()
-            .and_then(|found| found.plans.at(position).sheet.as_ref().ok().map(|sheet| sheet.polygons.len()))
-            .unwrap_or(0);
-        for polygon in 0..count {
-            blocks.extend(context.picture(
-                View::Plans,
-                position,
-                PLAN,
-                |words, title| {
-                    let values = [("title", words.phrase(title)), ("position", position.to_string())];
-                    words.with("force-polygon", &values)
-                },
-                |state| {
-                    state.parts.insert(View::Plans, Part::Forces);
-                    state.chosen.polygon = polygon;
-                },
-            ));
+        blocks.extend(inertia_loads(context, position));
+    }
+    blocks.extend(polygons(context));
+    for &position in context.positions {
+        blocks.extend(reactions(context, position));
+    }
+    blocks.extend(curves(context));
+    blocks
+}
+
+/// Principal vectors and principal moments of the inertia loads in a position.
+fn inertia_loads(context: &Context<'_>, position: usize) -> Option<Block> {
+    let (words, table) = (context.words, &context.state.found()?.analysis.positions);
+    let row = table.row_of(position)?;
+    let quantities = [Quantity::InertiaForce, Quantity::InertiaMoment];
+    let owners = table.schema().owners(quantities[0]).into_iter();
+    let rows = cells(words, table, row, owners, &quantities);
+    let units = [("Φ_{x}", "N"), ("Φ_{y}", "N"), ("Φ", "N"), ("M_{Φ}", "N m")];
+    let head = units.map(|(symbol, unit)| format!("{symbol}, {}", words.unit(unit)));
+    let head = std::iter::once(words.get("link")).chain(head).collect();
+    let caption = words.with("inertia-loads", &[("place", context.place(position))]);
+    (!rows.is_empty()).then_some(Block::Table { caption, head, rows })
+}
+
+/// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
+fn polygons(context: &mut Context<'_>) -> Vec<Block> {
+    let words = context.words;
+    let count = |position: &usize| {
+        let found = context.state.found()?;
+        found.plans.at(*position).sheet.as_ref().ok().map(|sheet| sheet.polygons.len())
+    };
+    let count = context.positions.iter().filter_map(count).max().unwrap_or(0);
+    let mut blocks = Vec::new();
+    for polygon in 0..count {
+        let (mut title, mut rows) = (String::new(), Vec::new());
+        for position in context.positions {
+            let Some(found) = context.state.found() else { continue };
+            let sheet = found.plans.at(*position);
+            let Some(plan) = sheet.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon)) else {
+                continue;
+            };
+            title = words.phrase(&plan.title);
+            rows.extend(
+                plans::labelled(Part::Forces, plan).into_iter().filter(|(label, _)| label != "..").map(
+                    |(label, item)| {
+                        let size = printed(words, item.size, 0.0);
+                        vec![
+                            position.to_string(),
+                            label,
+                            words.name(&item.name),
+                            words.phrase(&item.note),
+                            size,
+                        ]
+                    },
+                ),
+            );
         }
-    }
-    blocks.push(Block::table(words, "reactions", head(context), reactions));
-    let position = context.positions[0];
-    if let Some(index) = greatest {
-        let caption = words.with("reaction-curve", &[("of", words.phrase(&name))]);
-        blocks.extend(context.picture(
-            View::Forces,
-            position,
-            CURVE,
-            |_, _| caption,
-            |state| {
-                state.parts.insert(View::Forces, Part::Overview);
-                state.chosen.reaction = index;
-            },
-        ));
-    }
-    if let Some(index) = balancing {
-        let caption = words.get("balancing");
-        blocks.extend(context.picture(
-            View::Forces,
-            position,
-            CURVE,
-            |_, _| caption,
-            |state| {
-                state.parts.insert(View::Forces, Part::Curves);
-                state.chosen.reaction = index;
-            },
-        ));
-        blocks.extend(extreme(context, index));
+        let figure = context.beside(View::Plans, |state| {
+            state.parts.insert(View::Plans, Part::Forces);
+            state.chosen.polygon = polygon;
+        });
+        let values = [("title", title), ("place", context.places())];
+        let caption = words.with("force-polygon", &values);
+        blocks.extend(figure.map(|figure| Block::picture(figure, POLYGONS, caption)));
+        if !rows.is_empty() {
+            let mut head = ["position-number", "vector", "force", "acts"].map(|id| words.get(id)).to_vec();
+            head.push(format!("F, {}", words.unit("N")));
+            blocks.push(Block::Table { caption: words.with("polygon-vectors", &values[..1]), head, rows });
+        }
     }
     blocks
 }
 
-/// Where the balancing load is greatest.
-fn extreme(context: &Context<'_>, reaction: usize) -> Option<Block> {
-    let (words, scene, found) = (context.words, context.state.scene.as_ref()?, context.state.found()?);
-    let series = &found.series[*found.reactions[reaction].series.first()?];
-    let finite = (0..scene.positions()).filter(|position| series.at(*position).is_finite());
-    let at = finite.max_by(|one, other| series.at(*one).abs().total_cmp(&series.at(*other).abs()))?;
-    let head = [
-        words.get("quantity"),
-        format!("{}, {}", words.get("greatest"), series.unit),
-        words.with("at", &[("unit", words.phrase(&scene.series[0].unit))]),
+/// The reactions and the balancing load in a position.
+fn reactions(context: &Context<'_>, position: usize) -> Option<Block> {
+    let (words, table) = (context.words, &context.state.found()?.analysis.positions);
+    let (row, schema) = (table.row_of(position)?, table.schema());
+    // Of two links the force on the other one is opposite.
+    let shown = &context.state.found()?.reactions;
+    let is_shown = |pair: &str, link: &str| shown.iter().any(|one| one.pair == pair && one.link == link);
+    let pairs = schema.owners(Quantity::Force).into_iter().filter_map(|owner| match owner {
+        Owner::PairOn(pair, link) => Some((pair, link)),
+        _ => None,
+    });
+    let pairs: Vec<(PairId, LinkId)> =
+        pairs.filter(|(pair, link)| is_shown(&schema.name(Owner::Pair(*pair)), schema.link(*link))).collect();
+    let force = |(pair, link): &(PairId, LinkId)| {
+        vector(table, row, Column::of(Quantity::Force, Owner::PairOn(*pair, *link)))
+    };
+    let sizes = pairs.iter().filter_map(force).map(|[x, y]| x.hypot(y));
+    let limit = ROUNDING * sizes.fold(0.0, f64::max);
+    let mut rows = Vec::new();
+    for pair in &pairs {
+        let Some([x, y]) =
+            force(pair).map(|force| force.map(|part| if part.abs() <= limit { 0.0 } else { part }))
+        else {
+            continue;
+        };
+        let moment = table.get(row, Column::of(Quantity::Moment, Owner::Pair(pair.0)));
+        let angle =
+            if x.hypot(y) > limit { printed(words, y.atan2(x).to_degrees(), 0.0) } else { "–".to_owned() };
+        let mut cells = vec![words.name(&schema.name(Owner::Pair(pair.0))), words.name(schema.link(pair.1))];
+        cells.extend([x, y, x.hypot(y)].map(|value| printed(words, value, limit)));
+        cells.extend([angle, moment.map_or_else(|| "–".to_owned(), |moment| printed(words, moment, limit))]);
+        rows.push(cells);
+    }
+    if let Some(load) = table.get(row, Column::BALANCING) {
+        let is_moment = context.state.found()?.analysis.input.balancing_is_moment;
+        let value = printed(words, load, 0.0);
+        let mut cells = vec![words.get("balancing-load")];
+        cells.resize(7, "–".to_owned());
+        cells[if is_moment { 6 } else { 4 }] = value;
+        rows.push(cells);
+    }
+    let newton = words.unit("N");
+    let mut head = vec![words.get("pair"), words.get("on-link")];
+    head.extend(["F_{x}", "F_{y}", "F"].map(|symbol| format!("{symbol}, {newton}")));
+    head.extend([words.get("direction"), format!("M, {}", words.unit("N m"))]);
+    let caption = words.with("reactions", &[("place", context.place(position))]);
+    Some(Block::Table { caption, head, rows })
+}
+
+/// The greatest reaction with its hodograph, and the balancing load.
+fn curves(context: &mut Context<'_>) -> Vec<Block> {
+    let (words, position) = (context.words, context.positions[0]);
+    let Some(found) = context.state.found() else { return Vec::new() };
+    let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
+    let size = |(index, reaction): (usize, &crate::screen::state::Reaction)| {
+        (index, greatest(&found.series[reaction.series[2]].values))
+    };
+    let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
+    let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
+    let name = most.map(|index| found.reactions[index].name()).unwrap_or_default();
+    let of = [("of", words.phrase(&name))];
+    let all = [
+        (most, Part::Overview, words.with("reaction-curve", &of)),
+        (balancing, Part::Curves, words.get("balancing")),
     ];
-    let row = vec![
-        words.phrase(&series.of),
-        words.number(&digits(series.at(at), 5)),
-        words.number(&crate::number::plain(scene.series[0].at(at))),
-    ];
-    Some(Block::table(words, "greatest", head, vec![row]))
+    let mut blocks = Vec::new();
+    for (index, part, caption) in all {
+        let Some(index) = index else { continue };
+        let figure = context.figure(View::Forces, position, |state| {
+            state.parts.insert(View::Forces, part);
+            state.chosen.reaction = index;
+        });
+        blocks.extend(figure.map(|(figure, _)| Block::picture(figure, CURVE, caption)));
+    }
+    blocks
 }

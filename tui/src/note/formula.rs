@@ -1,15 +1,26 @@
-//! The working of a position as typeset equations.
+//! The working of a position as equations.
 
-use std::fmt::Write;
-
-use assur_figure::svg::escaped;
 use assur_force::{Loads, State as Instant};
 use assur_mechanism::Motion;
 use assur_working::Working;
 use assur_worksheet::{Entry, Line};
 
 use super::Context;
-use super::document::Block;
+use super::document::{Block, Term};
+use super::words::Words;
+
+/// Functions of the working.
+const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "atan2", "asin", "acos", "abs", "sign", "sqrt"];
+/// Greek letters and their names in the working.
+const GREEK: [(&str, &str); 7] = [
+    ("phi", "φ"),
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("sigma", "σ"),
+    ("pi", "π"),
+];
 
 /// The equations of the first chosen position.
 pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
@@ -25,88 +36,149 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
     let state = Instant::prescribed(mechanism, mechanism.input.coordinate(position));
     let working = Working::of(linkage, loads.as_ref(), state, position).map_err(|error| error.to_string())?;
     let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
-    for section in &working.sections {
-        // Remarks are written in English alone.
-        let lines = section.entries.iter().filter_map(|entry| match entry {
-            Entry::Note(text) => (words.language == "en").then(|| Block::Text(text.clone())),
+    // The first section repeats title and structure.
+    for section in working.sections.iter().skip(1) {
+        blocks.push(Block::Subheading(words.phrase(&section.title)));
+        blocks.extend(section.entries.iter().map(|entry| match entry {
+            Entry::Note(text) => Block::Text(remark(words, text)),
             Entry::Given { name, result, unit, .. } => {
-                let text = format!("{} = {} {unit}", symbols(name), words.number(result));
-                Some(Block::Equation(text))
+                let mut terms = symbols(words, name);
+                terms.extend(equals(symbols(words, result)));
+                terms.extend(unit_of(words, unit));
+                Block::Equation(terms)
             }
-            Entry::Line(line) => Some(Block::Equation(equation(context, line))),
-        });
-        let lines: Vec<Block> = lines.collect();
-        if !lines.is_empty() {
-            blocks.push(Block::Subheading(words.phrase(&section.title)));
-            blocks.extend(lines);
-        }
+            Entry::Line(line) => Block::Equation(equation(words, line)),
+        }));
     }
     Ok(blocks)
 }
 
-fn equation(context: &Context<'_>, line: &Line) -> String {
-    let words = context.words;
-    let mut text = symbols(&line.name);
-    let substituted = if line.substituted == line.text { "" } else { &line.substituted };
-    for part in [line.text.as_str(), substituted].into_iter().filter(|part| !part.is_empty()) {
-        text.push_str(" = ");
-        text.push_str(&words.number(&symbols(part)));
+/// A remark with Greek letters and subscripts.
+fn remark(words: &Words, text: &str) -> String {
+    let text = words.phrase(text);
+    let mut line = String::new();
+    let mut rest = text.as_str();
+    while let Some(letter) = rest.chars().next() {
+        let end = rest.find(|c: char| !is_of_symbol(c)).unwrap_or(rest.len()).max(letter.len_utf8());
+        let (word, behind) = rest.split_at(end);
+        if is_symbol(word) {
+            let (letters, below) = named(words, word);
+            line.push_str(&letters);
+            if !below.is_empty() {
+                line.push_str(&format!("_{{{below}}}"));
+            }
+        } else {
+            line.push_str(word);
+        }
+        rest = behind;
     }
-    if line.substituted != line.result {
-        text.push_str(" = ");
-        text.push_str(&words.number(&line.result));
-    }
-    if !line.unit.is_empty() {
-        text.push(' ');
-        text.push_str(&escaped(&line.unit));
-    }
-    text
+    line.replace("^2", "²").replace(" -", " −").replace("(-", "(−")
 }
 
-/// An expression with Greek letters, subscripts and powers: `x_A` becomes an x with the subscript A.
-fn symbols(text: &str) -> String {
-    let mut html = String::new();
+fn equals(terms: Vec<Term>) -> impl Iterator<Item = Term> {
+    std::iter::once(Term::Sign(" = ".to_owned())).chain(terms)
+}
+
+fn unit_of(words: &Words, unit: &str) -> Option<Term> {
+    (!unit.is_empty()).then(|| Term::Unit(words.unit(unit)))
+}
+
+/// Name, formula, formula with numbers, result with its unit; what would repeat the part before it is left out.
+fn equation(words: &Words, line: &Line) -> Vec<Term> {
+    let mut terms = symbols(words, &line.name);
+    let mut before = "";
+    for part in [&line.text, &line.substituted, &line.result].map(String::as_str) {
+        // `0.5 = 0.500000` says nothing.
+        let same =
+            part.parse::<f64>().is_ok_and(|value| before.parse::<f64>().is_ok_and(|last| last == value));
+        if part != before && !part.is_empty() && !same {
+            terms.extend(equals(symbols(words, part)));
+        }
+        before = part;
+    }
+    terms.extend(unit_of(words, &line.unit));
+    terms
+}
+
+fn is_of_symbol(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_' || letter == '\''
+}
+
+/// An expression of the working: `x_A*cos(q)^2`.
+fn symbols(words: &Words, text: &str) -> Vec<Term> {
+    let mut terms = Vec::new();
     let mut rest = text;
     while let Some(letter) = rest.chars().next() {
-        let name_ends = |c: char| !(c.is_alphanumeric() || c == '_' || c == '\'');
-        if letter.is_alphabetic() {
-            let end = rest.find(name_ends).unwrap_or(rest.len());
-            html.push_str(&symbol(&rest[..end]));
-            rest = &rest[end..];
-            continue;
-        }
-        rest = &rest[letter.len_utf8()..];
-        match letter {
-            '*' => html.push('·'),
-            '-' => html.push('−'),
-            '^' => {
-                let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-                let _ = write!(html, "<sup>{}</sup>", &rest[..end]);
-                rest = &rest[end..];
-            }
-            other => html.push_str(&escaped(&other.to_string())),
-        }
+        let split = |wanted: &dyn Fn(char) -> bool| {
+            rest.split_at(rest.find(|c: char| !wanted(c)).unwrap_or(rest.len()))
+        };
+        let term;
+        (term, rest) = if letter.is_alphabetic() {
+            let (name, behind) = split(&is_of_symbol);
+            (symbol(words, name), behind)
+        } else if letter.is_ascii_digit() {
+            let end = number_end(rest);
+            (Term::Number(words.number(&rest[..end])), &rest[end..])
+        } else if letter == '^' {
+            let (power, behind) =
+                rest[1..].split_at(rest[1..].find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len() - 1));
+            (Term::Power(power.to_owned()), behind)
+        } else {
+            let sign = match letter {
+                '*' => "·".to_owned(),
+                '-' => "−".to_owned(),
+                other => other.to_string(),
+            };
+            (Term::Sign(sign), &rest[letter.len_utf8()..])
+        };
+        terms.push(term);
     }
-    html
+    terms
 }
 
-/// A name: its letter, and what follows the first low line as a subscript.
-fn symbol(name: &str) -> String {
-    let (base, below) = name.split_once('_').unwrap_or((name, ""));
-    let letters = base.trim_end_matches('\'');
-    let primes = base[letters.len()..].replace("''", "″").replace('\'', "′");
-    let letters = match letters {
-        "phi" => "φ",
-        "alpha" => "α",
-        "beta" => "β",
-        "pi" => "π",
-        "sqrt" => "√",
-        function @ ("sin" | "cos" | "tan" | "atan2" | "asin" | "acos" | "abs" | "sign") => {
-            return function.to_owned();
+/// Where the number ends with which a text begins: `1.5e-7`.
+fn number_end(text: &str) -> usize {
+    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(text.len());
+    let exponent = text[end..].strip_prefix('e').map(|rest| {
+        let sign = usize::from(rest.starts_with('-'));
+        sign + rest[sign..].find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len() - sign)
+    });
+    exponent.map_or(end, |length| end + 1 + length)
+}
+
+fn symbol(words: &Words, name: &str) -> Term {
+    match name {
+        "sqrt" => Term::Function("√".to_owned()),
+        name if FUNCTIONS.contains(&name) => Term::Function(name.to_owned()),
+        name => {
+            let (letters, below) = named(words, name);
+            Term::Name(letters, below)
         }
-        other => other,
+    }
+}
+
+/// Letter with primes, and the subscript, of a symbol of the working: `d'x_1` is d′ with the subscript `x, 1`.
+fn named(words: &Words, name: &str) -> (String, String) {
+    let (base, below) = name.split_once('_').unwrap_or((name, ""));
+    let letters = base.replace('\'', "");
+    let primes = match base.len() - letters.len() {
+        0 => "",
+        1 => "′",
+        _ => "″",
     };
-    let below = below.replace('_', ", ");
-    let sub = if below.is_empty() { String::new() } else { format!("<sub>{}</sub>", escaped(&below)) };
-    format!("<i>{}</i>{primes}{sub}", escaped(letters))
+    let (letter, part) = match GREEK.into_iter().find(|(english, _)| *english == letters) {
+        Some((_, greek)) => (greek, ""),
+        None => letters.split_at(letters.chars().next().map_or(0, char::len_utf8)),
+    };
+    let parts = std::iter::once(part).chain(below.split('_')).filter(|part| !part.is_empty());
+    let parts: Vec<String> = parts.map(|part| words.subscript(part)).collect();
+    (format!("{letter}{primes}"), parts.join(", "))
+}
+
+/// Whether a word of a remark is a symbol: `phi`, `x_A`, `s'`, not a word or a name.
+fn is_symbol(word: &str) -> bool {
+    let base = word.split_once('_').map_or(word, |(base, _)| base);
+    let letters = base.trim_end_matches('\'');
+    GREEK.iter().any(|(english, _)| *english == letters)
+        || (base != word || letters != base) && letters.len() <= 2
 }

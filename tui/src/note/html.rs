@@ -2,28 +2,32 @@
 
 use std::fmt::Write;
 
-use assur_figure::svg::{self, escaped};
+use assur_figure::svg::{self, escaped, lowered};
 
-use super::document::{Block, Cover};
+use super::document::{Block, Cover, Term};
 use super::words::Words;
 
 /// Time of one turn of an animation, s.
-const TURN: f64 = 6.0;
+pub(super) const TURN: f64 = 6.0;
 
 const STYLE: &str = "
 @page { size: A4; margin: 20mm 15mm 20mm 25mm; }
 body { font: 11pt/1.4 'Liberation Serif', 'Times New Roman', serif; max-width: 170mm; margin: 0 auto; padding: 5mm; color: #000; }
 .cover { text-align: center; min-height: 220mm; display: flex; flex-direction: column; justify-content: center; break-after: page; }
-.cover h1 { font-size: 20pt; } .cover table { margin: 20mm 0 0 auto; border: none; } .cover td { border: none; text-align: left; }
-h2 { font-size: 15pt; margin-top: 10mm; break-after: avoid; } h3 { font-size: 12pt; break-after: avoid; }
-figure { margin: 5mm 0; text-align: center; break-inside: avoid; } figure svg { max-width: 100%; height: auto; }
+.cover p { font-size: 16pt; } .cover h1 { font-size: 20pt; }
+.cover table { margin: 20mm 0 0 auto; border: none; width: auto; } .cover td { border: none; text-align: left; font-size: 12pt; }
+h2 { font-size: 15pt; margin-top: 8mm; break-after: avoid; } h2:nth-of-type(2) { break-before: page; } h3 { font-size: 12pt; break-after: avoid; }
+p { orphans: 2; widows: 2; }
+figure { margin: 4mm 0; text-align: center; break-inside: avoid; } figure svg { max-width: 100%; height: auto; }
 figcaption, caption { font-size: 10pt; margin: 2mm 0; } caption { text-align: left; break-after: avoid; }
-table { border-collapse: collapse; margin: 5mm 0; width: 100%; font-size: 9.5pt; }
+table { border-collapse: collapse; margin: 4mm 0; width: 100%; font-size: 9.5pt; } table.short { break-inside: avoid; }
 thead { display: table-header-group; break-after: avoid; } tr { break-inside: avoid; }
-th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: right; } th:first-child, td:first-child { text-align: left; }
-.eq { margin: 0.8mm 0 0.8mm 8mm; text-indent: -4mm; overflow-wrap: anywhere; } .eq i { font-family: 'Liberation Serif', serif; }
+th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th { text-align: center; } td.n { text-align: right; white-space: nowrap; }
+.eq { margin: 0.8mm 0 0.8mm 8mm; text-indent: -4mm; overflow-wrap: anywhere; } sub, sup { font-size: 70%; line-height: 0; }
 @media print { body { padding: 0; max-width: none; } }
 ";
+/// A table of at most so many rows is not divided between pages.
+pub(super) const SHORT: usize = 16;
 
 /// The file.
 pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
@@ -44,40 +48,29 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
         match block {
             Block::Heading(title) => {
                 parts += 1;
-                let _ = writeln!(text, "<h2>{parts}. {}</h2>", escaped(title));
+                let _ = writeln!(text, "<h2>{parts}. {}</h2>", rich(title));
             }
             Block::Subheading(title) => {
-                let _ = writeln!(text, "<h3>{}</h3>", escaped(title));
+                let _ = writeln!(text, "<h3>{}</h3>", rich(title));
             }
             Block::Text(paragraph) => {
-                let _ = writeln!(text, "<p>{}</p>", escaped(paragraph));
+                let _ = writeln!(text, "<p>{}</p>", rich(paragraph));
             }
-            Block::Equation(html) => {
-                let _ = writeln!(text, "<p class=\"eq\">{html}</p>");
+            Block::Equation(terms) => {
+                let _ = writeln!(text, "<p class=\"eq\">{}</p>", equation(terms));
             }
             Block::Picture { frames, size, caption } => {
                 figures += 1;
-                let drawn = match frames.as_slice() {
-                    [one] => svg::write_in(one, *size, &|text| words.phrase(text)),
-                    many => svg::animate_in(many, *size, TURN, &|text| words.phrase(text)),
-                };
+                let drawn = svg::animate_in(frames, *size, TURN, &|text| words.phrase(text));
                 let number = format!("{} {figures}", words.get("figure"));
-                let _ = writeln!(
-                    text,
-                    "<figure>{drawn}<figcaption>{number}. {}</figcaption></figure>",
-                    escaped(caption)
-                );
+                let caption = rich(caption);
+                let _ =
+                    writeln!(text, "<figure>{drawn}<figcaption>{number}. {caption}</figcaption></figure>");
             }
             Block::Table { caption, head, rows } => {
                 tables += 1;
-                let number = format!("{} {tables}", words.get("table"));
-                let _ = write!(text, "<table><caption>{number}. {}</caption><thead>", escaped(caption));
-                row(&mut text, "th", head);
-                text.push_str("</thead><tbody>");
-                for cells in rows {
-                    row(&mut text, "td", cells);
-                }
-                text.push_str("</tbody></table>\n");
+                let caption = format!("{} {tables}. {}", words.get("table"), rich(caption));
+                table(&mut text, &caption, head, rows);
             }
         }
     }
@@ -85,10 +78,50 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
     text
 }
 
-fn row(text: &mut String, tag: &str, cells: &[String]) {
-    text.push_str("<tr>");
-    for cell in cells {
-        let _ = write!(text, "<{tag}>{}</{tag}>", escaped(cell));
+fn table(text: &mut String, caption: &str, head: &[String], rows: &[Vec<String>]) {
+    let class = if rows.len() <= SHORT { " class=\"short\"" } else { "" };
+    let _ = write!(text, "<table{class}><caption>{caption}</caption><thead><tr>");
+    head.iter().for_each(|cell| {
+        let _ = write!(text, "<th>{}</th>", rich(cell));
+    });
+    text.push_str("</tr></thead><tbody>");
+    for cells in rows {
+        text.push_str("<tr>");
+        for (column, cell) in cells.iter().enumerate() {
+            let class = if is_of_numbers(rows, column) { " class=\"n\"" } else { "" };
+            let _ = write!(text, "<td{class}>{}</td>", rich(cell));
+        }
+        text.push_str("</tr>");
     }
-    text.push_str("</tr>");
+    text.push_str("</tbody></table>\n");
+}
+
+/// Whether a column has numbers and dashes alone, so that it stands at the right.
+pub(super) fn is_of_numbers(rows: &[Vec<String>], column: usize) -> bool {
+    rows.iter().all(|cells| cells.get(column).is_some_and(|cell| is_number(cell)))
+}
+
+fn is_number(cell: &str) -> bool {
+    let mut signs = cell.chars();
+    signs.next().is_some_and(|c| c.is_ascii_digit() || "+−–".contains(c))
+        && signs.all(|c| c.is_ascii_digit() || ".,·−⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
+}
+
+/// A text with subscripts.
+fn rich(text: &str) -> String {
+    lowered(text).fold(String::new(), |line, (part, low)| {
+        let low = if low.is_empty() { String::new() } else { format!("<sub>{}</sub>", escaped(low)) };
+        line + &escaped(part) + &low
+    })
+}
+
+fn equation(terms: &[Term]) -> String {
+    let term = |term: &Term| match term {
+        Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", escaped(letters)),
+        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", escaped(letters), escaped(below)),
+        Term::Function(text) | Term::Number(text) | Term::Sign(text) => escaped(text),
+        Term::Power(power) => format!("<sup>{}</sup>", escaped(power)),
+        Term::Unit(unit) => format!(" {}", escaped(unit)),
+    };
+    terms.iter().map(term).collect()
 }

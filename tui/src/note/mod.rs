@@ -1,7 +1,7 @@
-//! The explanatory note: what was calculated, with its figures and tables, as one HTML file.
+//! The explanatory note: what was calculated, with its figures and tables, as HTML, Markdown or Typst.
 //!
 //! [`write`] collects blocks (`document`) from the state of a scene, in the words of a language (`words`), and writes
-//! them (`html`). Its figures are those of the views; its numbers are those of the results.
+//! them in a form (`html`, `markdown`, `typst`). Its figures are those of the views; its numbers are those of the results.
 
 mod document;
 mod dynamics;
@@ -9,33 +9,88 @@ mod forces;
 mod formula;
 mod html;
 mod kinematics;
+mod loads;
+mod markdown;
+mod results;
 mod structure;
 mod task;
+mod typst;
 mod words;
 
 #[cfg(test)]
 mod tests;
 
+use assur_figure::Figure;
 use assur_scene::Note;
 
-use crate::screen::state::State;
+use crate::screen::state::{State, View};
 use document::{Block, Cover};
 use words::Words;
+
+/// The form of a note.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// One file with its figures, for reading and printing.
+    Html,
+    /// A text for editing, its figures in files beside it.
+    Markdown,
+    /// One file with its figures, for editing and typesetting.
+    Typst,
+}
+
+impl Form {
+    /// The form that the ending of a file name chooses.
+    pub(crate) fn of(ending: &str) -> Option<Self> {
+        let forms = [("html", Self::Html), ("md", Self::Markdown), ("typ", Self::Typst)];
+        forms.into_iter().find(|(name, _)| ending.eq_ignore_ascii_case(name)).map(|(_, form)| form)
+    }
+}
+
+/// A note in one form.
+#[derive(Debug)]
+pub(crate) struct Written {
+    pub(crate) text: String,
+    /// Names and contents of the files of its figures, where they are not in the text.
+    pub(crate) figures: Vec<(String, String)>,
+}
 
 /// What every part of the note is made from.
 struct Context<'a> {
     state: &'a mut State,
     words: &'a Words,
-    /// Numbers of the positions that are drawn and worked out.
+    /// Numbers of the positions that are drawn and worked out, at least one.
     positions: &'a [usize],
 }
 
-/// The note of a scene whose analysis is done.
+impl Context<'_> {
+    /// The figures of a view in the chosen positions, beside each other.
+    fn beside(&mut self, shown: View, set: impl Fn(&mut State)) -> Option<Figure> {
+        let mut whole: Option<Figure> = None;
+        for &position in self.positions {
+            let Some((mut figure, _)) = self.figure(shown, position, &set) else { continue };
+            let place = self.place(position);
+            figure.panels.iter_mut().for_each(|panel| panel.title.clone_from(&place));
+            match &mut whole {
+                Some(whole) => whole.panels.extend(figure.panels),
+                None => whole = Some(figure),
+            }
+        }
+        whole.map(|figure| Figure { columns: figure.panels.len().clamp(1, 2), ..figure })
+    }
+
+    /// The chosen positions in words.
+    fn places(&self) -> String {
+        let places: Vec<String> = self.positions.iter().map(|position| self.place(*position)).collect();
+        places.join("; ")
+    }
+}
+
+/// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
 ///
 /// # Errors
 ///
 /// The language resources or the working of a position; in words.
-pub(crate) fn write(state: &mut State, note: &Note) -> Result<String, String> {
+pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, String> {
     let words = Words::of(note.language)?;
     let Some(scene) = &state.scene else { return Err("there is no scene".to_owned()) };
     let cover = Cover::of(&scene.linkage.mechanism.title, note);
@@ -49,53 +104,63 @@ pub(crate) fn write(state: &mut State, note: &Note) -> Result<String, String> {
         positions.push(scene.first_position());
     }
     positions.dedup();
-    let mut context = Context { state, words: &words, positions: &positions };
-    let mut blocks = task::blocks(&mut context);
-    blocks.extend(structure::blocks(&mut context));
-    blocks.extend(kinematics::blocks(&mut context));
-    blocks.extend(forces::blocks(&mut context));
-    blocks.extend(dynamics::blocks(&mut context));
-    blocks.extend(formula::blocks(&mut context)?);
-    blocks.extend(checks(&context));
-    Ok(html::write(&cover, &blocks, &words))
+    let blocks = blocks(&mut Context { state, words: &words, positions: &positions })?;
+    Ok(match form {
+        Form::Html => Written { text: html::write(&cover, &blocks, &words), figures: Vec::new() },
+        Form::Markdown => markdown::write(&cover, &blocks, &words, folder),
+        Form::Typst => Written { text: typst::write(&cover, &blocks, &words), figures: Vec::new() },
+    })
 }
 
-/// Every check, and what is not modelled.
+fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
+    let mut blocks = results::blocks(context);
+    for part in [task::blocks, structure::blocks, kinematics::blocks, forces::blocks, dynamics::blocks] {
+        blocks.extend(part(context));
+    }
+    blocks.extend(formula::blocks(context)?);
+    blocks.extend(checks(context));
+    blocks.extend(limits(context));
+    Ok(blocks)
+}
+
+/// Every check with its residual.
 fn checks(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
-    let mut blocks = Vec::new();
-    let found = context.state.found().filter(|found| !found.analysis.checks.is_empty());
-    if let Some(found) = found {
-        let rows = found.analysis.checks.iter().map(|check| {
-            let verdict = match (check.failed(), check.judged) {
-                (true, _) => words.get("failed"),
-                (false, true) => words.get("ok"),
-                (false, false) => words.get("not-judged"),
-            };
-            let [residual, limit] =
-                [check.residual, check.limit].map(|size| words.number(&format!("{size:.2e}")));
-            vec![check.name.to_owned(), residual, limit, verdict]
-        });
-        let rows = rows.collect();
-        blocks.push(Block::Heading(words.get("checks")));
-        blocks.push(Block::Text(words.get("checks-text")));
-        blocks.push(Block::table(
-            words,
-            "checks",
-            ["check", "residual", "limit", "verdict"].map(|id| words.get(id)),
-            rows,
-        ));
-    }
-    blocks.push(Block::Heading(words.get("model")));
-    blocks.push(Block::Text(words.get("model-text")));
-    if let Some(scene) = &context.state.scene {
-        let gaps: Vec<String> = (0..scene.positions())
-            .filter(|position| scene.poses[*position].is_none())
-            .map(|position| position.to_string())
-            .collect();
-        if !gaps.is_empty() {
-            blocks.push(Block::Text(words.with("no-position", &[("positions", gaps.join(", "))])));
-        }
+    let Some(found) = context.state.found().filter(|found| !found.analysis.checks.is_empty()) else {
+        return Vec::new();
+    };
+    let rows = found.analysis.checks.iter().map(|check| {
+        let verdict = match (check.failed(), check.judged) {
+            (true, _) => "failed",
+            (false, true) => "ok",
+            (false, false) => "not-judged",
+        };
+        let size =
+            |size: f64| if size == 0.0 { "0".to_owned() } else { words.number(&format!("{size:.1e}")) };
+        vec![words.phrase(check.name), size(check.residual), size(check.limit), words.get(verdict)]
+    });
+    let head = ["check", "residual", "limit", "verdict"].map(|id| words.get(id));
+    vec![
+        Block::Heading(words.get("checks")),
+        Block::Text(words.get("checks-text")),
+        Block::table(words, "checks", head, rows.collect()),
+    ]
+}
+
+/// What is not modelled, and what could not be found.
+fn limits(context: &Context<'_>) -> Vec<Block> {
+    let words = context.words;
+    let mut blocks = vec![Block::Heading(words.get("model")), Block::Text(words.get("model-text"))];
+    let notes = context.state.found().map(|found| found.analysis.notes.as_slice()).unwrap_or_default();
+    blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(note))));
+    let failures = context.state.scene.as_ref().map(|scene| scene.failures.as_slice()).unwrap_or_default();
+    let failed: Vec<String> = failures
+        .iter()
+        .enumerate()
+        .filter_map(|(position, failure)| failure.as_ref().map(|_| position.to_string()))
+        .collect();
+    if !failed.is_empty() {
+        blocks.push(Block::Text(words.with("no-position", &[("positions", failed.join(", "))])));
     }
     blocks
 }

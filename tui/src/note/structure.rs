@@ -1,64 +1,119 @@
-//! Structure: mobility, groups, and each group in the drawing.
+//! Structure: mobility, groups, the mechanism assembled group by group.
+
+use assur_figure::mechanism::Drawing;
+use assur_figure::{Figure, Frame, Panel};
+use assur_group::Pair;
+use assur_mechanism::LinkId;
+use assur_structure::roman;
 
 use super::Context;
-use super::document::Block;
-use super::task::MECHANISM;
-use crate::screen::state::View;
+use super::document::{Block, Term};
 
-/// Heading, mobility, formula, table of groups, each group marked.
+/// Width of a figure and height of a row of its panels, mm.
+const PANELS: [f64; 2] = [165.0, 78.0];
+/// Panels beside each other, and in one figure.
+const COLUMNS: usize = 2;
+const MOST: usize = 6;
+
+/// Heading, mobility, table of the groups, and the assembly of the mechanism.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let words = context.words;
     let Some(scene) = &context.state.scene else { return Vec::new() };
-    let linkage = scene.linkage.clone();
-    let (structure, mechanism) = (&linkage.structure, &linkage.mechanism);
-    let w = &structure.mobility;
-    let values = [("links", w.moving_links.to_string()), ("pairs", w.pairs.to_string())];
-    let class = assur_structure::roman(structure.class()).to_string();
+    let structure = &scene.linkage.structure;
+    let mobility = &structure.mobility;
+    let values = [("links", mobility.moving_links.to_string()), ("pairs", mobility.pairs.to_string())];
+    let formula = [
+        ("formula", words.name(&structure.formula).replace("->", "→")),
+        ("class", roman(structure.class()).to_owned()),
+    ];
     let mut blocks = vec![
         Block::Heading(words.get("structure")),
         Block::Text(words.with("structure-text", &values)),
-        Block::Equation(format!(
-            "<i>W</i> = 3<i>n</i> − 2<i>p</i><sub>5</sub> = 3·{} − 2·{} = {}",
-            w.moving_links, w.pairs, w.value
-        )),
-        Block::Text(
-            words.with("structure-class", &[("formula", structure.formula.clone()), ("class", class)]),
-        ),
+        Block::Equation(chebyshev(mobility.moving_links, mobility.pairs, &mobility.value.to_string())),
+        Block::Text(words.with("structure-class", &formula)),
     ];
-    let mut rows = Vec::new();
-    for (index, group) in structure.groups.iter().enumerate() {
-        let links: Vec<&str> =
-            group.frame.links.iter().map(|link| mechanism.links[*link].name.as_str()).collect();
-        let pairs = |pairs: &[assur_group::Pair]| {
-            let names: Vec<&str> = pairs.iter().map(|pair| structure.pair_name(mechanism, pair.id)).collect();
-            names.join(", ")
+    let rows = groups(context);
+    if !rows.is_empty() {
+        let head = ["kind", "class-order", "links", "inner-pairs", "outer-pairs"].map(|id| words.get(id));
+        blocks.push(Block::table(words, "groups", std::iter::once("№".to_owned()).chain(head), rows));
+    }
+    blocks.extend(assembly(context));
+    blocks
+}
+
+/// W = 3 n - 2 p5.
+fn chebyshev(links: usize, pairs: usize, value: &str) -> Vec<Term> {
+    let name = |letter: &str, below: &str| Term::Name(letter.to_owned(), below.to_owned());
+    let sign = |text: &str| Term::Sign(text.to_owned());
+    let number = |text: &str| Term::Number(text.replace('-', "−"));
+    vec![
+        name("W", ""),
+        sign(" = "),
+        number("3"),
+        name("n", ""),
+        sign(" − "),
+        number("2"),
+        name("p", "5"),
+        sign(" = "),
+        number("3"),
+        sign("·"),
+        number(&links.to_string()),
+        sign(" − "),
+        number("2"),
+        sign("·"),
+        number(&pairs.to_string()),
+        sign(" = "),
+        number(value),
+    ]
+}
+
+fn groups(context: &Context<'_>) -> Vec<Vec<String>> {
+    let words = context.words;
+    let Some(scene) = &context.state.scene else { return Vec::new() };
+    let (mechanism, structure) = (&scene.linkage.mechanism, &scene.linkage.structure);
+    let row = |(index, group): (usize, &assur_structure::Group)| {
+        let links: Vec<_> =
+            group.frame.links.iter().map(|link| mechanism.links[*link].name.clone()).collect();
+        let pairs = |pairs: &[Pair]| {
+            let names = pairs.iter().map(|pair| words.name(structure.pair_name(mechanism, pair.id)));
+            names.collect::<Vec<_>>().join(", ")
         };
-        let class = assur_structure::roman(group.class);
-        rows.push(vec![
+        vec![
             (index + 1).to_string(),
             group.plugin.name.to_uppercase(),
-            format!("{class}, {}, {}", group.plugin.number, group.order),
+            format!("{}, {}, {}", roman(group.class), group.plugin.number, group.order),
             links.join(", "),
             pairs(&group.frame.inner),
             pairs(&group.frame.outer),
-        ]);
+        ]
+    };
+    structure.groups.iter().enumerate().map(row).collect()
+}
+
+/// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
+fn assembly(context: &Context<'_>) -> Vec<Block> {
+    let (words, position) = (context.words, context.positions[0]);
+    let Some(scene) = &context.state.scene else { return Vec::new() };
+    let Some(pose) = &scene.poses[position] else { return Vec::new() };
+    let linkage = &scene.linkage;
+    let input = linkage.mechanism.input.link;
+    let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
+    let mut panel = |title: String, marked: &[LinkId]| {
+        hidden.retain(|link| !marked.contains(link));
+        let drawing = Drawing { linkage, strokes: &scene.strokes, marked, hidden: &hidden };
+        let frame =
+            Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+        Panel { title, frame, items: drawing.items(pose) }
+    };
+    let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.clone());
+    let mut panels = vec![panel(words.with("input-link-alone", &[named(input)]), &[input])];
+    for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
+        let values = [("number", (index + 1).to_string()), ("kind", group.plugin.name.to_uppercase())];
+        panels.push(panel(words.with("with-group", &values), &group.frame.links));
     }
-    let head = ["kind", "class-order", "links", "inner-pairs", "outer-pairs"].map(|id| words.get(id));
-    let head = std::iter::once("№".to_owned()).chain(head);
-    if !rows.is_empty() {
-        blocks.push(Block::table(words, "groups", head, rows.clone()));
-    }
-    let position = context.positions[0];
-    for (index, row) in rows.iter().enumerate() {
-        let values = [("number", row[0].clone()), ("kind", row[1].clone()), ("links", row[3].clone())];
-        let caption = words.with("group-marked", &values);
-        blocks.extend(context.picture(
-            View::Structure,
-            position,
-            MECHANISM,
-            |_, _| caption,
-            |state| state.chosen.group = index,
-        ));
-    }
-    blocks
+    let columns = COLUMNS.min(panels.len());
+    let figure = Figure { panels, columns, ..Figure::default() };
+    let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
+    let caption = words.with("assembly", &[("place", context.place(position))]);
+    vec![Block::picture(figure, size, caption)]
 }

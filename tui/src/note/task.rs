@@ -1,110 +1,152 @@
 //! The task: the mechanism as it is given.
 
-use assur_mechanism::GROUND;
+use assur_mechanism::{Drive, Mechanism, Motion, Motor, Solve, Torque};
 
 use super::Context;
 use super::document::Block;
-use crate::number::plain;
+use super::loads;
+use super::words::Words;
+use crate::number::trimmed;
 use crate::screen::state::View;
 
 /// Page of a mechanism, mm.
-pub(super) const MECHANISM: [f64; 2] = [160.0, 110.0];
+const MECHANISM: [f64; 2] = [160.0, 110.0];
+/// Digits of given numbers.
+const DIGITS: usize = 6;
 
-/// Heading, data of links, pairs and loads, and the mechanism drawn, moving.
+/// A given number.
+pub(super) fn number(words: &Words, value: f64) -> String {
+    words.number(&trimmed(value, DIGITS))
+}
+
+/// Heading, data of links, pairs, loads, motion and drive, and the mechanism drawn, moving.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let words = context.words;
     let Some(scene) = &context.state.scene else { return Vec::new() };
-    let mechanism = scene.linkage.mechanism.clone();
-    let number = |value: f64| words.number(&plain(value));
-    let mm = |at: [f64; 2]| at.map(|x| number(1e3 * x)).join("; ");
+    let mechanism = &scene.linkage.mechanism;
     let input = &mechanism.links[mechanism.input.link].name;
     let values = [("positions", mechanism.input.positions.to_string()), ("link", input.clone())];
     let mut blocks = vec![Block::Heading(words.get("task")), Block::Text(words.with("task-text", &values))];
-    let mut points = Vec::new();
-    for (link, of) in mechanism.links.iter().enumerate() {
-        for (id, point) in mechanism.points.iter().enumerate() {
-            if let Some([x, y]) = mechanism.place_in(id, link) {
-                points.push(vec![of.name.clone(), point.name.clone(), number(1e3 * x), number(1e3 * y)]);
-            }
+    let mut table = |caption: &str, head: &[&str], rows: Vec<Vec<String>>| {
+        if !rows.is_empty() {
+            blocks.push(Block::table(words, caption, head.iter().map(|id| words.get(id)), rows));
         }
-    }
-    let head = [words.get("link"), words.get("point"), "x".to_owned(), "y".to_owned()];
-    blocks.push(Block::table(words, "points-of-links", head, points));
-    let slides = mechanism.slides.iter().map(|slide| {
-        let [link, on] = [slide.link, slide.on].map(|link| mechanism.links[link].name.clone());
-        vec![slide.name.clone(), link, on, mm(slide.through), number(slide.angle.to_degrees())]
-    });
-    let slides: Vec<_> = slides.collect();
-    if !slides.is_empty() {
-        let head = ["pair", "link", "guide"].map(|id| words.get(id));
-        let head = head.into_iter().chain(["x; y".to_owned(), words.get("direction")]);
-        blocks.push(Block::table(words, "slides", head, slides));
-    }
-    let masses = mechanism.links.iter().filter(|link| link.mass > 0.0 || link.inertia > 0.0);
-    let masses: Vec<_> = masses
-        .map(|link| vec![link.name.clone(), number(link.mass), mm(link.center), number(link.inertia)])
-        .collect();
-    if !masses.is_empty() {
-        let head = ["link", "mass", "center", "inertia"].map(|id| words.get(id));
-        blocks.push(Block::table(words, "masses", head, masses));
-    }
-    let loads = loads(context);
-    if !loads.is_empty() {
-        let head = [context.words.get("load"), String::new()];
-        blocks.push(Block::table(context.words, "loads", head, loads));
-    }
+    };
+    table("points-of-links", &["link", "point", "x-mm", "y-mm"], points(words, mechanism));
+    table("slides", &["pair", "link", "guide", "through", "direction"], slides(words, mechanism));
+    table("masses", &["link", "mass", "center", "inertia"], masses(words, mechanism));
+    table("loads", &["load", "what-acts", "value"], loads::rows(words, mechanism));
+    table("motion-and-drive", &["quantity", "value", "unit"], motion(words, mechanism));
     blocks.extend(moving(context));
     blocks
 }
 
-fn loads(context: &Context<'_>) -> Vec<Vec<String>> {
-    let words = context.words;
-    let Some(scene) = &context.state.scene else { return Vec::new() };
-    let mechanism = &scene.linkage.mechanism;
-    let number = |value: f64| words.number(&plain(value));
-    let name = |link: usize| ("link", mechanism.links[link].name.clone());
+fn mm(words: &Words, at: [f64; 2]) -> String {
+    at.map(|x| number(words, 1e3 * x)).join("; ")
+}
+
+fn points(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
-    if let Some([x, y]) = mechanism.gravity {
-        rows.push(vec!["G".to_owned(), words.with("gravity", &[("g", number(x.hypot(y)))])]);
+    for (link, of) in mechanism.links.iter().enumerate() {
+        for (id, point) in mechanism.points.iter().enumerate() {
+            if let Some(at) = mechanism.place_in(id, link) {
+                let [x, y] = at.map(|x| number(words, 1e3 * x));
+                rows.push(vec![words.name(&of.name), point.name.clone(), x, y]);
+            }
+        }
     }
-    for force in &mechanism.forces {
-        let [x, y] = force.at.at.map(|value| number(1e3 * value));
-        let values = [("x", x), ("y", y), name(force.at.link)];
-        rows.push(vec![force.name.clone(), words.with("force-at", &values)]);
+    rows
+}
+
+fn slides(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
+    let row = |slide: &assur_mechanism::Slide| {
+        let [link, on] = [slide.link, slide.on].map(|link| words.name(&mechanism.links[link].name));
+        let angle = number(words, slide.angle.to_degrees());
+        vec![words.name(&slide.name), link, on, mm(words, slide.through), angle]
+    };
+    mechanism.slides.iter().map(row).collect()
+}
+
+fn masses(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
+    let heavy = mechanism.links.iter().filter(|link| link.mass > 0.0 || link.inertia > 0.0);
+    heavy
+        .map(|link| {
+            let [mass, inertia] = [link.mass, link.inertia].map(|value| number(words, value));
+            vec![link.name.clone(), mass, mm(words, link.center), inertia]
+        })
+        .collect()
+}
+
+/// What the scene says about motion and drive.
+fn motion(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
+    let angular = mechanism.input.is_angle();
+    let [speed_unit, acceleration_unit] = if angular { ["rad/s", "rad/s2"] } else { ["m/s", "m/s2"] };
+    let mut rows: Vec<Given> = Vec::new();
+    match &mechanism.motion {
+        Some(Motion::Prescribed { speed, acceleration }) => {
+            rows.push(("given-speed", Ok(*speed), speed_unit));
+            rows.push(("given-acceleration", Ok(*acceleration), acceleration_unit));
+        }
+        Some(Motion::Transient { speed, .. }) => rows.push(("initial-speed", Ok(*speed), speed_unit)),
+        Some(Motion::Steady { mean_speed, unevenness }) => {
+            rows.push(("mean-speed", Ok(*mean_speed), speed_unit));
+            rows.extend(unevenness.map(|unevenness| ("unevenness", wanted(unevenness), "")));
+        }
+        None => {}
     }
-    for moment in &mechanism.moments {
-        rows.push(vec![moment.name.clone(), words.with("moment-on", &[name(moment.link)])]);
+    rows.extend(mechanism.drive.iter().flat_map(drive));
+    let shown = |value: Result<f64, String>| match value {
+        Ok(value) => number(words, value),
+        Err(text) => words.get(&text),
+    };
+    rows.into_iter().map(|(id, value, unit)| vec![words.get(id), shown(value), words.unit(unit)]).collect()
+}
+
+/// Identifier, number or identifier of a text (a name stands for itself), and unit of what is given.
+type Given = (&'static str, Result<f64, String>, &'static str);
+
+fn wanted(number: Solve) -> Result<f64, String> {
+    match number {
+        Solve::Given(value) => Ok(value),
+        Solve::Wanted => Err("wanted".to_owned()),
     }
-    for spring in &mechanism.springs {
-        let [one, two] = spring.ends.map(|end| mechanism.links[end.link].name.clone());
-        let values = [
-            ("one", one),
-            ("other", two),
-            ("stiffness", number(spring.stiffness)),
-            ("damping", number(spring.damping)),
-        ];
-        rows.push(vec![spring.name.clone(), words.with("spring-between", &values)]);
+}
+
+fn drive(drive: &Drive) -> Vec<Given> {
+    let mut rows: Vec<Given> = Vec::new();
+    if let Torque::Constant(moment) = drive.torque {
+        rows.push(("driving-moment", Ok(moment), "N m"));
     }
-    for contact in &mechanism.contacts {
-        rows.push(vec![contact.name.clone(), words.with("contact-of", &[name(contact.center.link)])]);
+    if let Torque::Motor { motor, .. } = &drive.torque {
+        match motor {
+            Motor::Auto => rows.push(("motor", Err("chosen".to_owned()), "")),
+            Motor::Designation(name) => rows.push(("motor", Err(name.clone()), "")),
+            Motor::Rated(rated) => {
+                rows.push(("motor-power", Ok(rated.power), "W"));
+                rows.push(("synchronous-speed", Ok(rated.synchronous_speed), "rad/s"));
+                rows.push(("rated-speed", Ok(rated.rated_speed), "rad/s"));
+                rows.extend(rated.max_torque_ratio.map(|value| ("breakdown", Ok(value), "")));
+                rows.extend(rated.inertia.map(|value| ("rotor", Ok(value), "kg m2")));
+            }
+        }
+        rows.push(("ratio", wanted(drive.ratio), ""));
+        rows.push(("efficiency", Ok(drive.efficiency), ""));
     }
+    rows.extend(drive.flywheel.map(|flywheel| ("flywheel", wanted(flywheel), "kg m2")));
     rows
 }
 
 /// The mechanism over one cycle.
 fn moving(context: &mut Context<'_>) -> Option<Block> {
-    let count = context.state.positions();
-    let exists = |context: &Context<'_>, position: usize| {
-        context.state.scene.as_ref().is_some_and(|scene| {
-            scene.poses[position].is_some() && scene.linkage.mechanism.links.len() > GROUND
-        })
-    };
-    let mut frames = Vec::new();
-    for position in 0..count {
-        if exists(context, position) {
-            frames.push(context.figure(View::Mechanism, position, |_| {})?.0);
-        }
-    }
-    let caption = context.words.get("mechanism-moving");
-    (!frames.is_empty()).then_some(Block::Picture { frames, size: MECHANISM, caption })
+    let scene = context.state.scene.as_ref()?;
+    let exist: Vec<usize> =
+        (0..scene.positions()).filter(|position| scene.poses[*position].is_some()).collect();
+    let frames: Option<Vec<_>> = exist
+        .into_iter()
+        .map(|position| context.figure(View::Mechanism, position, |_| {}).map(|(figure, _)| figure))
+        .collect();
+    let frames = frames.filter(|frames| !frames.is_empty())?;
+    let values = [("at", context.coordinate(context.state.scene.as_ref()?.first_position()))];
+    let caption = context.words.with("mechanism-moving", &values);
+    Some(Block::Picture { frames, size: MECHANISM, caption })
 }

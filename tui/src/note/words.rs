@@ -1,25 +1,39 @@
 //! The words of a note in its language, from the resources of `lang`.
+//!
+//! Texts of the note itself have identifiers (`*.ftl`). What comes from elsewhere in English (figures, remarks of the
+//! working, names of checks) is translated by `*.toml`: whole sentences, in which `{}` stands for any text, and phrases
+//! within a text. Names of the scene stay as they are.
 
 use std::fmt;
 
 use fluent_bundle::{FluentArgs, FluentBundle, FluentResource};
 use unic_langid::LanguageIdentifier;
 
-/// The languages and their resources.
-const RESOURCES: [(&str, &str); 3] = [
-    ("en", include_str!("../../lang/en.ftl")),
-    ("uk", include_str!("../../lang/uk.ftl")),
-    ("ru", include_str!("../../lang/ru.ftl")),
+/// The languages and their resources: texts by identifier, phrases with units.
+const RESOURCES: [(&str, &str, &str); 3] = [
+    ("en", include_str!("../../lang/en.ftl"), include_str!("../../lang/en.toml")),
+    ("uk", include_str!("../../lang/uk.ftl"), include_str!("../../lang/uk.toml")),
+    ("ru", include_str!("../../lang/ru.ftl"), include_str!("../../lang/ru.toml")),
 ];
-/// What begins the name of a phrase of figures; the rest of the name is the English phrase.
-const PHRASE: &str = "w-";
+/// Units without exponents, as results write them.
+const UNITS: [&str; 12] = ["m", "mm", "s", "kg", "N", "rad", "deg", "J", "W", "kW", "rpm", "Hz"];
+/// The name of the fixed link in every scene.
+const GROUND: &str = "ground";
+/// What stands for any text in a sentence.
+const ANY: &str = "{}";
 
 /// The words of one language.
 pub(super) struct Words {
     bundle: FluentBundle<FluentResource>,
     pub(super) language: &'static str,
+    /// English sentences with [`ANY`], and their translations, the longest first.
+    sentences: Vec<(String, String)>,
     /// English phrases and their translations, the longest first.
     phrases: Vec<(String, String)>,
+    /// English units and their translations.
+    units: Vec<(String, String)>,
+    /// Parts of subscripts that the working gives, and their translations.
+    subscripts: Vec<(String, String)>,
 }
 
 impl fmt::Debug for Words {
@@ -35,8 +49,8 @@ impl Words {
     ///
     /// An unknown language, or a resource that can't be read.
     pub(super) fn of(language: &str) -> Result<Self, String> {
-        let known = RESOURCES.into_iter().find(|(name, _)| *name == language);
-        let (name, text) =
+        let known = RESOURCES.into_iter().find(|(name, ..)| *name == language);
+        let (name, text, others) =
             known.ok_or_else(|| format!("there is no language `{language}`; there are en, uk, ru"))?;
         let id: LanguageIdentifier = name.parse().map_err(|error| format!("language {name}: {error}"))?;
         let resource = FluentResource::try_new(text.to_owned())
@@ -44,13 +58,23 @@ impl Words {
         let mut bundle = FluentBundle::new(vec![id]);
         bundle.set_use_isolating(false);
         bundle.add_resource(resource).map_err(|errors| format!("the words of {name} clash: {errors:?}"))?;
-        let mut phrases: Vec<(String, String)> = text
-            .lines()
-            .filter_map(|line| line.strip_prefix(PHRASE)?.split_once(" = "))
-            .map(|(english, own)| (english.replace('-', " "), own.to_owned()))
-            .collect();
-        phrases.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
-        Ok(Self { bundle, language: name, phrases })
+        let others: toml::Table =
+            others.parse().map_err(|error| format!("the phrases of {name} can't be read: {error}"))?;
+        let section = |of: &str| -> Vec<(String, String)> {
+            let table = others.get(of).and_then(toml::Value::as_table).into_iter().flatten();
+            table.filter_map(|(english, own)| Some((english.clone(), own.as_str()?.to_owned()))).collect()
+        };
+        let mut all = section("phrases");
+        all.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
+        let (sentences, phrases) = all.into_iter().partition(|(english, _)| english.contains(ANY));
+        Ok(Self {
+            bundle,
+            language: name,
+            sentences,
+            phrases,
+            units: section("units"),
+            subscripts: section("subscripts"),
+        })
     }
 
     /// The text of an identifier; the identifier where there is none.
@@ -70,41 +94,150 @@ impl Words {
         self.bundle.format_pattern(pattern, Some(&given), &mut Vec::new()).into_owned()
     }
 
-    /// A number with the decimal sign of the language.
+    /// A number with the signs of print: minus, decimal sign of the language, power of ten.
     pub(super) fn number(&self, text: &str) -> String {
-        text.replace('.', &self.get("decimal"))
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+        let mantissa = mantissa.replace('-', "−").replace('.', &self.get("decimal"));
+        match exponent {
+            "0" => mantissa,
+            _ => format!("{mantissa}·10{}", raised(exponent)),
+        }
     }
 
-    /// A text of a figure: its known phrases are translated, its numbers have the decimal sign of the language.
+    /// A part of a subscript: a name, or a word of the working.
+    pub(super) fn subscript(&self, part: &str) -> String {
+        let own = self.subscripts.iter().find(|(english, _)| english == part);
+        own.map_or_else(|| self.name(part), |(_, own)| own.clone())
+    }
+
+    /// A unit with the signs of print, in the letters of the language: `m/s2` as m/s².
+    pub(super) fn unit(&self, text: &str) -> String {
+        self.printed(text).unwrap_or_else(|| text.to_owned())
+    }
+
+    /// `None` for a text that is no unit.
+    fn printed(&self, text: &str) -> Option<String> {
+        let factor = |text: &str| {
+            let end = text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
+            let (base, power) = text.split_at(end);
+            let power = match power.trim_start_matches('^') {
+                "" => "",
+                "2" | "²" => "²",
+                "3" | "³" => "³",
+                _ => return None,
+            };
+            let base = UNITS.contains(&base).then_some(base)?;
+            let own = self.units.iter().find(|(english, _)| english == base);
+            Some(own.map_or(base, |(_, own)| own).to_owned() + power)
+        };
+        let part = |text: &str| {
+            let factors: Option<Vec<String>> = text.split([' ', '·']).map(factor).collect();
+            factors.map(|factors| factors.join("·"))
+        };
+        let parts: Vec<String> = text.split('/').map(part).collect::<Option<_>>()?;
+        Some(match parts.as_slice() {
+            [above, below, unit] => format!("({above}/{below})/{unit}"),
+            _ => parts.join("/"),
+        })
+    }
+
+    /// A text from elsewhere in English: a sentence that is known as a whole, or its known phrases, units and numbers.
     pub(super) fn phrase(&self, text: &str) -> String {
+        self.sentence(text).unwrap_or_else(|| self.name(&self.pieces(text))).replace('`', "")
+    }
+
+    /// A name of a link, a pair or a load, or several in a formula: of the scene as it is, given by the program in the
+    /// words of the language (`contact 1 on rod`, `ram/ground`).
+    pub(super) fn name(&self, text: &str) -> String {
+        let text = self.sentence(text).unwrap_or_else(|| text.to_owned());
+        let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
+        let mut named = String::new();
+        for part in text.split_inclusive(|letter| !is_part(letter)) {
+            let word = part.trim_end_matches(|letter| !is_part(letter));
+            let own = if word == GROUND { self.get("ground") } else { word.to_owned() };
+            named.push_str(&(own + &part[word.len()..]));
+        }
+        named
+    }
+
+    fn sentence(&self, text: &str) -> Option<String> {
+        self.sentences.iter().find_map(|(english, own)| {
+            let found = captured(english, text)?;
+            let mut found = found.into_iter();
+            let mut parts = own.split(ANY);
+            let first = parts.next().unwrap_or_default().to_owned();
+            let mut between = || self.name(&self.pieces(found.next().unwrap_or_default()));
+            Some(parts.fold(first, |line, part| line + &between() + part))
+        })
+    }
+
+    fn pieces(&self, text: &str) -> String {
         let mut words = String::new();
-        let mut rest = text;
-        let mut free = true;
-        'next: while let Some(letter) = rest.chars().next() {
-            if free {
-                for (english, own) in &self.phrases {
-                    let behind = rest.strip_prefix(english.as_str());
-                    if let Some(behind) = behind.filter(|behind| !behind.starts_with(is_of_name)) {
-                        words.push_str(own);
-                        rest = behind;
-                        free = false;
-                        continue 'next;
-                    }
-                }
+        let mut at = 0;
+        while let Some(letter) = text[at..].chars().next() {
+            let (before, rest) = text.split_at(at);
+            if let Some((length, own)) = self.known(before, rest) {
+                words.push_str(&own);
+                at += length;
+                continue;
             }
-            rest = &rest[letter.len_utf8()..];
-            let is_decimal = letter == '.'
-                && words.ends_with(|before: char| before.is_ascii_digit())
-                && rest.starts_with(|after: char| after.is_ascii_digit());
-            if is_decimal {
-                words.push_str(&self.get("decimal"));
-            } else {
-                words.push(letter);
+            at += letter.len_utf8();
+            let follows_digit = before.ends_with(|before: char| before.is_ascii_digit());
+            let leads_digit = text[at..].starts_with(|after: char| after.is_ascii_digit());
+            match letter {
+                '.' if follows_digit && leads_digit => words.push_str(&self.get("decimal")),
+                '-' if leads_digit && !before.ends_with(is_of_name) => words.push('−'),
+                _ => words.push(letter),
             }
-            free = !is_of_name(letter);
         }
         words
     }
+
+    /// Length and translation of the phrase, or of the unit, with which the rest begins.
+    fn known(&self, before: &str, rest: &str) -> Option<(usize, String)> {
+        if before.ends_with(is_of_name) {
+            return None;
+        }
+        let ends = |length: &usize| !rest[*length..].starts_with(is_of_name);
+        let phrase = self.phrases.iter().find(|(english, _)| {
+            rest.starts_with(english.as_str()) && (ends(&english.len()) || english.ends_with(' '))
+        });
+        if let Some((english, own)) = phrase {
+            return Some((english.len(), own.clone()));
+        }
+        let is_end = |c: char| c.is_ascii_digit() || c == ')';
+        let number = before.strip_suffix(' ').is_some_and(|text| text.ends_with(is_end));
+        if !(number || before.ends_with(", ")) {
+            return None;
+        }
+        let places = rest.char_indices().map(|(at, _)| at).chain([rest.len()]).take(MOST_OF_UNIT).skip(1);
+        let lengths: Vec<usize> = places.filter(ends).collect();
+        lengths.into_iter().rev().find_map(|length| Some((length, self.printed(&rest[..length])?)))
+    }
+}
+
+/// No unit has more letters.
+const MOST_OF_UNIT: usize = 16;
+
+/// What stands in a text where a sentence has [`ANY`]; `None` where the text is another sentence.
+fn captured<'t>(sentence: &str, text: &'t str) -> Option<Vec<&'t str>> {
+    let mut parts: Vec<&str> = sentence.split(ANY).collect();
+    let (last, mut rest) = (parts.pop()?, text.strip_prefix(parts.first()?)?);
+    rest = rest.strip_suffix(last)?;
+    let mut found = Vec::new();
+    for part in &parts[1..] {
+        let (before, behind) = rest.split_once(part)?;
+        found.push(before);
+        rest = behind;
+    }
+    found.push(rest);
+    Some(found)
+}
+
+/// A whole number as an exponent.
+fn raised(number: &str) -> String {
+    let signs = "-0123456789".chars().zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars());
+    number.chars().map(|c| signs.clone().find(|sign| sign.0 == c).map_or(c, |sign| sign.1)).collect()
 }
 
 /// Whether a letter belongs to a name, so that no word begins after it or ends before it.

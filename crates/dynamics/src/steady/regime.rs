@@ -1,5 +1,7 @@
 //! A periodic regime and the quantities that follow from it.
 
+use assur_force::tolerance;
+
 use super::collocation::Values;
 use super::extremes::Extreme;
 use super::report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
@@ -129,6 +131,11 @@ impl Regime {
     /// in that cycle.
     pub fn first_cycle_speed(&self, coordinate: f64) -> Option<f64> {
         let first = self.first.as_ref()?;
-        Some(first.cycle.sense * first.speed_at(first.cycle.path_coordinate(coordinate)))
+        let cycle = &first.cycle;
+        let way = cycle.sense * (coordinate - cycle.start);
+        // This cycle does not end with the speed of its beginning.
+        let ends = (way - cycle.length).abs() <= tolerance(coordinate, Some(cycle.length));
+        let x = if ends { cycle.length } else { cycle.path_coordinate(coordinate) };
+        Some(cycle.sense * first.speed_at(x))
     }
 }

@@ -36,6 +36,8 @@ fn a_turn_has_its_quarters() {
 fn other_ticks_are_round() {
     assert_eq!(texts(Kind::Linear, [-0.13, 0.12], 5), ["-0.1", "-0.05", "0", "0.05", "0.1"]);
     assert_eq!(texts(Kind::Linear, [3.0, 3.0], 5), Vec::<String>::new());
+    assert_eq!(texts(Kind::Whole, [1.0, 4.0], 9), ["1", "2", "3", "4"]);
+    assert_eq!(texts(Kind::Whole, [0.0, 100.0], 5), ["0", "20", "40", "60", "80", "100"]);
     assert_eq!(texts(Kind::Logarithmic, [1e-9, 1e-3], 3), ["1e-8", "1e-6", "1e-4"]);
 }
 

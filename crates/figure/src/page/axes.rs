@@ -24,7 +24,7 @@ pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room
     let below = if shows_axis { BELOW } else { 0.0 };
     let vertical = widened(y);
     let free = room.height - LINE - below - BORDER;
-    let ticks = vertical.ticks(count(free, APART[1]));
+    let ticks = upright_ticks(&vertical, free);
     let plot = Room {
         left: room.left + numbers + 0.5 * EM,
         top: room.top + LINE,
@@ -77,9 +77,16 @@ pub(super) fn numbers(figure: &Figure, room: Room) -> f64 {
         Frame::Plane { .. } => None,
     });
     let widest = |axis: Axis| {
-        axis.ticks(count(height, APART[1])).iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max)
+        upright_ticks(&axis, height).iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max)
     };
     axes.map(widest).fold(0.0, f64::max)
+}
+
+/// The ticks of a vertical axis of this height, mm; two at least, from which its scale is seen.
+fn upright_ticks(axis: &Axis, height: f64) -> Vec<(f64, String)> {
+    let most = count(height, APART[1]);
+    let ticks = axis.ticks(most);
+    if ticks.len() < 2 { axis.ticks(2 * most) } else { ticks }
 }
 
 /// The marks of a curve that is drawn with marks.

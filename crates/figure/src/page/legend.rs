@@ -48,7 +48,9 @@ pub(super) fn elements(rows: &[Vec<&Key>], [left, top]: Point, unit: f64) -> Vec
                     length / unit
                 }
             };
-            elements.push(text([x + width + 0.5 * EM, y], &key.text, crate::Ink::Text, "start"));
+            let is_name = key.is_name();
+            let text = text([x + width + 0.5 * EM, y], &key.text, crate::Ink::Text, "start");
+            elements.push(Element { is_name, ..text });
             x += width + text_width(&key.text) + APART;
         }
     }

@@ -15,8 +15,10 @@ mod motion;
 mod number;
 mod shaking;
 mod structure;
+mod summary;
 mod units;
 
+use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
 use assur_analysis::results::{Analysis, Check};
@@ -29,7 +31,11 @@ pub use layout::columns;
 pub(crate) use layout::wrap;
 pub use measured::geometry;
 pub use shaking::shaking;
+pub use summary::{Finding, summary};
 use units::Units;
+
+/// A result of more bytes has lines of its own, since columns don't break.
+const LONG: usize = 30;
 
 /// The data of a report.
 struct Source<'a> {
@@ -38,18 +44,35 @@ struct Source<'a> {
     units: Units,
 }
 
-/// The whole report; `ascii`: no character beyond ASCII.
+/// The whole report: first the results that are asked for first, then the tables. `positions`: the numbers of the
+/// positions that the tables show, `None` for all; `ascii`: no character beyond ASCII.
 ///
 /// # Errors
 ///
 /// [`NotFinite`] for a number that is not finite.
-pub fn report(analysis: &Analysis, mechanism: &Mechanism, ascii: bool) -> Result<String, NotFinite> {
-    let analysis = finite(analysis)?;
+pub fn report(
+    analysis: &Analysis,
+    linkage: &Linkage,
+    positions: Option<&[usize]>,
+    ascii: bool,
+) -> Result<String, NotFinite> {
+    let found = summary(finite(analysis)?, linkage);
+    let chosen = positions.map(|list| Analysis {
+        positions: analysis.positions.only(|number| list.contains(&number)),
+        ..analysis.clone()
+    });
+    let analysis = chosen.as_ref().unwrap_or(analysis);
+    let mechanism = &linkage.mechanism;
     let source = Source { analysis, mechanism, units: Units::of(analysis.input.angular) };
     let mut page = Page::new(ascii);
     if !analysis.title.is_empty() {
         page.title(&analysis.title);
     }
+    page.section("Results");
+    let (long, short): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| one.value.len() > LONG);
+    long.iter().for_each(|one| page.paragraph(&format!("{}: {}", one.what, one.value)));
+    let rows = short.into_iter().map(|one| vec![one.what, one.value, one.unit.to_owned(), one.at]);
+    page.rows(&["result", "value", "unit", "at"], &rows.collect::<Vec<_>>());
     structure::write(&source, &mut page);
     geometry::write(&source, &mut page);
     motion::write(&source, &mut page);

@@ -42,8 +42,7 @@ pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     if !analysis.is_complete() {
         page.section("Shown positions");
         page.paragraph(&format!(
-            "The tables show {} of {} positions, equally spaced; greatest values are those of all. All positions are written \
-             by `-o FILE.parquet`, `--format csv -o FOLDER` or `--format json`.",
+            "The tables show {} of {} positions; greatest values are those of all. All positions are written by `-o FILE.parquet`, `--format csv -o FOLDER` or `--format json`.",
             analysis.positions.len(),
             analysis.survey.rows
         ));

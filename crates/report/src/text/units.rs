@@ -43,6 +43,8 @@ pub(super) const JOULE: Unit = unit("J", 1.0);
 pub(super) const FORCE: Unit = unit("N", 1.0);
 /// mm.
 pub(super) const LENGTH: Unit = unit("mm", 1e3);
+/// W.
+pub(super) const POWER: &str = "W";
 /// deg.
 pub(super) const ANGLE: Unit = unit("deg", DEG);
 /// Speed and acceleration of links.

@@ -100,10 +100,11 @@ fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffe
     put_lines(buffer, cut, 1, state.look, lines);
 }
 
-/// The vectors of a plan that are not only rounding.
-fn vectors_of(plan: &Plan) -> Vec<&PlanVector> {
+/// The vectors of a plan that are not only rounding, each with its label.
+pub(crate) fn labelled(part: Part, plan: &Plan) -> Vec<(String, &PlanVector)> {
     let least = LEAST * plan.greatest();
-    plan.items.iter().filter(|item| item.size > least).collect()
+    let drawn = plan.items.iter().filter(|item| item.size > least).enumerate();
+    drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
 /// The vectors of a plan, and its closure error.
@@ -114,21 +115,15 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     if state.part(View::Plans) == Part::Forces {
         rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
     }
-    let shown = vectors_of(plan);
+    let shown = labelled(state.part(View::Plans), plan);
     // The last rows show the closure error; a long list must not push them out.
     let room = usize::from(list.height).saturating_sub(rows.len() + 1);
     let skip = match state.part(View::Plans) {
         Part::Forces => 0,
         _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
     };
-    for (number, item) in shown.iter().enumerate().skip(skip).take(room) {
-        let text = format!(
-            "{:<4}{:<20}{:>9} {}",
-            label(state, item, number),
-            cut(&item.name, 19),
-            digits(item.size, 5),
-            item.unit
-        );
+    for (label, item) in shown.iter().skip(skip).take(room) {
+        let text = format!("{label:<4}{:<20}{:>9} {}", cut(&item.name, 19), digits(item.size, 5), item.unit);
         rows.push((Role::Plain, text));
     }
     rows.push((Role::Header, format!("left open: {:.1e} of the greatest", plan.residual)));
@@ -136,10 +131,10 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
 }
 
 fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
-    let vectors = vectors_of(plan).into_iter().enumerate().map(|(number, item)| {
+    let vectors = labelled(state.part(View::Plans), plan).into_iter().map(|(label, item)| {
         let absolute = state.part(View::Plans) == Part::Accelerations && item.kind == VectorKind::Absolute;
         let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
-        let name = if ink == Ink::Trace { String::new() } else { label(state, item, number) };
+        let name = if ink == Ink::Trace { String::new() } else { label };
         Vector { from: item.start, to: item.end, name, ink }
     });
     let (unit, symbol, pole) = match state.part(View::Plans) {
@@ -151,8 +146,8 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
-fn label(state: &State, item: &PlanVector, number: usize) -> String {
-    match (state.part(View::Plans), item.kind) {
+fn label(part: Part, item: &PlanVector, number: usize) -> String {
+    match (part, item.kind) {
         (Part::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
         (Part::Forces, VectorKind::Inner) => "..".to_owned(),
         (Part::Forces, _) => format!("F{}", number + 1),

@@ -1,0 +1,156 @@
+//! Numbers and lengths of the note, against the JSON of the same results.
+
+use assur_report::json::analysis::to_json;
+use serde_json::Value;
+
+use super::{Form, of, state};
+
+/// A table of the note: its caption, its head and its rows.
+struct Table {
+    caption: String,
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+fn between<'t>(text: &'t str, open: &str, close: &str) -> Vec<&'t str> {
+    text.split(open).skip(1).filter_map(|rest| rest.split_once(close)).map(|(inner, _)| inner).collect()
+}
+
+/// A text of the note without its tags.
+fn plain(html: &str) -> String {
+    let parts = html.split('<').enumerate();
+    parts
+        .map(|(at, part)| if at == 0 { part } else { part.split_once('>').map_or("", |(_, text)| text) })
+        .collect()
+}
+
+fn tables(html: &str) -> Vec<Table> {
+    let table = |text: &str| {
+        let cells = |row: &str, tag: &str| -> Vec<String> {
+            let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
+            between(row, &open, &close).into_iter().map(|cell| plain(&format!("<{cell}"))).collect()
+        };
+        let rows = between(text, "<tr>", "</tr>");
+        Table {
+            caption: plain(between(text, "<caption>", "</caption>")[0]),
+            head: cells(rows[0], "th"),
+            rows: rows[1..].iter().map(|row| cells(row, "td")).collect(),
+        }
+    };
+    between(html, "<table", "</table>")
+        .into_iter()
+        .filter(|text| text.contains("<caption>"))
+        .map(table)
+        .collect()
+}
+
+/// The number of a cell, and half a unit of its last digit.
+fn read(cell: &str) -> (f64, f64) {
+    let text: String = cell.replace('−', "-").chars().filter(|c| "+-0123456789.".contains(*c)).collect();
+    let decimals = text.split_once('.').map_or(0, |(_, part)| part.len());
+    (text.parse().unwrap_or_else(|_| panic!("{cell}")), 0.5 * 10_f64.powi(-i32::try_from(decimals).unwrap()))
+}
+
+#[track_caller]
+fn same(cell: &str, value: &Value) {
+    let ((found, half), value) = (read(cell), value.as_f64().unwrap());
+    assert!((found - value).abs() <= half * (1.0 + 1e-6), "{cell} is not {value}");
+}
+
+#[test]
+fn the_numbers_of_the_note_are_those_of_the_json() {
+    let html = of("shaper-drive", "en", Form::Html).text;
+    let json: Value =
+        serde_json::from_str(&to_json(&state("shaper-drive").found().unwrap().analysis, false).unwrap())
+            .unwrap();
+    let tables = tables(&html);
+    let mut compared = 0;
+    for position in [3, 27] {
+        let row = &json["positions"][position];
+        let of = |words: &str| {
+            let here = format!("position {position},");
+            tables
+                .iter()
+                .find(|table| table.caption.contains(words) && table.caption.contains(&here))
+                .unwrap()
+        };
+        for cells in &of("accelerations of the points").rows {
+            let [v, a] = ["velocities", "accelerations"].map(|key| &row[key]["points"][&cells[0]]);
+            for (cell, value) in [(1, &v[0]), (2, &v[1]), (4, &a[0]), (5, &a[1])] {
+                same(&cells[cell], value);
+                compared += 1;
+            }
+        }
+        for cells in &of("accelerations of the links").rows {
+            same(&cells[1], &row["velocities"]["links"][&cells[0]]);
+            same(&cells[2], &row["accelerations"]["links"][&cells[0]]);
+            compared += 2;
+        }
+        for cells in &of("Reactions").rows {
+            if cells[0] == "balancing load" {
+                same(&cells[6], &row["balancing"]);
+                continue;
+            }
+            let force = &row["reactions"][&cells[0]][&cells[1]];
+            same(&cells[2], &force[0]);
+            same(&cells[3], &force[1]);
+            compared += 2;
+        }
+    }
+    let regime = tables.iter().find(|table| table.caption.ends_with("The regime")).unwrap();
+    assert_eq!(regime.head, ["Quantity", "Value", "Unit"]);
+    for (what, key) in [
+        ("Mean speed", "mean_speed"),
+        ("Unevenness", "unevenness"),
+        ("Required power", "required_power"),
+        ("Gear ratio", "ratio"),
+        ("Moment of inertia of the flywheel", "flywheel"),
+    ] {
+        let row = regime.rows.iter().find(|row| row[0] == what).unwrap();
+        same(&row[1], &json["dynamics"][key]);
+        compared += 1;
+    }
+    assert!(compared > 80, "{compared}");
+}
+
+/// Lengths of the straight lines of a drawing, mm.
+fn lengths(svg: &str) -> Vec<f64> {
+    let ends = between(svg, "<polyline points=\"", "\"").into_iter().filter_map(|points| {
+        let numbers: Vec<f64> = points.split([' ', ',']).map(|number| number.parse().unwrap()).collect();
+        <[f64; 4]>::try_from(numbers).ok()
+    });
+    ends.map(|[a, b, c, d]| (c - a).hypot(d - b)).collect()
+}
+
+#[test]
+fn a_length_on_paper_times_its_scale_is_the_true_one() {
+    let html = of("shaper-drive", "en", Form::Html).text;
+    let tables = tables(&html);
+    let mut measured = 0;
+    for figure in between(&html, "<figure>", "</figure>") {
+        let caption = plain(between(figure, "<figcaption>", "</figcaption>")[0]);
+        let Some((title, _)) = caption.split_once(". ").unwrap().1.split_once(": position") else { continue };
+        let Some(table) = tables.iter().find(|table| table.caption.ends_with(&format!("{title}: vectors")))
+        else {
+            continue;
+        };
+        let texts = plain(figure);
+        let scales: Vec<f64> = texts
+            .split("μ")
+            .skip(1)
+            .map(|text| text.split(" = ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap())
+            .collect();
+        assert_eq!(scales.len(), 2, "{texts}");
+        let drawn = lengths(figure);
+        for row in &table.rows {
+            let scale = scales[usize::from(row[0] == "27")];
+            let (force, half) = read(&row[4]);
+            // Places are written to a hundredth of a millimeter.
+            let matches =
+                drawn.iter().filter(|length| (*length * scale - force).abs() <= 0.015 * scale + half);
+            assert!(matches.count() > 0, "{caption}: {row:?}, scale {scale}");
+            measured += 1;
+        }
+    }
+    assert!(measured > 20, "{measured}");
+}
