@@ -12,6 +12,9 @@ use crate::results::{Column, Owner, Quantity, Schema, Table};
 /// a link turns less than half a turn in it unless it turns sixty times as fast as the input.
 const LONGEST_STEP: f64 = 0.05;
 
+/// Stands for the coordinate before the first row.
+const NONE: f64 = f64::INFINITY;
+
 /// Follows the angles of links along the coordinate, from row to row.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Angles {
@@ -23,6 +26,7 @@ pub(crate) struct Angles {
 }
 
 impl Angles {
+    /// Before the first row of all.
     pub(crate) fn new(schema: &Schema) -> Self {
         let of = |column: &Column| column.quantity == Quantity::Transfer(0);
         let followed =
@@ -77,6 +81,28 @@ impl Angles {
             let body = &position.bodies[*link];
             *angle = continuous_angle(body.s.atan2(body.c), *angle);
         }
+    }
+}
+
+/// The angles before each block of rows, from which a block that is calculated again continues.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Starts(Vec<f64>);
+
+impl Starts {
+    /// Keeps the angles before the next block.
+    pub(crate) fn push(&mut self, angles: &Angles) {
+        match &angles.last {
+            Some((coordinate, angles)) => self.0.extend([*coordinate].iter().chain(angles)),
+            None => self.0.extend(std::iter::repeat_n(NONE, angles.followed.len() + 1)),
+        }
+    }
+
+    /// The angles before a block of this number.
+    pub(crate) fn of(&self, number: usize, schema: &Schema) -> Angles {
+        let angles = Angles::new(schema);
+        let last = self.0.chunks_exact(angles.followed.len() + 1).nth(number);
+        let last = last.filter(|last| last[0] < NONE).map(|last| (last[0], last[1..].to_vec()));
+        Angles { last, ..angles }
     }
 }
 

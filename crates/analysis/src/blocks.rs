@@ -1,76 +1,86 @@
 //! The positions block by block, by all threads, in their order.
 
-use std::ops::Range;
-use std::sync::Arc;
-
+use assur_check::Notable;
+use assur_dynamics::Instant;
+use assur_kinematics::PositionError;
+use assur_number::Lanes;
 use rayon::prelude::*;
 
-use crate::angles::Angles;
-use crate::families::POSITIONS;
+use crate::families::Columns;
 use crate::filler::{Filler, Obstacle};
 use crate::progress::{Stopped, Watch, step};
-use crate::results::{Failure, Schema, Table};
+use crate::results::{Failure, Table};
 use crate::{Calculation, Progress};
 
-/// Numbers in a block: half a megabyte, which the cache of a core holds.
-const NUMBERS: usize = 1 << 16;
+/// Numbers in a block: a quarter of a megabyte, which the cache of a core holds together with their text.
+const NUMBERS: usize = 1 << 15;
+/// Blocks by thread that are calculated before any of them is written: enough to keep all threads busy, and few enough
+/// to keep in memory.
+const BLOCKS: usize = 2;
 
 /// Some consecutive positions.
 pub(crate) struct Block {
-    /// Those that have a solution.
+    /// Those that have a solution; angles are in (-pi, pi].
     pub(crate) table: Table,
     pub(crate) failures: Vec<Failure>,
     /// Positions at a change point, where reactions are not determined.
     pub(crate) at_change_points: Vec<usize>,
+    pub(crate) notable: Notable,
 }
 
 /// The positions of a calculation, divided into blocks. What a block contains does not depend on threads or on the
 /// order in which blocks are calculated.
 pub(crate) struct Blocks<'a> {
     calculation: &'a Calculation,
-    pub(crate) schema: Arc<Schema>,
+    pub(crate) columns: Columns,
     /// Positions of a block.
     rows: usize,
 }
 
 impl<'a> Blocks<'a> {
     pub(crate) fn new(calculation: &'a Calculation) -> Self {
-        let schema = Arc::new(Schema::of(calculation, POSITIONS));
-        let rows = (NUMBERS / schema.columns().len().max(1)).max(1);
-        Self { calculation, schema, rows }
-    }
-
-    /// How many blocks there are.
-    pub(crate) fn len(&self) -> usize {
-        self.positions().div_ceil(self.rows)
+        let columns = calculation.columns_of_positions();
+        let rows = NUMBERS / columns.schema.columns().len().max(1);
+        Self { calculation, columns, rows: rows.next_multiple_of(Lanes::WIDTH).max(Lanes::WIDTH) }
     }
 
     fn positions(&self) -> usize {
         self.calculation.linkage.mechanism.input.positions
     }
 
-    /// Calculates a block; angles are in (-pi, pi].
-    fn block(&self, filler: &mut Filler<'_>, number: usize) -> Block {
-        let range = number * self.rows..((number + 1) * self.rows).min(self.positions());
-        let mut block = Block { table: filler.table(), failures: Vec::new(), at_change_points: Vec::new() };
-        let input = &self.calculation.linkage.mechanism.input;
-        for index in range {
-            let message = match filler.position(index, &mut block.table) {
-                Ok(None) => continue,
-                Ok(Some(Obstacle::ChangePoint)) => {
-                    block.at_change_points.push(index);
-                    continue;
-                }
-                Ok(Some(Obstacle::Refused(error))) => format!("position {index}: {error}"),
-                Err(error) => error.to_string(),
-            };
-            block.failures.push(Failure { index, coordinate: input.coordinate(index), message });
-        }
-        block
+    fn filler(&self) -> Filler<'_> {
+        Filler::new(self.calculation, &self.columns, self.calculation.positions_have_forces())
     }
 
-    /// Calculates all blocks; `work` makes something of each, on any thread, and `take` receives it in order.
-    /// The inner error is that of `take`, which ends the work.
+    /// Calculates a block.
+    fn block(&self, filler: &mut Filler<'_>, number: usize) -> Block {
+        let end = ((number + 1) * self.rows).min(self.positions());
+        let (mut table, mut failures, mut at_change_points) = (filler.table(), Vec::new(), Vec::new());
+        table.reserve(self.rows);
+        let input = &self.calculation.linkage.mechanism.input;
+        filler.notable = Notable::default();
+        for first in (number * self.rows..end).step_by(Lanes::WIDTH) {
+            let instants = std::array::from_fn(|lane| Instant {
+                state: self.calculation.state(input.coordinate((first + lane).min(end - 1))),
+                holding: None,
+            });
+            for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
+                let message = match obstacle {
+                    Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.to_string(),
+                    Obstacle::ChangePoint => {
+                        at_change_points.push(index);
+                        continue;
+                    }
+                    Obstacle::Refused(error) => format!("position {index}: {error}"),
+                };
+                failures.push(Failure { index, coordinate: input.coordinate(index), message });
+            }
+        }
+        Block { table, failures, at_change_points, notable: std::mem::take(&mut filler.notable) }
+    }
+
+    /// Calculates all blocks; `work` makes something of each, on any thread, and `take` receives it in order, while the
+    /// next blocks are calculated. The inner error is that of `take`, which ends the work.
     pub(crate) fn each<T: Send, E>(
         &self,
         watch: &mut Watch<'_>,
@@ -78,47 +88,35 @@ impl<'a> Blocks<'a> {
         work: impl Fn(usize, Block) -> T + Sync,
         mut take: impl FnMut(T) -> Result<(), E>,
     ) -> Result<Result<(), E>, Stopped> {
-        let filler =
-            || Filler::new(self.calculation, POSITIONS, Arc::clone(&self.schema), self.with_forces());
         let total = self.positions();
-        // Enough for all threads, and few enough to keep in memory.
-        let wave = if self.len() > 1 { 4 * rayon::current_num_threads() } else { 1 };
-        for first in (0..self.len()).step_by(wave) {
-            step(watch, progress(first * self.rows, total))?;
-            let numbers: Range<usize> = first..(first + wave).min(self.len());
-            if wave == 1 {
-                return Ok(take(work(first, self.block(&mut filler(), first))));
+        step(watch, progress(0, total))?;
+        let count = total.div_ceil(self.rows);
+        if count <= 1 {
+            // No threads are started for little work.
+            let only = (0..count).map(|number| work(number, self.block(&mut self.filler(), number)));
+            return Ok(only.map(take).collect());
+        }
+        let together = BLOCKS * rayon::current_num_threads();
+        let calculated = |first: usize| -> Vec<T> {
+            let blocks = (first..(first + together).min(count)).into_par_iter().with_max_len(1);
+            let one = |filler: &mut Filler<'_>, number| work(number, self.block(filler, number));
+            blocks.map_init(|| self.filler(), one).collect()
+        };
+        let mut found = calculated(0);
+        for next in (together..count + together).step_by(together) {
+            let (now, mut following) = (std::mem::take(&mut found), Vec::new());
+            let taken = rayon::in_place_scope(|scope| {
+                scope.spawn(|_| following = calculated(next.min(count)));
+                now.into_iter().try_for_each(&mut take)
+            });
+            if taken.is_err() {
+                return Ok(taken);
             }
-            let blocks = numbers.into_par_iter().with_max_len(1);
-            let found: Vec<T> =
-                blocks.map_init(filler, |filler, number| work(number, self.block(filler, number))).collect();
-            if let Err(error) = found.into_iter().try_for_each(&mut take) {
-                return Ok(Err(error));
+            found = following;
+            if next < count {
+                step(watch, progress(next * self.rows, total))?;
             }
         }
         Ok(Ok(()))
-    }
-
-    fn with_forces(&self) -> bool {
-        self.calculation.positions_have_forces()
-    }
-}
-
-/// The angles before each block, which let it continue those of the blocks before it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Starts(Vec<Angles>);
-
-impl Starts {
-    /// Makes the angles of the next block continuous, and keeps those before it.
-    pub(crate) fn follow(&mut self, angles: &mut Angles, calculation: &Calculation, table: &mut Table) {
-        self.0.push(angles.clone());
-        angles.follow(&calculation.linkage, table);
-    }
-
-    /// Makes the angles of a block continuous again.
-    pub(crate) fn continue_block(&self, number: usize, calculation: &Calculation, table: &mut Table) {
-        if let Some(mut angles) = self.0.get(number).cloned() {
-            angles.follow(&calculation.linkage, table);
-        }
     }
 }

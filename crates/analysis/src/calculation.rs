@@ -1,5 +1,7 @@
 //! A mechanism with its plan, compiled.
 
+use std::sync::OnceLock;
+
 use assur_force::{AnalyzerPlugin, Loads, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
@@ -38,6 +40,19 @@ pub struct Calculation {
     pub no_motion: Option<AnalysisError>,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<String>,
+    /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
+    pub(crate) notable: OnceLock<[Vec<usize>; 2]>,
+}
+
+/// A calculation that was made from another one.
+#[derive(Debug)]
+pub struct Varied {
+    /// The calculation.
+    pub calculation: Calculation,
+    /// The mechanism of the other one.
+    pub before: Mechanism,
+    /// Whether both have the same positions, up to the same order.
+    pub same_positions: bool,
 }
 
 impl Calculation {
@@ -50,26 +65,44 @@ impl Calculation {
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
-        Self::planned(mechanism, structure, plan, options, watch)
+        let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
+        Self::planned(linkage, plan, None, options, watch)
     }
 
-    /// Compiles a mechanism with its structure and its plan, and finds its motion: for many mechanisms that differ only
-    /// in numbers, so that they have these in common.
+    /// The calculation of a mechanism that differs in numbers only, with what it has in common with this one: structure and
+    /// plan; where the positions are the same, positions and loads too.
     ///
     /// # Errors
     ///
     /// Those of [`of`](Self::of).
-    pub fn planned(
+    pub fn varied(
+        self,
         mechanism: Mechanism,
-        structure: Structure,
+        options: &Options,
+        watch: &mut Watch<'_>,
+    ) -> Result<Varied, AnalysisError> {
+        let Self { linkage, mut plan, loads, .. } = self;
+        let order = plan.order;
+        plan.fit(&mechanism, &linkage.structure);
+        let (linkage, before, same) = linkage.varied(mechanism, &plan.groups_needed)?;
+        let same_positions = same && plan.order == order;
+        let earlier = loads.as_ref().filter(|_| same).map(|loads| (&before, loads));
+        let calculation = Self::planned(linkage, plan, earlier, options, watch)?;
+        Ok(Varied { calculation, before, same_positions })
+    }
+
+    /// Compiles the loads of a planned linkage, and finds its motion; `earlier`: a mechanism with the same positions, and its
+    /// loads.
+    fn planned(
+        linkage: Linkage,
         plan: Plan,
+        earlier: Option<(&Mechanism, &Loads)>,
         options: &Options,
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
-        let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         // Without any solvable position no load can be compiled; the positions themselves report why.
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
-        let loads = if wants_loads { Some(Loads::compile(&linkage)?) } else { None };
+        let loads = if wants_loads { Some(Loads::varied(&linkage, earlier)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
         let (motion, no_motion) = match InputMotion::of(&linkage, loads.as_ref(), options, watch) {
             Ok(motion) => (motion, None),
@@ -77,11 +110,11 @@ impl Calculation {
             Err(error) => return Err(error),
         };
         let unused = crate::notes::unused(&linkage.mechanism, options);
-        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused })
+        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused, notable: OnceLock::new() })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.
-    pub(crate) fn positions_have_forces(&self) -> bool {
+    pub fn positions_have_forces(&self) -> bool {
         match self.linkage.mechanism.motion {
             None | Some(Motion::Prescribed { .. }) => true,
             Some(Motion::Steady { .. }) => self.no_motion.is_none(),

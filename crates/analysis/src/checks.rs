@@ -1,13 +1,12 @@
 //! The checks of the numbers.
 
-use assur_check::{Check, Chosen, Coverage, Residuals, Subject, methods, notable};
+use assur_check::{Check, Chosen, Coverage, Residuals, Subject, methods};
 use assur_dynamics::{Steady, Transient, section_margin};
-use assur_force::{Loads, Side, State, tolerance};
-use assur_group::Body;
+use assur_force::{Kinetostatics, Loads, Side, State, tolerance};
+use assur_group::{Body, Order};
 use assur_mechanism::{Motion, Solve, Torque};
 
 use crate::progress::{Stopped, Watch};
-use crate::reader::Reader;
 use crate::results::Checks;
 use crate::{Calculation, InputMotion, Progress};
 
@@ -22,7 +21,7 @@ impl Calculation {
         if self.plan.is_partial() || coverage == Coverage::None {
             return Ok(Checks::none());
         }
-        let checked = Checked::of(self, coverage);
+        let checked = Checked::of(self, coverage, watch)?;
         let (mut all, residuals) = self.position_checks(&checked, watch)?;
         match &self.motion {
             InputMotion::Prescribed => {}
@@ -52,7 +51,7 @@ impl Calculation {
 
     fn is_regular(&self, state: &State) -> bool {
         let mut position = self.linkage.position();
-        let solved = self.linkage.solve(state.coordinate, assur_group::Order::Place, &mut position);
+        let solved = self.linkage.solve(state.coordinate, Order::Place, &mut position);
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
@@ -70,17 +69,20 @@ impl Calculation {
         if self.linkage.mechanism.balance.is_some() {
             return None;
         }
-        let mut reader = Reader::new(self);
+        let (linkage, carrying) = (&self.linkage, &self.plan.groups_carrying);
+        let mut forces = Kinetostatics::new(linkage, loads, self.analyzer?.instance, carrying);
+        let mut position = linkage.position();
         let mut compared = false;
         let (mut worst, mut at, mut largest) = ([0.0_f64; 2], None, least);
         let mut phase = loads.phase();
         for (index, state) in checked.states.iter().filter_map(|index| Some((index, checked.state(index)?))) {
             let state = &state;
-            if reader.solve_second(state.coordinate).is_err() {
+            if linkage.solve(state.coordinate, Order::Second, &mut position).is_err()
+                || forces.solve(state, &position).is_err()
+            {
                 continue;
             }
-            let Some(Ok(balancing)) = reader.balancing(state) else { continue };
-            let bodies = &reader.position.bodies;
+            let (balancing, bodies) = (forces.reactions.balancing, &position.bodies);
             // In a steady turn without loads all terms vanish; the rounding is that of J w².
             let inertia = loads.reduced(state, bodies).inertia;
             let steady = inertia * state.speed * state.speed / self.linkage.coordinate_unit();
@@ -196,23 +198,16 @@ struct Checked<'a> {
 }
 
 impl<'a> Checked<'a> {
-    fn of(calculation: &'a Calculation, coverage: Coverage) -> Self {
-        let linkage = &calculation.linkage;
-        let forces = calculation.loads.as_ref().zip(calculation.analyzer);
-        let count = linkage.mechanism.input.positions;
-        let at = |index| (index, calculation.state(linkage.mechanism.input.coordinate(index)));
+    fn of(calculation: &'a Calculation, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Self, Stopped> {
         let transient = matches!(calculation.motion, InputMotion::Transient(_));
-        let of_positions = if transient { None } else { forces };
-        let positions = coverage.choose(count, || notable(linkage, of_positions, (0..count).map(at)));
         let trajectory = transient.then(|| calculation.states());
-        let states = trajectory.as_ref().map_or_else(
-            || positions.clone(),
-            |all| {
-                let each = all.iter().copied().enumerate();
-                coverage.choose(all.len(), || notable(linkage, forces, each))
-            },
-        );
-        Self { calculation, positions, states, trajectory }
+        let counts = [calculation.linkage.mechanism.input.positions, trajectory.as_ref().map_or(0, Vec::len)];
+        let sampled = counts.iter().any(|count| coverage.is_sample(*count));
+        let notable: &[Vec<usize>; 2] =
+            if sampled { calculation.notable(watch)? } else { &Default::default() };
+        let [positions, samples] = [0, 1].map(|k| coverage.choose(counts[k], &notable[k]));
+        let states = if transient { samples } else { positions.clone() };
+        Ok(Self { calculation, positions, states, trajectory })
     }
 
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.

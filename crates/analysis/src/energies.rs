@@ -44,8 +44,7 @@ impl Calculation {
         let mut table = Table::new(Arc::new(schema));
         for (number, energies) in course.energies().into_iter().enumerate() {
             let finite = energies.iter().all(|energy| energy.is_finite());
-            let mut cells = table.row(number);
-            if finite { cells.all(energies) } else { cells.none(energies.len()) }
+            table.push(number, energies.map(|energy| finite.then_some(energy)));
         }
         table
     }

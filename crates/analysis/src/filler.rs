@@ -1,121 +1,140 @@
-//! Tables of positions and of samples of a motion, filled row by row.
+//! Tables of positions and of samples of a motion, filled eight rows at a time.
 
 use std::sync::Arc;
 
-use assur_dynamics::{Holding, Instant};
-use assur_force::State;
+use assur_check::Notable;
+use assur_dynamics::Instant;
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics};
+use assur_kinematics::{LanePosition, PositionError};
+use assur_number::Lanes;
 
 use crate::Calculation;
-use crate::families::{Family, Row};
-use crate::reader::{Determined, Motions, Reader};
-use crate::results::{Schema, Table};
+use crate::families::{Columns, Motions, Rows};
+use crate::joints::Joints;
+use crate::results::{Mask, Table};
 
 /// Fills tables; the scratch memory of one thread.
 pub(crate) struct Filler<'a> {
     calculation: &'a Calculation,
-    families: Vec<Family>,
-    schema: Arc<Schema>,
-    reader: Reader<'a>,
+    columns: &'a Columns,
+    position: LanePosition,
+    forces: Option<(LaneKinetostatics<'a>, Joints)>,
     motions: Motions,
-    with_forces: bool,
+    /// Where rounding is greatest among the rows that were added.
+    pub(crate) notable: Notable,
 }
 
-/// Why a row has no reactions, though they are requested.
+/// Why there is no row, or none with reactions, though they are requested.
 pub(crate) enum Obstacle {
-    /// It is at a change point.
+    /// The position has no solution.
+    Unsolved(PositionError),
+    /// It is at a change point, where reactions are not determined.
     ChangePoint,
-    /// The method fails there: why.
-    Refused(String),
-}
-
-impl Schema {
-    /// The columns of the families that apply.
-    pub(crate) fn of(calculation: &Calculation, families: &[Family]) -> Self {
-        let mut schema = Self::new(&calculation.linkage.mechanism);
-        let families = families.iter().filter(|family| (family.applies)(calculation));
-        families.for_each(|family| (family.columns)(calculation, &mut schema));
-        schema
-    }
+    /// The method finds no forces there.
+    Refused(ForceError),
 }
 
 impl<'a> Filler<'a> {
     /// `with_forces`: whether the rows have forces, if the calculation has them.
-    ///
-    /// `schema`: the columns of the families.
-    pub(crate) fn new(
-        calculation: &'a Calculation,
-        families: &[Family],
-        schema: Arc<Schema>,
-        with_forces: bool,
-    ) -> Self {
-        let families = families.iter().filter(|family| (family.applies)(calculation)).copied().collect();
-        let reader = Reader::new(calculation);
-        Self { calculation, families, schema, reader, motions: Motions::default(), with_forces }
+    pub(crate) fn new(calculation: &'a Calculation, columns: &'a Columns, with_forces: bool) -> Self {
+        let Calculation { linkage, plan, .. } = calculation;
+        let forces = match (&calculation.loads, calculation.analyzer) {
+            (Some(loads), Some(analyzer)) if with_forces => {
+                let single = Kinetostatics::new(linkage, loads, analyzer.instance, &plan.groups_carrying);
+                Some((LaneKinetostatics::new(single), Joints::of(linkage, &plan.wanted.reactions)))
+            }
+            _ => None,
+        };
+        Self {
+            calculation,
+            columns,
+            position: linkage.lane_position(),
+            forces,
+            motions: Motions::default(),
+            notable: Notable::default(),
+        }
     }
 
     /// A table without rows.
     pub(crate) fn table(&self) -> Table {
-        Table::new(Arc::clone(&self.schema))
+        Table::new(Arc::clone(&self.columns.schema))
     }
 
-    /// Adds a position of the scene.
-    ///
-    /// # Errors
-    ///
-    /// The position has no solution, and gets no row.
-    pub(crate) fn position(
+    /// Adds the rows of the first `count` of eight instants, whose numbers follow `first`: of those that have a position.
+    /// Returns the numbers without a position or without forces, in order.
+    pub(crate) fn add(
         &mut self,
-        index: usize,
+        first: usize,
+        instants: &[Instant; Lanes::WIDTH],
+        count: usize,
         table: &mut Table,
-    ) -> Result<Option<Obstacle>, assur_kinematics::PositionError> {
-        self.reader.solve_index(index)?;
-        let state = self.calculation.state(self.reader.position.coordinate);
-        Ok(self.row(index, state, None, table))
-    }
-
-    /// Adds a sample of a motion.
-    ///
-    /// # Errors
-    ///
-    /// The position has no solution, and gets no row.
-    pub(crate) fn sample(
-        &mut self,
-        number: usize,
-        instant: &Instant,
-        table: &mut Table,
-    ) -> Result<Option<Obstacle>, assur_kinematics::PositionError> {
-        self.reader.solve(instant.state.coordinate)?;
-        Ok(self.row(number, instant.state, instant.holding, table))
-    }
-
-    /// Adds the position that is solved.
-    fn row(
-        &mut self,
-        number: usize,
-        state: State,
-        holding: Option<Holding>,
-        table: &mut Table,
-    ) -> Option<Obstacle> {
-        let calculation = self.calculation;
-        self.motions.read(&calculation.linkage, &calculation.plan.wanted, &self.reader.position);
-        let loads = calculation.loads.as_ref().filter(|_| calculation.plan.reduction);
-        let reduced = loads.map(|loads| loads.reduced(&state, &self.reader.position.bodies));
-        let (position, found) = self.reader.forces(&state, self.with_forces);
-        let (mut balancing, mut reactions, mut obstacle) = (None, None, None);
-        match found {
-            Determined::Nothing => {}
-            Determined::Balancing(found) => {
-                (balancing, obstacle) = (found, Some(Obstacle::ChangePoint));
-            }
-            Determined::Failed(error) => obstacle = Some(Obstacle::Refused(error.to_string())),
-            Determined::All { balancing: found, joints, reactions: pairs } => {
-                (balancing, reactions) = (Some(found), Some((joints, pairs)));
+    ) -> Vec<(usize, Obstacle)> {
+        let Calculation { linkage, plan, .. } = self.calculation;
+        let mut rows: Mask = std::array::from_fn(|lane| lane < count);
+        let mut obstacles = Vec::new();
+        let coordinates = Lanes(instants.map(|instant| instant.state.coordinate));
+        let unsolved = linkage.solve_lanes(coordinates, plan.order, &mut self.position).err();
+        for (lane, error) in unsolved.into_iter().flatten() {
+            if std::mem::take(&mut rows[lane]) {
+                obstacles.push((first + lane, Obstacle::Unsolved(error)));
             }
         }
-        let motions = &self.motions;
-        let row = Row { calculation, state, position, motions, reduced, reactions, balancing, holding };
-        let mut cells = table.row(number);
-        self.families.iter().for_each(|family| (family.fill)(&row, &mut cells));
-        obstacle
+        if rows.contains(&true) {
+            for (lane, error) in self.fill(first, rows, instants, table) {
+                let at_change_point = matches!(error, ForceError::ChangePoint { .. });
+                let obstacle = if at_change_point { Obstacle::ChangePoint } else { Obstacle::Refused(error) };
+                obstacles.push((first + lane, obstacle));
+            }
+            obstacles.sort_by_key(|(number, _)| *number);
+        }
+        obstacles
+    }
+
+    /// Adds some of the positions that are solved; returns the lanes whose reactions are not determined.
+    fn fill(
+        &mut self,
+        first: usize,
+        rows: Mask,
+        instants: &[Instant; Lanes::WIDTH],
+        table: &mut Table,
+    ) -> Vec<(usize, ForceError)> {
+        let Self { calculation, position, motions, .. } = self;
+        let Calculation { linkage, plan, loads, .. } = *calculation;
+        let states = instants.map(|instant| instant.state);
+        motions.read(linkage, &plan.wanted, &position.bodies);
+        let loads = loads.as_ref().filter(|_| plan.reduction);
+        let reduced = loads.map(|loads| loads.reduced(&states, &position.bodies));
+        let (mut determined, mut balancing, mut refused) = (rows, [None; Lanes::WIDTH], Vec::new());
+        if let Some((forces, joints)) = &mut self.forces {
+            refused = forces.solve(&states, position).err().unwrap_or_default();
+            refused.retain(|(lane, _)| rows[*lane]);
+            joints.sum(&forces.reactions);
+            balancing = forces.reactions.balancing.0.map(Some);
+            for (lane, error) in &refused {
+                determined[*lane] = false;
+                balancing[*lane] = match error {
+                    ForceError::ChangePoint { .. } => forces.balancing_alone(*lane, &states[*lane], position),
+                    _ => None,
+                };
+            }
+        }
+        let forces = self.forces.as_ref().map(|(forces, joints)| (joints, &forces.reactions, determined));
+        let found = forces.map(|(_, reactions, determined)| (determined, reactions));
+        self.notable.add(linkage, first, (rows, position), found);
+        let known = Rows {
+            calculation,
+            instants: *instants,
+            position,
+            motions,
+            reduced,
+            reactions: forces,
+            balancing,
+        };
+        let mut cells = table.rows(first, rows);
+        for (family, end) in &self.columns.families {
+            (family.fill)(&known, &mut cells);
+            cells.end_at(*end);
+        }
+        refused
     }
 }

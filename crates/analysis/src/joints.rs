@@ -1,20 +1,24 @@
-//! The forces of pins and slides in one position.
+//! The forces of pins and slides in eight positions.
 
 use std::collections::HashSet;
 
 use assur_force::{Joint, Reactions, joints};
-use assur_kinematics::{Linkage, Position};
+use assur_group::plane::{dot, perp};
+use assur_kinematics::{LanePosition, Linkage};
 use assur_mechanism::{LinkId, PairId};
+use assur_number::{Lanes, Real};
+
+use crate::results::Mask;
 
 /// A force below this part of the greatest of the position has no meaningful line of action.
 const LEAST_FORCE: f64 = 1e-9;
 
-/// The pins and slides of a mechanism, and their forces in one position.
+/// The pins and slides of a mechanism, and their forces in eight positions.
 #[derive(Debug)]
 pub(crate) struct Joints {
     all: Vec<Shown>,
     /// Force on each link of each joint, N.
-    forces: Vec<[f64; 2]>,
+    forces: Vec<[Lanes; 2]>,
 }
 
 /// A pin or slide.
@@ -24,16 +28,17 @@ struct Shown {
     /// Whether results show it.
     wanted: bool,
     /// Of a slide: the link of its guide, and the direction of the guide in the frame of that link.
-    guide: Option<(LinkId, [f64; 2])>,
+    guide: Option<(LinkId, [Lanes; 2])>,
 }
 
 /// The reactions of one joint.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct JointForces<'a> {
     /// Force on each of its links, N.
-    pub(crate) forces: &'a [[f64; 2]],
-    /// Of a slide: moment on the sliding link about its point, N m, and its [offset](crate::results::Quantity::Offset).
-    pub(crate) slide: Option<(f64, Option<f64>)>,
+    pub(crate) forces: &'a [[Lanes; 2]],
+    /// Of a slide: moment on the sliding link about its point, N m; its [offset](crate::results::Quantity::Offset), m, and
+    /// the lanes that have one.
+    pub(crate) slide: Option<(Lanes, Lanes, Mask)>,
 }
 
 /// The links that a pin or slide joins, in the order of the results.
@@ -54,7 +59,7 @@ impl Joints {
                 PairId::Slide(slide) => {
                     let slide = &linkage.mechanism.slides[slide];
                     let (s, c) = slide.angle.sin_cos();
-                    Some((slide.on, [c, s]))
+                    Some((slide.on, [c, s].map(Lanes::from_f64)))
                 }
             };
             Shown { wanted: wanted.contains(&joint.id), joint, guide }
@@ -63,8 +68,8 @@ impl Joints {
         Self { all: all.collect(), forces: Vec::new() }
     }
 
-    /// Sums the reactions of the pairs in a position.
-    pub(crate) fn sum(&mut self, reactions: &Reactions) {
+    /// Sums the reactions of the pairs.
+    pub(crate) fn sum(&mut self, reactions: &Reactions<Lanes>) {
         self.forces.clear();
         let Self { all, forces } = self;
         let each = all.iter().map(|shown| &shown.joint);
@@ -73,13 +78,18 @@ impl Joints {
         );
     }
 
-    /// The joints that results show with their reactions in a position, which [`sum`](Self::sum) has summed.
+    /// The joints that results show with their reactions, which [`sum`](Self::sum) has summed.
     pub(crate) fn wanted<'a>(
         &'a self,
-        reactions: &'a Reactions,
-        position: &'a Position,
+        reactions: &'a Reactions<Lanes>,
+        position: &'a LanePosition,
     ) -> impl Iterator<Item = JointForces<'a>> {
-        let greatest = self.forces.iter().map(|force| force[0].hypot(force[1])).fold(0.0, f64::max);
+        let mut greatest = [0.0_f64; Lanes::WIDTH];
+        for [x, y] in &self.forces {
+            for (lane, greatest) in greatest.iter_mut().enumerate() {
+                *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
+            }
+        }
         let mut rest = &self.forces[..];
         let each = self.all.iter().map(move |shown| {
             let (forces, after) = rest.split_at(shown.joint.links.len().min(rest.len()));
@@ -88,9 +98,9 @@ impl Joints {
         });
         each.filter(|(shown, _)| shown.wanted).map(move |(shown, forces)| {
             let slide = shown.joint.moment(&reactions.pairs).zip(shown.guide).map(|(moment, (on, along))| {
-                let along = position.bodies[on].turned(along);
-                let normal = along[0] * forces[0][1] - along[1] * forces[0][0];
-                (moment, (normal.abs() > LEAST_FORCE * greatest).then(|| moment / normal))
+                let normal = dot(perp(position.bodies[on].turned(along)), forces[0]);
+                let has = std::array::from_fn(|lane| normal.0[lane].abs() > LEAST_FORCE * greatest[lane]);
+                (moment, moment / normal, has)
             });
             JointForces { forces, slide }
         })

@@ -20,14 +20,13 @@ mod plans;
 mod positions;
 mod progress;
 mod proof;
-mod reader;
 mod residuals;
 pub mod results;
 mod structure;
 mod trajectory;
 
 pub use assur_check::Coverage;
-pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, methods};
+pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};
 pub use positions::{MOST_FAILURES, MOST_KEPT};

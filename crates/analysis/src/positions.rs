@@ -2,10 +2,11 @@
 
 use std::convert::Infallible;
 
+use assur_check::Notable;
 use assur_group::Order;
 
-use crate::angles::Angles;
-use crate::blocks::{Blocks, Starts};
+use crate::angles::{Angles, Starts};
+use crate::blocks::{Block, Blocks};
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Survey, Table};
@@ -24,6 +25,7 @@ struct Positions {
     failures: Vec<Failure>,
     /// Positions at a change point, where reactions are not determined.
     at_change_points: Listed,
+    notable: Notable,
 }
 
 impl Calculation {
@@ -53,8 +55,9 @@ impl Calculation {
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
         let positions = self.positions(mechanism.input.positions.div_ceil(MOST_KEPT), watch)?;
-        let (trajectory, without_forces) = self.trajectory(watch)?;
-        let mut notes = self.notes(&positions.at_change_points, &without_forces);
+        let samples = self.trajectory(watch)?;
+        self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
+        let mut notes = self.notes(&positions.at_change_points, &samples.without);
         // A load may act in a position that is not kept.
         if mechanism.input.positions <= MOST_KEPT {
             notes.extend(self.idle_loads(&positions.kept));
@@ -75,7 +78,7 @@ impl Calculation {
             starts: positions.starts,
             survey: positions.survey,
             failures: positions.failures,
-            trajectory,
+            trajectory: samples.table,
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.as_ref().map(ToString::to_string),
@@ -85,35 +88,47 @@ impl Calculation {
         })
     }
 
+    /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest.
+    pub(crate) fn notable(&self, watch: &mut Watch<'_>) -> Result<&[Vec<usize>; 2], Stopped> {
+        if self.notable.get().is_none() {
+            let positions = self.positions(usize::MAX, watch)?.notable;
+            let samples = self.trajectory(watch)?.notable;
+            self.notable.get_or_init(|| [positions.numbers(), samples.numbers()]);
+        }
+        Ok(self.notable.get_or_init(Default::default))
+    }
+
     /// All positions, of which every `stride`-th is kept.
     fn positions(&self, stride: usize, watch: &mut Watch<'_>) -> Result<Positions, Stopped> {
         let blocks = Blocks::new(self);
-        let mut angles = Angles::new(&blocks.schema);
+        let schema = &blocks.columns.schema;
+        let mut angles = Angles::new(schema);
         let mut found = Positions {
-            kept: Table::new(blocks.schema.clone()),
+            kept: Table::new(schema.clone()),
             starts: Starts::default(),
-            survey: Survey::new(&blocks.schema),
+            survey: Survey::new(schema),
             failures: Vec::new(),
             at_change_points: Listed::default(),
+            notable: Notable::default(),
         };
         let progress = |done, total| Progress::Positions { done, total };
-        blocks
-            .each(
-                watch,
-                progress,
-                |_, block| block,
-                |mut block| {
-                    found.starts.follow(&mut angles, self, &mut block.table);
-                    found.survey.add(&block.table);
-                    found.survey.failures += block.failures.len();
-                    found.kept.append(&block.table, |number| number.is_multiple_of(stride));
-                    let room = MOST_FAILURES - found.failures.len();
-                    found.failures.extend(block.failures.into_iter().take(room));
-                    block.at_change_points.into_iter().for_each(|index| found.at_change_points.add(index));
-                    Ok::<_, Infallible>(())
-                },
-            )
-            .map(|Ok(())| found)
+        let add = |(mut block, not_finite): (Block, Option<(usize, usize)>)| {
+            found.starts.push(&angles);
+            angles.follow(&self.linkage, &mut block.table);
+            found.survey.add(&block.table, not_finite);
+            found.survey.failures += block.failures.len();
+            found.kept.append(&block.table, |number| number.is_multiple_of(stride));
+            let room = MOST_FAILURES - found.failures.len();
+            found.failures.extend(block.failures.into_iter().take(room));
+            block.at_change_points.into_iter().for_each(|index| found.at_change_points.add(index));
+            found.notable.append(&block.notable);
+            Ok::<_, Infallible>(())
+        };
+        let examined = |_, block: Block| {
+            let not_finite = block.table.not_finite();
+            (block, not_finite)
+        };
+        blocks.each(watch, progress, examined, add).map(|Ok(())| found)
     }
 
     /// All positions of an analysis in their order: `work` makes something of each block of rows, on any thread, and
@@ -135,8 +150,9 @@ impl Calculation {
             return Ok(take(work(&analysis.positions)));
         }
         let progress = |done, total| Progress::Writing { done, total };
-        let continued = |number, mut block: crate::blocks::Block| {
-            analysis.starts.continue_block(number, self, &mut block.table);
+        let continued = |number, mut block: Block| {
+            let mut angles = analysis.starts.of(number, block.table.schema());
+            angles.follow(&self.linkage, &mut block.table);
             block.table.join(&analysis.residuals);
             work(&block.table)
         };

@@ -46,16 +46,10 @@ impl Calculation {
         }
         let mut table = Table::new(Arc::new(schema));
         for (number, (deviation, found)) in rows {
-            let mut cells = table.row(number);
-            if !test_pf.is_empty() {
-                cells.put(deviation);
-            }
-            if !forces.is_empty() {
-                groups.clone().for_each(|group| cells.put(found.map(|found| found.groups[group])));
-                [found.map(|found| found.dynamics), found.map(|found| found.global)]
-                    .into_iter()
-                    .for_each(|residual| cells.put(residual));
-            }
+            let of_forces = groups.clone().map(|group| found.map(|found| found.groups[group]));
+            let of_input = [found.map(|found| found.dynamics), found.map(|found| found.global)];
+            let of_forces = of_forces.chain(of_input).filter(|_| !forces.is_empty());
+            table.push(number, (!test_pf.is_empty()).then_some(deviation).into_iter().chain(of_forces));
         }
         table
     }

@@ -1,16 +1,23 @@
 //! The motion over time: every sample of a transient motion, one cycle of a steady one.
 
-use std::sync::Arc;
-
+use assur_check::Notable;
 use assur_dynamics::Instant;
 use assur_force::State;
+use assur_number::Lanes;
 
 use crate::angles::Angles;
 use crate::filler::{Filler, Obstacle};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
-use crate::results::{Schema, Table};
+use crate::results::Table;
 use crate::{Calculation, InputMotion, Progress};
+
+/// The samples of a motion.
+pub(crate) struct Samples {
+    pub(crate) table: Table,
+    pub(crate) without: WithoutForces,
+    pub(crate) notable: Notable,
+}
 
 /// Samples of a motion that have no forces.
 #[derive(Debug, Default)]
@@ -24,12 +31,13 @@ pub(crate) struct WithoutForces {
 }
 
 impl WithoutForces {
-    fn add(&mut self, obstacle: Obstacle) {
+    fn add(&mut self, obstacle: &Obstacle) {
         match obstacle {
+            Obstacle::Unsolved(_) => {}
             Obstacle::ChangePoint => self.at_change_points += 1,
             Obstacle::Refused(why) => {
                 self.refused += 1;
-                self.reason.get_or_insert(why);
+                self.reason.get_or_insert_with(|| why.to_string());
             }
         }
     }
@@ -61,22 +69,20 @@ impl Calculation {
     }
 
     /// The samples, with forces for a transient motion, because its positions have none; and where they are missing.
-    pub(crate) fn trajectory(&self, watch: &mut Watch<'_>) -> Result<(Table, WithoutForces), Stopped> {
+    pub(crate) fn trajectory(&self, watch: &mut Watch<'_>) -> Result<Samples, Stopped> {
         let transient = matches!(self.motion, InputMotion::Transient(_));
-        let families = self.families_of_motion();
-        let schema = Arc::new(Schema::of(self, families));
-        let mut filler = Filler::new(self, families, schema, transient);
+        let columns = self.columns_of_motion();
+        let mut filler = Filler::new(self, &columns, transient);
         let (mut table, mut without) = (filler.table(), WithoutForces::default());
         let instants = self.instants();
-        let total = instants.len();
-        for (done, instant) in instants.iter().enumerate() {
-            step(watch, Progress::Samples { done, total })?;
-            if let Ok(Some(obstacle)) = filler.sample(done, instant, &mut table) {
-                without.add(obstacle);
-            }
+        for first in (0..instants.len()).step_by(Lanes::WIDTH) {
+            step(watch, Progress::Samples { done: first, total: instants.len() })?;
+            let eight = std::array::from_fn(|lane| instants[(first + lane).min(instants.len() - 1)]);
+            let obstacles = filler.add(first, &eight, instants.len() - first, &mut table);
+            obstacles.iter().for_each(|(_, obstacle)| without.add(obstacle));
         }
         Angles::new(table.schema()).follow(&self.linkage, &mut table);
         table.join(&self.energies());
-        Ok((table, without))
+        Ok(Samples { table, without, notable: filler.notable })
     }
 }

@@ -24,13 +24,16 @@ pub struct Chosen {
 }
 
 impl Coverage {
-    /// Chooses out of the numbers below `of`. `notable` gives those that a sample contains in any case; it is called
-    /// only for a sample.
-    pub fn choose(self, of: usize, notable: impl FnOnce() -> Vec<usize>) -> Chosen {
+    /// Whether a sample is chosen out of the numbers below `of`: they are too many to choose all.
+    pub fn is_sample(self, of: usize) -> bool {
+        self == Self::Sample && of > SAMPLE
+    }
+
+    /// Chooses out of the numbers below `of`; a sample contains those that are `notable`.
+    pub fn choose(self, of: usize, notable: &[usize]) -> Chosen {
         let members = match self {
-            Self::Sample if of > SAMPLE => Some(sample(of, &notable())),
-            Self::Sample | Self::All => None,
             Self::None => Some(Vec::new()),
+            _ => self.is_sample(of).then(|| sample(of, notable)),
         };
         Chosen { members, of }
     }

@@ -34,7 +34,7 @@ mod written;
 
 pub use check::Check;
 pub use coverage::{Chosen, Coverage, SAMPLE};
-pub use notable::notable;
+pub use notable::Notable;
 pub use residuals::{ForceResiduals, Residuals};
 pub use run::checks;
 pub use subject::{Subject, methods};

@@ -1,5 +1,6 @@
 //! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs.
 
+mod gap;
 #[cfg(test)]
 mod tests;
 

@@ -1,19 +1,20 @@
 //! From the loads of a scene to flat compiled ones.
 
 use assur_formula::Formula;
-use assur_group::{Body, Order};
-use assur_kinematics::{Linkage, Position};
+use assur_group::Body;
+use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Table, Value,
+    Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Spring, Table, Value,
 };
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::formula::{FormulaLaw, Unlocated};
+use crate::grid::{Bodies, Span};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
 use crate::reversal::rests;
-use crate::stroke::{NoStroke, Span, Stroke, Travel};
+use crate::stroke::{NoStroke, Stroke, Travel};
 use crate::{LoadError, Loads};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
@@ -24,7 +25,8 @@ const BESIDE: f64 = 3.819_660_112_501_05e-4;
 struct Compiler<'a> {
     linkage: &'a Linkage,
     mechanism: &'a Mechanism,
-    position: Position,
+    /// A mechanism with the same positions, and its loads.
+    earlier: Option<(&'a Mechanism, &'a Loads)>,
 }
 
 impl Loads {
@@ -37,6 +39,16 @@ impl Loads {
     ///
     /// [`LoadError`] for a load that needs a motion or a stroke which the scene does not define.
     pub fn compile(linkage: &Linkage) -> Result<Self, LoadError> {
+        Self::varied(linkage, None)
+    }
+
+    /// Compiles the loads of a mechanism, except those that it has in common with an `earlier` one: with the same positions,
+    /// and with loads that differ from its own in numbers only.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`compile`](Self::compile).
+    pub fn varied(linkage: &Linkage, earlier: Option<(&Mechanism, &Self)>) -> Result<Self, LoadError> {
         let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;
         let (pin, standing) = match input.pair {
@@ -44,7 +56,7 @@ impl Loads {
             InputPair::Slide(_) => (None, 1e-14),
         };
         let mut loads = Self {
-            masses: masses(mechanism),
+            masses: Mass::all(mechanism),
             gravity: mechanism.gravity.unwrap_or_default(),
             forces: Vec::new(),
             moments: Vec::new(),
@@ -57,35 +69,12 @@ impl Loads {
             inertia_constant: mechanism.has_constant_reduced_inertia(),
             input: (input.link, pin),
         };
-        let mut compiler = Compiler { linkage, mechanism, position: linkage.position() };
+        let compiler = Compiler { linkage, mechanism, earlier };
         compiler.forces(&mut loads)?;
         compiler.moments(&mut loads)?;
         compiler.contacts(&mut loads)?;
         Ok(loads)
     }
-}
-
-fn masses(mechanism: &Mechanism) -> Vec<Mass> {
-    let mut ground_pins = vec![None; mechanism.links.len()];
-    for point in &mechanism.points {
-        if point.places.iter().any(|place| place.link == GROUND) {
-            point.places.iter().for_each(|place| ground_pins[place.link] = Some(place.at));
-        }
-    }
-    let moving = mechanism.links.iter().enumerate().skip(1);
-    let heavy = moving.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0);
-    let compiled = heavy.map(|(id, link)| Mass {
-        link: id,
-        m: link.mass,
-        center: link.center,
-        inertia: link.inertia,
-        at_origin: link.center == [0.0, 0.0],
-        about_pin: ground_pins[id].map(|[x, y]: [f64; 2]| {
-            let arm = [link.center[0] - x, link.center[1] - y];
-            link.inertia + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
-        }),
-    });
-    compiled.collect()
 }
 
 fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
@@ -96,8 +85,8 @@ fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
         }
         // Between points of one link the two forces cancel.
         if spring.ends[0].link != spring.ends[1].link {
-            let (ends, stiffness, length) = (spring.ends, spring.stiffness, spring.length);
-            compiled.push(SpringDamper { id, ends, stiffness, length, damping: spring.damping });
+            let &Spring { ends, stiffness, length, damping, .. } = spring;
+            compiled.push(SpringDamper { id, ends, stiffness, length, damping });
         }
     }
     Ok(compiled)
@@ -110,17 +99,21 @@ fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result
     Err(LoadError::NeedsMotion { name: name.to_owned(), what })
 }
 
-impl Compiler<'_> {
-    /// The motion of a link at a coordinate, or why there is none.
-    fn body(&mut self, coordinate: f64, link: LinkId) -> Result<Body<f64>, String> {
-        let solved = self.linkage.solve(coordinate, Order::Second, &mut self.position);
-        solved.map_err(|error| error.to_string())?;
-        Ok(self.position.bodies[link])
+impl<'a> Compiler<'a> {
+    /// The earlier loads, if this part of the mechanism was the same.
+    fn same<T: PartialEq + 'a>(&self, part: impl Fn(&'a Mechanism) -> &'a T) -> Option<&'a Loads> {
+        let (mechanism, loads) = self.earlier?;
+        (part(mechanism) == part(self.mechanism)).then_some(loads)
     }
 
-    fn forces(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+    fn forces(&self, loads: &mut Loads) -> Result<(), LoadError> {
         let mechanism = self.mechanism;
         for (id, force) in mechanism.forces.iter().enumerate().filter(|(_, force)| force.at.link != GROUND) {
+            if let Some(same) = self.same(|mechanism| &mechanism.forces[id]) {
+                loads.laws.push(same.laws[loads.laws.len()].clone());
+                loads.forces.push(same.forces[loads.forces.len()].clone());
+                continue;
+            }
             let along = match force.direction {
                 Direction::Ground(angle) => Along::Ground([angle.cos(), angle.sin()]),
                 Direction::Link(angle) => Along::Link([angle.cos(), angle.sin()]),
@@ -139,9 +132,14 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn moments(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+    fn moments(&self, loads: &mut Loads) -> Result<(), LoadError> {
         let mechanism = self.mechanism;
         for (id, moment) in mechanism.moments.iter().enumerate().filter(|(_, moment)| moment.link != GROUND) {
+            if let Some(same) = self.same(|mechanism| &mechanism.moments[id]) {
+                loads.laws.push(same.laws[loads.laws.len()].clone());
+                loads.moments.push(same.moments[loads.moments.len()].clone());
+                continue;
+            }
             loads.laws.push(self.law(&moment.name, None, &moment.value)?);
             let mut brake = None;
             if let Some(found) = moment.brake {
@@ -153,7 +151,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn contacts(&mut self, loads: &mut Loads) -> Result<(), LoadError> {
+    fn contacts(&self, loads: &mut Loads) -> Result<(), LoadError> {
         let mechanism = self.mechanism;
         for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
             let (breaks, touching) = contact_breaks(contact.during, loads.period);
@@ -173,7 +171,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn law(&mut self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
+    fn law(&self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
         match value {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
@@ -197,7 +195,7 @@ impl Compiler<'_> {
     }
 
     fn formula(
-        &mut self,
+        &self,
         name: &str,
         at: Option<Place>,
         formula: &Formula,
@@ -218,10 +216,10 @@ impl Compiler<'_> {
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
             let scale = self.linkage.structure.scale;
-            let found = self.over_stroke(name, |compiler, span| {
-                let travel = Travel::find(&mut |q| compiler.body(q, at.link), at.at, axis, span, scale)?;
+            let found = self.over_stroke(name, |bodies, span| {
+                let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
                 let point = |q: f64| {
-                    let body = compiler.body(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+                    let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
                     Ok(body.point(at.at))
                 };
                 law.clone().along(travel, span, point)
@@ -231,23 +229,23 @@ impl Compiler<'_> {
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&mut self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+    fn stroke(&self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
         let scale = self.linkage.structure.scale;
-        let find = |compiler: &mut Self, span: &Span| {
-            Stroke::find(&mut |q| compiler.body(q, at.link), at.at, axis, tables, span, scale)
+        let find = |bodies: &mut Bodies<'_>, span: &Span| {
+            Stroke::find(&mut |q| bodies.at(q, at.link), at.at, axis, tables, span, scale)
         };
         self.over_stroke(name, find).map(|stroke| Law::Stroke(Box::new(stroke)))
     }
 
     /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
     fn over_stroke<T>(
-        &mut self,
+        &self,
         name: &str,
-        mut find: impl FnMut(&mut Self, &Span) -> Result<T, NoStroke>,
+        mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, NoStroke>,
     ) -> Result<T, LoadError> {
         let mut outcome = Err(NoStroke::Stands(0.0));
         for span in self.spans() {
-            outcome = find(self, &span);
+            outcome = find(&mut Bodies::new(self.linkage, span), &span);
             // A range may be all that the mechanism can do of its turn.
             if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
                 break;
@@ -265,12 +263,13 @@ impl Compiler<'_> {
     }
 
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
-    fn rests(&mut self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
+    fn rests(&self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
         if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
             return Breaks::default();
         }
         let Some(&span) = self.spans().first() else { return Breaks::default() };
-        rests(&mut |q| self.body(q, link).map(|body| motion(&body)), &span)
+        let mut bodies = Bodies::new(self.linkage, span);
+        rests(&mut |q| bodies.at(q, link).map(|body| motion(&body)), &span)
     }
 
     /// The interval of a stroke: a cycle and, where the scene gives a range, the range.

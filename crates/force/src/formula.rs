@@ -6,9 +6,10 @@ use assur_number::search::bisect;
 
 use crate::State;
 use crate::breaks::Breaks;
+use crate::grid::{GRID, Span};
 use crate::law::cut;
 use crate::selection::Selection;
-use crate::stroke::{GRID, Span, Travel};
+use crate::stroke::Travel;
 
 /// Relative difference below which an argument has the same value a cycle later.
 const REPEATS: f64 = 1e-9;
@@ -82,9 +83,9 @@ impl FormulaLaw {
             }
             self.places.switches |= 1 << index;
             let argument = |at: &Variables| self.formula.argument(index, at);
-            let mut before = at(span.at(0, GRID))?;
+            let mut before = at(span.at(0))?;
             for cell in 1..=GRID {
-                let after = at(span.at(cell, GRID))?;
+                let after = at(span.at(cell))?;
                 if (argument(&before) >= 0.0) != (argument(&after) >= 0.0) {
                     let side = argument(&before) >= 0.0;
                     // A position that is missing between two that exist ends the search there.
@@ -94,7 +95,7 @@ impl FormulaLaw {
                 before = after;
             }
             if span.periodic && switch.used.coordinate {
-                let [first, last] = [at(span.at(0, GRID))?, before].map(|at| argument(&at));
+                let [first, last] = [at(span.at(0))?, before].map(|at| argument(&at));
                 if (first - last).abs() > REPEATS * first.abs().max(last.abs()).max(1.0) {
                     return Ok(Err(Unlocated(index)));
                 }

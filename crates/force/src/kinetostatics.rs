@@ -4,7 +4,7 @@ use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 
-use crate::{ForceAnalyzer, ForceError, Loads, Reactions, State};
+use crate::{ForceAnalyzer, ForceError, Loads, Reactions, State, applicable};
 
 /// The force analysis of a mechanism by one method, with its memory: one position after the other.
 #[derive(Debug, Clone)]
@@ -42,6 +42,16 @@ impl<'a> Kinetostatics<'a> {
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions)
+    }
+
+    /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
+    /// method that finds it without reactions; `None` where there is none.
+    pub fn balancing_alone(&self, state: &State, position: &Position) -> Option<f64> {
+        let method = applicable(self.linkage).into_iter().find(|plugin| !plugin.gives_reactions)?;
+        let mut wrenches = self.loads.total(state, &position.bodies);
+        let mut found = Reactions::new(self.linkage);
+        method.instance.solve(self.linkage, position, &mut wrenches, &mut found).ok()?;
+        Some(found.balancing)
     }
 }
 
@@ -89,6 +99,12 @@ impl<'a> LaneKinetostatics<'a> {
         }
         let alone = near.map(|near| near || !together);
         self.solve_alone(alone, states, position)
+    }
+
+    /// The [balancing load at a change point](Kinetostatics::balancing_alone) in a lane.
+    pub fn balancing_alone(&mut self, lane: usize, state: &State, position: &LanePosition) -> Option<f64> {
+        position.copy_lane(lane, &mut self.position);
+        self.single.balancing_alone(state, &self.position)
     }
 
     /// Solves some of the lanes one at a time.

@@ -20,6 +20,7 @@ mod curve;
 mod dependence;
 mod error;
 mod formula;
+mod grid;
 mod group_by_group;
 mod joints;
 mod kinetostatics;

@@ -1,6 +1,6 @@
 //! The loads of a mechanism as flat data.
 
-use assur_mechanism::{Brake, LinkId, Mechanism, Place};
+use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Place};
 
 use crate::breaks::Breaks;
 use crate::law::Law;
@@ -41,6 +41,32 @@ pub(crate) struct Mass {
     pub(crate) at_origin: bool,
     /// Moment of inertia about the pin that joins the link to the ground, kg m²; `None` without one.
     pub(crate) about_pin: Option<f64>,
+}
+
+impl Mass {
+    /// The links that have one.
+    pub(crate) fn all(mechanism: &Mechanism) -> Vec<Self> {
+        let mut ground_pins = vec![None; mechanism.links.len()];
+        for point in &mechanism.points {
+            if point.places.iter().any(|place| place.link == GROUND) {
+                point.places.iter().for_each(|place| ground_pins[place.link] = Some(place.at));
+            }
+        }
+        let moving = mechanism.links.iter().enumerate().skip(1);
+        let heavy = moving.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0);
+        let compiled = heavy.map(|(id, link)| Self {
+            link: id,
+            m: link.mass,
+            center: link.center,
+            inertia: link.inertia,
+            at_origin: link.center == [0.0, 0.0],
+            about_pin: ground_pins[id].map(|[x, y]: [f64; 2]| {
+                let arm = [link.center[0] - x, link.center[1] - y];
+                link.inertia + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
+            }),
+        });
+        compiled.collect()
+    }
 }
 
 /// A force at a point of a moving link.

@@ -3,10 +3,7 @@
 use assur_number::search::try_newton_root;
 
 use crate::breaks::Breaks;
-use crate::stroke::Span;
-
-/// Number of places of the cycle between which a rest is bracketed.
-const GRID: u32 = 720;
+use crate::grid::{GRID, Span};
 
 /// A minimum of the velocity below this part of its greatest value over the cycle counts as a rest.
 const REST: f64 = 1e-9;
@@ -24,7 +21,7 @@ pub(crate) fn rests(
     let mut minima = Vec::new();
     let mut before = slope(span.from);
     for index in 1..=GRID {
-        let (low, high) = (span.at(index - 1, GRID), span.at(index, GRID));
+        let (low, high) = (span.at(index - 1), span.at(index));
         let after = slope(high);
         if let (Ok(a), Ok(b)) = (&before, &after) {
             greatest = greatest.max(b[0]);

@@ -7,12 +7,10 @@ use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
+use crate::grid::{GRID, Span};
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
-
-/// Number of places of the cycle between which a reversal is bracketed.
-pub(crate) const GRID: u32 = 720;
 
 /// A stroke, compiled.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,28 +109,6 @@ pub(crate) enum NoStroke {
     NoPosition(f64, String),
 }
 
-/// The part of the coordinate over which the stroke is taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Span {
-    /// Lower end.
-    pub(crate) from: f64,
-    /// Length, positive.
-    pub(crate) length: f64,
-    /// Whether the motion repeats with the length.
-    pub(crate) periodic: bool,
-}
-
-impl Span {
-    /// Place `index` of a grid of `of` cells.
-    pub(crate) fn at(&self, index: u32, of: u32) -> f64 {
-        self.from + self.length * (f64::from(index) / f64::from(of))
-    }
-
-    fn period(&self) -> Option<f64> {
-        self.periodic.then_some(self.length)
-    }
-}
-
 /// Coordinate of the point along the axis and its two derivatives by the input coordinate.
 struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
@@ -155,7 +131,7 @@ impl Along<'_, '_> {
         let mut found = Vec::new();
         let mut before = self.place(span.from)?;
         for index in 1..=GRID {
-            let (low, high) = (span.at(index - 1, GRID), span.at(index, GRID));
+            let (low, high) = (span.at(index - 1), span.at(index));
             let after = self.place(high)?;
             if before[1] * after[1] < 0.0 {
                 found.push(self.reversal(low, high)?);

@@ -5,7 +5,6 @@ use assur_group::{Body, Wrench};
 use assur_number::Formula;
 
 use crate::LoadNumber;
-use crate::State;
 use crate::choice::Live;
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
@@ -83,27 +82,27 @@ impl<T: LoadNumber> Rates<T> {
 }
 
 /// Passes on the size of each load.
-struct Sizes<'a> {
+struct Sizes<'a, T> {
     cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, f64),
+    hand_on: &'a mut dyn FnMut(Cause, T),
 }
 
-impl Sink<f64> for Sizes<'_> {
+impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
     const SIZES: bool = true;
 
     fn cause(&mut self, cause: Cause) {
         self.cause = Some(cause);
     }
 
-    fn size(&mut self, size: f64) {
+    fn size(&mut self, size: T) {
         if let Some(cause) = self.cause {
             (self.hand_on)(cause, size);
         }
     }
 
-    fn force(&mut self, _: usize, _: &Body<f64>, _: [f64; 2], _: [f64; 2]) {}
+    fn force(&mut self, _: usize, _: &Body<T>, _: [T; 2], _: [T; 2]) {}
 
-    fn moment(&mut self, _: usize, _: &Body<f64>, _: f64) {}
+    fn moment(&mut self, _: usize, _: &Body<T>, _: T) {}
 }
 
 /// The wrenches of all loads at some states.
@@ -175,10 +174,16 @@ impl Loads {
     }
 
     /// The size of each applied load of a state: of a force along its direction (or against the motion), of a moment
-    /// counter-clockwise, of a contact its force F, of a spring its tension; N or N m. Loads that do not act are left out.
-    pub fn sizes(&self, state: &State, bodies: &[Body<f64>], mut hand_on: impl FnMut(Cause, f64)) {
+    /// counter-clockwise, of a contact its force F, of a spring its tension; N or N m. Loads that act in no lane are left
+    /// out.
+    pub fn sizes<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        bodies: &[Body<T>],
+        mut hand_on: impl FnMut(Cause, T),
+    ) {
         let mut sizes = Sizes { cause: None, hand_on: &mut hand_on };
-        Visit { loads: self, choice: &Live, states: state, bodies }.each(&mut sizes);
+        Visit { loads: self, choice: &Live, states, bodies }.each(&mut sizes);
     }
 
     /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames.

@@ -1,6 +1,6 @@
 //! Builders of a kind's kernel, one for each number type.
 
-use assur_number::{Dd, Lanes, Real};
+use assur_number::{Dd, Intervals, Lanes, Real};
 
 use crate::one_by_one::OneByOne;
 use crate::{AssurGroup, BuildError, GroupFrame};
@@ -14,6 +14,7 @@ pub struct Builders {
     pub(crate) single: Build<f32>,
     pub(crate) extended: Build<Dd>,
     pub(crate) lanes: Build<Lanes>,
+    pub(crate) intervals: Build<Intervals>,
 }
 
 /// A kind of group whose formulas are generic over the number type.
@@ -37,22 +38,27 @@ fn one_by_one<K: GroupKind>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Lan
     Ok(Box::new(OneByOne(boxed::<K, f64>(frame)?)))
 }
 
+fn not_enclosed(_: &GroupFrame) -> Result<Box<dyn AssurGroup<Intervals>>, BuildError> {
+    Err(BuildError::new("the formulas of this kind decide by single numbers"))
+}
+
 impl Builders {
-    /// The builders of any kind: several positions are solved one by one.
+    /// The builders of any kind: several positions are solved one by one, and none over intervals.
     pub const fn of<K: GroupKind>() -> Self {
         Self {
             double: boxed::<K, f64>,
             single: boxed::<K, f32>,
             extended: boxed::<K, Dd>,
             lanes: one_by_one::<K>,
+            intervals: not_enclosed,
         }
     }
 
-    /// The builders of a kind whose formulas give each lane the bits that `f64` gets alone, as closed forms do: several
-    /// positions are solved at once. A kernel that decides by its numbers what it calculates, such as an iteration, or the
-    /// general solution by its choice of pivots, does not.
+    /// The builders of a kind whose places come from one formula for all numbers, as closed forms do: several positions are
+    /// solved at once, each with the bits that `f64` gets alone, and places are enclosed over intervals. A kernel that decides
+    /// by its numbers what it calculates, such as an iteration, or the general solution by its choice of pivots, has none.
     pub const fn in_lanes<K: GroupKind>() -> Self {
-        Self { lanes: boxed::<K, Lanes>, ..Self::of::<K>() }
+        Self { lanes: boxed::<K, Lanes>, intervals: boxed::<K, Intervals>, ..Self::of::<K>() }
     }
 }
 
@@ -82,3 +88,4 @@ number!(f64, double);
 number!(f32, single);
 number!(Dd, extended);
 number!(Lanes, lanes);
+number!(Intervals, intervals);

@@ -58,7 +58,7 @@ pub struct Chain<T: Number> {
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
     /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
-    needed: Vec<bool>,
+    pub(crate) needed: Vec<bool>,
     bodies: usize,
 }
 

@@ -14,6 +14,7 @@ use crate::first::{First, first_ways};
 use crate::follower::Follower;
 use crate::guesses::{Guesses, iterated};
 use crate::interpolants::Interpolants;
+use crate::regular::turns_regularly;
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
 use crate::{Chain, ChainError, Range};
@@ -43,15 +44,20 @@ pub(crate) struct Followed {
     pub(crate) guesses: Option<Guesses>,
 }
 
+impl Followed {
+    /// Without an event: these ways hold wherever the mechanism can be assembled.
+    fn constant(ways: Ways, range: Option<Range>, first_failure: Option<ChainError>) -> Self {
+        let interpolants = Interpolants::default();
+        Self { ways, range, first_failure, ends: [None; 2], interpolants, guesses: None }
+    }
+}
+
+/// The chains of a mechanism, for one position and for eight.
+pub(crate) type Chains<'a> = (&'a Chain<f64>, &'a Chain<Lanes>);
+
 /// Chooses the assembly of the first position and follows it.
-pub(crate) fn follow(
-    mechanism: &Mechanism,
-    structure: &Structure,
-    chain: &Chain<f64>,
-    lane_chain: &Chain<Lanes>,
-) -> Followed {
-    let unit = coordinate_unit(mechanism, structure);
-    let from = mechanism.input.from;
+pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chains: Chains<'_>) -> Followed {
+    let (chain, from) = (chains.0, mechanism.input.from);
     let extended = Extended::new(mechanism, structure);
     let begin = |q: f64| first_ways(mechanism, structure, (chain, &extended), q);
     let found = match begin(from) {
@@ -60,27 +66,34 @@ pub(crate) fn follow(
         Err((
             _,
             ChainError { source: GroupError::Singular { .. } | GroupError::SingularStart { .. }, .. },
-        )) => begin(from + BESIDE * unit),
+        )) => begin(from + BESIDE * coordinate_unit(mechanism, structure)),
         found => found,
     };
-    let (first, start) = match found {
-        Ok(found) => found,
+    match found {
         Err((ways, failure)) => {
-            return Followed {
-                ways: Ways::new(from, None, ways, Vec::new()),
-                range: None,
-                first_failure: Some(failure),
-                ends: [None; 2],
-                interpolants: Interpolants::default(),
-                guesses: None,
-            };
+            Followed::constant(Ways::new(from, None, ways, Vec::new()), None, Some(failure))
         }
-    };
+        Ok((first, _)) if turns_regularly(mechanism, structure, &chain.needed, &first) => {
+            let range = Range { low: from, high: from + TAU, full: true };
+            Followed::constant(Ways::new(from, Some(TAU), first, Vec::new()), Some(range), None)
+        }
+        Ok(start) => by_samples(mechanism, structure, chains, (&extended, start)),
+    }
+}
+
+/// Follows the assembly of the first position from sample to sample.
+pub(crate) fn by_samples(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    (chain, lane_chain): Chains<'_>,
+    (extended, start): (&Extended<'_>, First),
+) -> Followed {
+    let unit = coordinate_unit(mechanism, structure);
     let dependence = Dependence::of(structure);
-    let wide = Wide::new(&extended, &dependence);
+    let wide = Wide::new(extended, &dependence);
     let iterated = iterated(structure);
     let follower = Follower { chain, lane_chain, structure, dependence: &dependence, wide, iterated, unit };
-    let mut path = Path { follower, from, start: (first, start) };
+    let mut path = Path { follower, from: mechanism.input.from, start };
     let (ways, range, ends, guesses) =
         if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
     let interpolants = Interpolants::of(structure, unit, &mut path.follower.wide, (&ways, guesses.as_ref()));

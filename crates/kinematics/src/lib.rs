@@ -28,6 +28,7 @@ mod motion;
 mod poles;
 mod poses;
 mod rank;
+mod regular;
 mod samples;
 mod start;
 mod ways;

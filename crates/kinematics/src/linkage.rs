@@ -23,7 +23,7 @@ pub struct Linkage {
     /// The compiled chain.
     pub chain: Chain<f64>,
     /// The compiled chain for eight positions at once.
-    pub(crate) lane_chain: Chain<Lanes>,
+    pub lane_chain: Chain<Lanes>,
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
@@ -67,9 +67,10 @@ impl Linkage {
     /// Groups that are not needed are neither assembled nor solved, and don't limit the range; the bodies of their
     /// links and their health are undefined. No needed group may depend on one of them.
     ///
-    /// Following takes nearly all of the time: 720 samples a turn for each group, eight at once. The chain in 32 digits
-    /// is compiled only where the places in `[assembly]` don't tell two ways apart in 16 digits, and where a determinant
-    /// comes near zero between two samples; groups that keep away from singular positions never need it.
+    /// A turn in which no group comes near a singular position is proved to be such over few intervals of the angle. Where
+    /// that fails, following takes nearly all of the time: 720 samples a turn for each group, eight at once. The chain in 32
+    /// digits is compiled only where the places in `[assembly]` don't tell two ways apart in 16 digits, and where a
+    /// determinant comes near zero between two samples.
     ///
     /// # Errors
     ///
@@ -83,7 +84,7 @@ impl Linkage {
         chain.limit_to(needed);
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
-        let followed = follow(&mechanism, &structure, &chain, &lane_chain);
+        let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
         Ok(Self {
             mechanism,
             structure,
@@ -96,6 +97,27 @@ impl Linkage {
             interpolants: followed.interpolants,
             guesses: followed.guesses,
         })
+    }
+
+    /// The linkage of a mechanism that differs in numbers only, with some groups needed as in
+    /// [`compile_for`](Self::compile_for); its own mechanism; and whether both have the same positions, so that nothing was
+    /// compiled.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`compile_for`](Self::compile_for).
+    pub fn varied(
+        mut self,
+        mechanism: Mechanism,
+        needed: &[bool],
+    ) -> Result<(Self, Mechanism, bool), CompileError> {
+        if needed == self.chain.needed && mechanism.has_positions_of(&self.mechanism) {
+            let before = std::mem::replace(&mut self.mechanism, mechanism);
+            return Ok((self, before, true));
+        }
+        self.structure.set_geometry(&mechanism);
+        let varied = Self::compile_for(mechanism, self.structure, needed)?;
+        Ok((varied, self.mechanism, false))
     }
 
     /// Storage for one solved position.

@@ -3,33 +3,35 @@
 use std::f64::consts::TAU;
 
 use assur_group::Body;
-use assur_mechanism::{LinkId, Place, PointId, SlideId};
+use assur_group::plane::{dot, minus, perp, plus, vector};
+use assur_mechanism::{LinkId, Place, PointId, Slide, SlideId};
+use assur_number::Real;
 use serde::Serialize;
 
 use crate::{Linkage, Position};
 
 /// PF0, PF1, PF2 of a point: m, m/rad, m/rad² (per m for a sliding input).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct PointMotion {
+pub struct PointMotion<T = f64> {
     /// Place, m.
-    pub pf0: [f64; 2],
+    pub pf0: [T; 2],
     /// First derivative with respect to the coordinate.
-    pub pf1: [f64; 2],
+    pub pf1: [T; 2],
     /// Second derivative with respect to the coordinate.
-    pub pf2: [f64; 2],
+    pub pf2: [T; 2],
 }
 
 /// PF0, PF1, PF2 of the angle of a link (rad) or of the displacement of a slide (m): the value and its derivatives
 /// with respect to the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct ScalarMotion {
+pub struct ScalarMotion<T = f64> {
     /// An angle in (-pi, pi], rad ([`continuous_angle`] makes a sequence of them continuous); or the signed distance
     /// of the sliding point from `through` along the guide, m.
-    pub pf0: f64,
+    pub pf0: T,
     /// First derivative.
-    pub pf1: f64,
+    pub pf1: T,
     /// Second derivative.
-    pub pf2: f64,
+    pub pf2: T,
 }
 
 /// The angle that differs from `angle` by full turns and is closest to `near`, rad.
@@ -37,16 +39,42 @@ pub fn continuous_angle(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// Motion of a point of a body, given in the body's frame.
-pub(crate) fn motion_of(body: &Body<f64>, at: [f64; 2]) -> PointMotion {
-    let arm = body.arm(at);
-    PointMotion { pf0: [body.x + arm[0], body.y + arm[1]], pf1: body.first(arm), pf2: body.second(arm) }
+impl<T: Real> PointMotion<T> {
+    /// Motion of a point of a body, given in the body's frame.
+    #[inline]
+    pub fn of(body: &Body<T>, at: [f64; 2]) -> Self {
+        let arm = body.arm(vector(at));
+        Self { pf0: plus([body.x, body.y], arm), pf1: body.first(arm), pf2: body.second(arm) }
+    }
+}
+
+impl<T: Real> ScalarMotion<T> {
+    /// Motion of a slide: the distance from `through` to the sliding point along the guide.
+    #[inline]
+    pub fn of_slide(slide: &Slide, bodies: &[Body<T>]) -> Self {
+        let carrier = &bodies[slide.on];
+        let point = PointMotion::of(&bodies[slide.link], slide.point);
+        let through = PointMotion::of(carrier, slide.through);
+        let (s, c) = slide.angle.sin_cos();
+        let along = carrier.turned(vector([c, s]));
+        let across = perp(along);
+        let (d0, d1, d2) =
+            (minus(point.pf0, through.pf0), minus(point.pf1, through.pf1), minus(point.pf2, through.pf2));
+        // s = t d with t' = w n, t'' = e n - w² t.
+        let (w, e) = (carrier.w1, carrier.w2);
+        let turned = w.twice() * dot(across, d1);
+        Self {
+            pf0: dot(along, d0),
+            pf1: dot(along, d1) + w * dot(across, d0),
+            pf2: dot(along, d2) + turned + e * dot(across, d0) - w * w * dot(along, d0),
+        }
+    }
 }
 
 impl Linkage {
     /// Motion of a place fixed in a link.
     pub fn place_motion(&self, place: Place, position: &Position) -> PointMotion {
-        motion_of(&position.bodies[place.link], place.at)
+        PointMotion::of(&position.bodies[place.link], place.at)
     }
 
     /// Motion of a named point, calculated from the first of its links that was placed (for a pin all its links
@@ -73,23 +101,6 @@ impl Linkage {
 
     /// Motion of a slide.
     pub fn slide_motion(&self, slide: SlideId, position: &Position) -> ScalarMotion {
-        let found = &self.mechanism.slides[slide];
-        let (slider, carrier) = (&position.bodies[found.link], &position.bodies[found.on]);
-        let point = motion_of(slider, found.point);
-        let through = motion_of(carrier, found.through);
-        let (s, c) = found.angle.sin_cos();
-        let along = carrier.turned([c, s]);
-        let across = [-along[1], along[0]];
-        let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
-        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-        let (d0, d1, d2) =
-            (minus(point.pf0, through.pf0), minus(point.pf1, through.pf1), minus(point.pf2, through.pf2));
-        // s = t d with t' = w n, t'' = e n - w² t.
-        let (w, e) = (carrier.w1, carrier.w2);
-        ScalarMotion {
-            pf0: dot(along, d0),
-            pf1: dot(along, d1) + w * dot(across, d0),
-            pf2: dot(along, d2) + 2.0 * w * dot(across, d1) + e * dot(across, d0) - w * w * dot(along, d0),
-        }
+        ScalarMotion::of_slide(&self.mechanism.slides[slide], &position.bodies)
     }
 }

@@ -6,8 +6,8 @@ use assur_number::{Lanes, Real as _};
 
 use crate::branch::Branch;
 
-/// A local minimum of the determinant above this can't belong to a zero between two samples.
-const SUSPECT: f64 = 0.2;
+/// A local minimum of the determinant among the samples that is above this can't belong to a zero between two of them.
+pub(crate) const SUSPECT: f64 = 0.2;
 
 /// A squared determinant whose interpolating parabola stays above this has no zero between the samples.
 const CLEAR: f64 = 1e-4;

@@ -230,6 +230,15 @@ pub enum PairId {
 }
 
 impl Mechanism {
+    /// Whether its links have the same positions at every coordinate as those of another mechanism: lengths, pairs, input and
+    /// assembly are the same. Masses, loads and motion may differ.
+    pub fn has_positions_of(&self, other: &Self) -> bool {
+        self.points == other.points
+            && self.slides == other.slides
+            && self.input == other.input
+            && self.assembly == other.assembly
+    }
+
     /// The point of this name.
     pub fn point(&self, name: &str) -> Option<PointId> {
         self.points.iter().position(|point| point.name == name)

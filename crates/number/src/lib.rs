@@ -1,10 +1,11 @@
 //! The number types over which the formulas of the groups are generic.
 //!
 //! A formula is written once, over [`Real`]: `f64` is the usual number, `f32` shows the effect of single precision,
-//! [`Dd`] (about 32 digits) gives references for the accuracy charts, and [`Lanes`] computes several positions of the
-//! mechanism at once. [`search`] has bisection, bracketed roots and golden sections along one variable.
+//! [`Dd`] (about 32 digits) gives references for the accuracy charts, [`Lanes`] computes several positions of the
+//! mechanism at once, and [`Intervals`] enclose a quantity between positions. [`search`] has bisection, bracketed roots and golden sections along one variable.
 
 mod dd;
+mod intervals;
 mod lanes;
 mod real;
 pub mod search;
@@ -12,6 +13,7 @@ mod sine;
 mod widest;
 
 pub use dd::Dd;
+pub use intervals::Intervals;
 pub use lanes::Lanes;
 pub use real::{Formula, Real};
 

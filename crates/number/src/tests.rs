@@ -2,7 +2,7 @@ mod search;
 
 use proptest::prelude::*;
 
-use crate::{Dd, Lanes, Real};
+use crate::{Dd, Intervals, Lanes, Real};
 
 fn close(a: Dd, b: Dd, limit: f64) -> bool {
     (a - b).abs().to_f64() <= limit
@@ -118,5 +118,37 @@ proptest! {
             prop_assert_eq!(x.0[i].to_bits(), ((a[i] * b[i] + a[i]) / b[i] - b[i].sqrt()).to_bits());
         }
         prop_assert_eq!(Lanes(a).least().to_bits(), a.iter().copied().fold(f64::INFINITY, f64::min).to_bits());
+    }
+
+    #[test]
+    fn intervals_enclose_what_their_numbers_give(
+        a in prop::array::uniform8(-3.0..3.0f64),
+        b in prop::array::uniform8(1.0..3.0f64),
+        width in 0.0..0.9f64,
+        part in -1.0..1.0f64,
+    ) {
+        /// Every operation.
+        fn formula<T: Real>(a: T, b: T) -> [T; 4] {
+            let (s, c) = a.sin_cos();
+            [a * b - s, (a + b) / b, b.sqrt() * c.abs(), -(a - b).clamp_negative()]
+        }
+        let (x, y) = (Lanes(a), Lanes(b));
+        let radius = Lanes::from_f64(width);
+        let wide = formula(Intervals { middle: x, radius }, Intervals { middle: y, radius });
+        let shift = Lanes::from_f64(width * part);
+        for (enclosed, number) in wide.into_iter().zip(formula(x + shift, y - shift)) {
+            for lane in 0..Lanes::WIDTH {
+                let away = (number.0[lane] - enclosed.middle.0[lane]).abs();
+                prop_assert!(away <= enclosed.radius.0[lane] + 1e-13, "{away} {enclosed:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_known_of_a_quotient_by_an_interval_with_zero_or_of_its_root(a in -0.5..0.5f64) {
+        let wide = Intervals { middle: Lanes::from_f64(a), radius: Lanes::from_f64(0.5) };
+        for unknown in [Intervals::ONE / wide, wide.sqrt()] {
+            prop_assert!(!unknown.exceeds(f64::NEG_INFINITY));
+        }
     }
 }

@@ -45,15 +45,11 @@ fn schema(mechanism: &Mechanism) -> Schema {
 fn analysis(angle: f64) -> Analysis {
     let mechanism = mechanism();
     let mut positions = Table::new(Arc::new(schema(&mechanism)));
-    let mut cells = positions.row(0);
-    cells.all([0.1 + 0.2, angle, 1.0, 0.0, 1e-300, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0]);
-    cells.all([1.0, -2.0, -1.0, 2.0, 0.5, 0.25, 3.0, 2.0]);
+    let motion = [0.1 + 0.2, angle, 1.0, 0.0, 1e-300, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0];
+    let forces = [1.0, -2.0, -1.0, 2.0, 0.5, 0.25, 3.0, 2.0];
+    positions.push(0, motion.into_iter().chain(forces).map(Some));
     // A singular position without reactions.
-    let mut cells = positions.row(5);
-    cells.all([7.0; 10]);
-    cells.none(6);
-    cells.all([4.0]);
-    cells.none(1);
+    positions.push(5, [Some(7.0); 10].into_iter().chain([None; 6]).chain([Some(4.0), None]));
     let mut motion = Schema::new(&mechanism);
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
@@ -173,8 +169,8 @@ fn parquet_reads_back_over_groups() {
     let analysis = analysis(1.5);
     let mut bytes = Vec::new();
     let mut writer = crate::parquet::Writer::new(&analysis, &mut bytes).unwrap();
-    // Two rows of 18 columns: a group is full after 116,509 tables.
-    let tables = 120_000;
+    // Two rows of 18 columns: a group is full after 233,017 tables.
+    let tables = 240_000;
     for _ in 0..tables {
         writer.add(&analysis.positions).unwrap();
     }

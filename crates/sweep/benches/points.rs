@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use assur_all as _;
 use assur_sweep::{Measure, Points, Request, Rows, Sweep, SweepError, Vary};
+use assur_testkit::yardstick::slider_crank;
 
 /// A slider-crank with masses and a force.
 const SCENE: &str = r#"
@@ -109,11 +110,7 @@ fn by_hand() -> f64 {
     let whole = seconds(|| {
         for index in 0..POSITIONS {
             let (s, c) = black_box(f64::from(index) * 1e-4).sin_cos();
-            let (x, y) = (0.1 * c, 0.1 * s);
-            let along = (0.35 * 0.35 - y * y).sqrt();
-            let w = -(x / along);
-            let e = y * (1.0 + w * w) / along;
-            black_box([x + along, w * y - y, e * y - w * w * along - x, along / 0.35, -(y / 0.35), w, e]);
+            black_box(slider_crank([s, c]));
         }
     });
     whole / f64::from(POSITIONS)

@@ -123,17 +123,22 @@ impl Found {
         }
     }
 
-    /// Forgets everything.
-    pub(crate) fn clear(&mut self) {
-        let Self { health, transmission, balancing, load, forces, moments, points, slides, links, .. } = self;
-        for one in [health, transmission, balancing, load] {
-            *one = Statistics::NONE;
-        }
-        for list in [forces, moments, slides, links] {
-            list.fill(Statistics::NONE);
-        }
+    /// Forgets what belongs to the positions whatever the loads.
+    pub(crate) fn clear_positions(&mut self) {
+        let Self { health, transmission, points, slides, links, input, .. } = self;
+        (*health, *transmission, *input) = (Statistics::NONE, Statistics::NONE, None);
         points.fill([Statistics::NONE; 2]);
-        (self.input, self.last, self.steady) = (None, None, None);
+        slides.fill(Statistics::NONE);
+        links.fill(Statistics::NONE);
+    }
+
+    /// Forgets what belongs to loads and motion.
+    pub(crate) fn clear_forces(&mut self) {
+        let Self { balancing, load, forces, moments, last, steady, .. } = self;
+        (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
+        forces.fill(Statistics::NONE);
+        moments.fill(Statistics::NONE);
+        (*last, *steady) = (None, None);
     }
 }
 

@@ -5,20 +5,10 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::sync::Arc;
 
-use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical, ZstdLevel};
-use ::parquet::column::writer::ColumnCloseResult;
-use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
-use ::parquet::errors::ParquetError as Inner;
-use ::parquet::file::metadata::KeyValue;
-use ::parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::reader::FileReader;
 use ::parquet::file::serialized_reader::SerializedFileReader;
-use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
-use ::parquet::schema::types::{ColumnPath, Type, TypePtr};
-
-use assur_report::csv::Cell;
+use assur_report::parquet::{Column, File as Written, ParquetError, schema};
 
 use crate::rows::Columns;
 use crate::{Rows, Sweep, Tally};
@@ -31,11 +21,6 @@ const GROUPS: usize = 64;
 /// Keys of a part's own data.
 const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
-
-/// The table can't be written as Parquet.
-#[derive(Debug, thiserror::Error)]
-#[error("Parquet: {0}")]
-pub struct ParquetError(#[from] Inner);
 
 /// Rows of each part of a sweep of so many points, except the last one.
 pub fn rows_of_part(points: usize) -> usize {
@@ -50,23 +35,14 @@ pub fn rows_of_part(points: usize) -> usize {
 pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     let tally = Tally::of(rows);
     let first = tally.first.map_or_else(String::new, |first| first.to_string());
-    let data = vec![
-        KeyValue::new(TALLY.to_owned(), format!("{} {} {first}", tally.failures, tally.hopeless)),
-        KeyValue::new(LAST.to_owned(), last(rows)),
-    ];
-    let mut writer = SerializedFileWriter::new(
-        Vec::new(),
-        schema(&rows.columns)?,
-        properties(&rows.columns, Some(data))?,
-    )?;
-    let mut group = writer.next_row_group()?;
-    let mut column = 0;
-    while let Some(out) = group.next_column()? {
-        write(rows, column, out)?;
-        column += 1;
+    let data = vec![(TALLY, format!("{} {} {first}", tally.failures, tally.hopeless)), (LAST, last(rows))];
+    let mut all = columns(&rows.columns);
+    for (index, column) in all.iter_mut().enumerate() {
+        (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
     }
-    group.close()?;
-    Ok(writer.into_inner()?)
+    let mut file = Written::new(&all, data, Vec::new())?;
+    file.write_group(&mut all)?;
+    file.finish()
 }
 
 /// A part that was written earlier.
@@ -83,7 +59,7 @@ impl Part {
     pub fn read(file: File, sweep: &Sweep) -> Option<Self> {
         let reader = SerializedFileReader::new(file).ok()?;
         let metadata = reader.metadata().file_metadata();
-        if *metadata.schema() != *schema(&sweep.columns).ok()? {
+        if *metadata.schema() != *schema(&columns(&sweep.columns)).ok()? {
             return None;
         }
         let value = |key: &str| {
@@ -117,77 +93,21 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut writer =
-        SerializedFileWriter::new(out, schema(&sweep.columns)?, properties(&sweep.columns, None)?)?;
+    let mut file = Written::new(&columns(&sweep.columns), Vec::new(), out)?;
     for part in parts {
-        let part = part.map_err(Inner::from)?;
-        let reader = SerializedFileReader::new(part.try_clone().map_err(Inner::from)?)?;
-        for old in reader.metadata().row_groups() {
-            let mut group = writer.next_row_group()?;
-            for column in old.columns() {
-                let close = ColumnCloseResult {
-                    bytes_written: column.compressed_size().unsigned_abs(),
-                    rows_written: old.num_rows().unsigned_abs(),
-                    metadata: column.clone(),
-                    bloom_filter: None,
-                    column_index: None,
-                    offset_index: None,
-                };
-                group.append_column(&part, close)?;
-            }
-            group.close()?;
-        }
+        file.append(part?)?;
     }
-    writer.close()?;
-    Ok(())
+    file.finish().map(drop)
 }
 
-/// Numbers are split into streams of bytes and compressed, which suits numbers that change smoothly; texts repeat.
-fn properties(columns: &Columns, data: Option<Vec<KeyValue>>) -> Result<WriterPropertiesPtr, Inner> {
-    let mut properties = WriterProperties::builder()
-        .set_created_by(concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(data)
-        .set_compression(Compression::ZSTD(ZstdLevel::try_new(1)?))
-        .set_dictionary_enabled(false)
-        .set_encoding(Encoding::BYTE_STREAM_SPLIT)
-        .set_statistics_enabled(EnabledStatistics::None);
-    let texts = columns.names().iter().enumerate().filter(|(column, _)| columns.is_text(*column));
-    for (_, name) in texts {
-        let path = ColumnPath::new(vec![name.clone()]);
-        properties = properties.set_column_encoding(path.clone(), Encoding::PLAIN);
-        properties = properties.set_column_dictionary_enabled(path, true);
-    }
-    Ok(Arc::new(properties.build()))
-}
-
-fn schema(columns: &Columns) -> Result<TypePtr, Inner> {
-    let field = |(column, name): (usize, &String)| {
-        let (physical, logical) = if columns.is_text(column) {
-            (Physical::BYTE_ARRAY, Some(LogicalType::String))
+/// The columns of the file, without rows.
+fn columns(columns: &Columns) -> Vec<Column> {
+    let of = |(index, name): (usize, &String)| {
+        if columns.is_text(index) {
+            Column::of_texts(name.clone())
         } else {
-            (Physical::DOUBLE, None)
-        };
-        let field = Type::primitive_type_builder(name, physical).with_logical_type(logical);
-        field.with_repetition(Repetition::OPTIONAL).build().map(Arc::new)
+            Column::of_numbers(name.clone(), true)
+        }
     };
-    let fields = columns.names().iter().enumerate().map(field).collect::<Result<Vec<_>, _>>()?;
-    Type::group_type_builder("sweep").with_fields(fields).build().map(Arc::new)
-}
-
-fn write(rows: &Rows, column: usize, mut out: SerializedColumnWriter<'_>) -> Result<(), Inner> {
-    let cells = || (0..rows.len()).map(|row| rows.cell(row, column));
-    // Level 1: there is a value; level 0: the cell is empty.
-    let levels: Vec<i16> = cells().map(|cell| i16::from(cell != Cell::Empty)).collect();
-    if rows.is_text(column) {
-        let texts: Vec<ByteArray> = cells()
-            .filter_map(|cell| if let Cell::Text(text) = cell { Some(ByteArray::from(text)) } else { None })
-            .collect();
-        out.typed::<ByteArrayType>().write_batch(&texts, Some(&levels), None)?;
-    } else {
-        let numbers: Vec<f64> = cells()
-            .filter_map(|cell| if let Cell::Number(value) = cell { Some(value) } else { None })
-            .collect();
-        out.typed::<DoubleType>().write_batch(&numbers, Some(&levels), None)?;
-    }
-    out.close()
+    columns.names().iter().enumerate().map(of).collect()
 }

@@ -2,17 +2,14 @@
 
 use std::ops::Range;
 
-use assur_analysis::plan::Plan;
-use assur_analysis::{AnalysisError, Calculation, InputMotion, unwatched};
+use assur_analysis::{AnalysisError, Calculation, InputMotion, Varied, unwatched};
 use assur_dynamics::Instant;
 use assur_group::Order;
-use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_mechanism::Mechanism;
-use assur_structure::Structure;
 
 use crate::angles::Angles;
 use crate::measure::{Found, Sheet};
-use crate::positions::Positions;
+use crate::positions::{Memory, Positions};
 use crate::rows::{Outcome, Rows};
 use crate::{Status, Sweep};
 
@@ -26,9 +23,11 @@ pub(crate) struct Worker<'a> {
     parameters: Vec<f64>,
     values: Vec<f64>,
     /// Solved positions; all points have the same links and groups.
-    pub(crate) memory: Option<(LanePosition, Position)>,
-    /// What the last point had in common with the next one; lost with a mechanism that can't be compiled.
-    common: Option<(Mechanism, Structure, Plan)>,
+    pub(crate) memory: Memory,
+    /// The last point, with which the next one may have much in common; lost with a mechanism that can't be compiled.
+    last: Option<Calculation>,
+    /// The mechanism of an earlier point, in which numbers are set.
+    spare: Option<Mechanism>,
 }
 
 impl<'a> Worker<'a> {
@@ -41,8 +40,9 @@ impl<'a> Worker<'a> {
             numbers: parameters.clone(),
             parameters,
             values: Vec::new(),
-            memory: None,
-            common: None,
+            memory: Memory::default(),
+            last: None,
+            spare: None,
         }
     }
 
@@ -65,12 +65,11 @@ impl<'a> Worker<'a> {
 
     /// Calculates a point and puts its values in order.
     fn outcome(&mut self) -> Result<Outcome, Outcome> {
-        self.found.clear();
-        let calculation = self.compiled()?;
+        let mut calculation = self.compiled()?;
         let result = Positions::new(&calculation, self).outcome();
         self.found.last = last(&calculation);
-        let Calculation { linkage: Linkage { mechanism, structure, .. }, plan, motion, .. } = calculation;
-        self.common = Some((mechanism, structure, plan));
+        let motion = std::mem::replace(&mut calculation.motion, InputMotion::Prescribed);
+        self.last = Some(calculation);
         let mut outcome = result?;
         if let InputMotion::Steady(found) = motion {
             outcome.motor =
@@ -94,21 +93,23 @@ impl<'a> Worker<'a> {
     /// The mechanism of the point, compiled.
     fn compiled(&mut self) -> Result<Calculation, Outcome> {
         let sweep = self.sweep;
-        let (mechanism, common) = match self.common.take() {
-            Some((mechanism, structure, plan)) => (Some(mechanism), Some((structure, plan))),
-            None => (None, None),
-        };
-        let mechanism = sweep.variants.mechanism(&sweep.axes, &self.numbers, &self.parameters, mechanism);
+        let last = self.last.take();
+        self.memory.keep(false);
+        let spare = self.spare.take();
+        let mechanism = sweep.variants.mechanism(&sweep.axes, &self.numbers, &self.parameters, spare);
         let mechanism = mechanism.map_err(|errors| {
             let first = errors.errors.first();
             let message = first.map(|error| format!("{} (line {})", error.message, error.line));
             Outcome::failure(Status::Refused, &message.unwrap_or_default(), None)
         })?;
-        let calculation = match common {
-            Some((mut structure, mut plan)) if sweep.variants.sets_numbers() => {
-                structure.set_geometry(&mechanism);
-                plan.fit(&mechanism, &structure);
-                Calculation::planned(mechanism, structure, plan, &sweep.options, &mut unwatched)
+        let calculation = match last {
+            Some(last) if sweep.variants.sets_numbers() => {
+                last.varied(mechanism, &sweep.options, &mut unwatched).map(|varied| {
+                    let Varied { calculation, before, same_positions } = varied;
+                    self.spare = Some(before);
+                    self.memory.keep(same_positions);
+                    calculation
+                })
             }
             _ => Calculation::of(mechanism, &sweep.options, &mut unwatched),
         };

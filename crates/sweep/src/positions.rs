@@ -1,11 +1,11 @@
 //! The positions of one point of a sweep, eight at once.
 
 use assur_analysis::Calculation;
-use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics, Reactions, State, applicable};
+use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
 use assur_group::plane::{dot, minus, vector};
 use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
-use assur_mechanism::{Motion, Slide};
+use assur_mechanism::Slide;
 use assur_number::{Lanes, Real};
 
 use crate::Status;
@@ -14,11 +14,32 @@ use crate::point::Worker;
 use crate::rows::Outcome;
 use crate::statistics::Valid;
 
+/// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
+/// for all threads together far less than a sweep may take.
+const MOST_KEPT: usize = 64;
+
+/// Solved positions, kept from one point to the next.
+#[derive(Debug, Default)]
+pub(crate) struct Memory {
+    /// Eight positions each; where there are too many to keep, one for each in turn.
+    blocks: Vec<LanePosition>,
+    /// For what is done lane by lane.
+    single: Option<Position>,
+    /// Whether the blocks hold all positions of the mechanism.
+    holds_all: bool,
+}
+
+impl Memory {
+    /// Keeps the positions if the next mechanism has the same ones.
+    pub(crate) fn keep(&mut self, same: bool) {
+        self.holds_all &= same;
+    }
+}
+
 /// The positions of a mechanism, whose numbers are added to what is found.
 pub(crate) struct Positions<'a, 'w> {
     calculation: &'a Calculation,
     worker: &'a mut Worker<'w>,
-    position: LanePosition,
     /// For what is done lane by lane.
     single: Position,
     forces: Option<LaneKinetostatics<'a>>,
@@ -32,26 +53,49 @@ impl<'a, 'w> Positions<'a, 'w> {
     pub(crate) fn new(calculation: &'a Calculation, worker: &'a mut Worker<'w>) -> Self {
         let (linkage, carrying) = (&calculation.linkage, &calculation.plan.groups_carrying);
         let forces = match (&calculation.loads, calculation.analyzer) {
-            (Some(loads), Some(analyzer)) if has_forces(calculation) => {
+            (Some(loads), Some(analyzer)) if calculation.positions_have_forces() => {
                 Some(LaneKinetostatics::new(Kinetostatics::new(linkage, loads, analyzer.instance, carrying)))
             }
             _ => None,
         };
-        worker.angles.clear();
-        worker.found.input = Some(linkage.mechanism.input.clone());
-        let memory = worker.memory.take();
-        let (position, single) = memory.unwrap_or_else(|| (linkage.lane_position(), linkage.position()));
-        Self { calculation, worker, position, single, forces, failure: None, failed: 0 }
+        let single = worker.memory.single.take().unwrap_or_else(|| linkage.position());
+        Self { calculation, worker, single, forces, failure: None, failed: 0 }
     }
 
     /// Calculates every position.
     pub(crate) fn outcome(mut self) -> Result<Outcome, Outcome> {
-        let positions = self.calculation.linkage.mechanism.input.positions;
-        for first in (0..positions).step_by(Lanes::WIDTH) {
-            self.add(first, positions);
+        let Calculation { linkage, no_motion, .. } = self.calculation;
+        let positions = linkage.mechanism.input.positions;
+        let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
+        if !holds_all {
+            self.worker.angles.clear();
+            self.worker.found.clear_positions();
+            self.worker.found.input = Some(linkage.mechanism.input.clone());
         }
-        self.worker.memory = Some((self.position, self.single));
-        match (self.failure, &self.calculation.no_motion) {
+        self.worker.found.clear_forces();
+        let count = positions.div_ceil(Lanes::WIDTH);
+        let kept = if count <= MOST_KEPT { count } else { 1 };
+        blocks.resize_with(kept, || linkage.lane_position());
+        let mut all_solved = kept == count;
+        for (index, position) in (0..count).map(|index| (index, index % kept)) {
+            let block = Block::new(index * Lanes::WIDTH, positions);
+            let mut failures = Vec::new();
+            let mut solved = block;
+            if !holds_all {
+                failures = self.solve(&block, &mut blocks[position]);
+                failures.iter().for_each(|(lane, ..)| solved.valid[*lane] = false);
+                all_solved &= failures.is_empty();
+                self.health(&solved, &blocks[position]);
+                self.places(&solved, &blocks[position]);
+            }
+            for (lane, error) in self.forces(&solved, &blocks[position]) {
+                let message = format!("position {}: {error}", block.first + lane);
+                failures.push((lane, Status::NoSolution, message));
+            }
+            self.note(failures);
+        }
+        self.worker.memory = Memory { blocks, single: Some(self.single), holds_all: all_solved };
+        match (self.failure, no_motion) {
             (Some((status, message)), _) => Err(Outcome::failure(status, &message, Some(self.failed))),
             (None, Some(message)) => Err(Outcome::failure(Status::NoSolution, &message.to_string(), Some(0))),
             (None, None) => {
@@ -60,29 +104,24 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
     }
 
-    /// Adds eight positions, or what is left of them.
-    fn add(&mut self, first: usize, count: usize) {
+    /// Solves eight positions, or what is left of them; returns the lanes that have none.
+    fn solve(&self, block: &Block, position: &mut LanePosition) -> Vec<Failure> {
         let Calculation { linkage, plan, .. } = self.calculation;
         let input = &linkage.mechanism.input;
         // The lanes after the last position repeat it, and are not counted.
-        let at = Lanes::of(|lane| input.coordinate((first + lane).min(count - 1)));
-        let lanes = Block { first, valid: std::array::from_fn(|lane| first + lane < count) };
-        let mut solved = lanes;
-        let mut failures = Vec::new();
-        if let Err(errors) = linkage.solve_lanes(at, plan.order, &mut self.position) {
-            for (lane, error) in errors.into_iter().filter(|(lane, _)| lanes.valid[*lane]) {
-                solved.valid[lane] = false;
-                let assembly = matches!(error.source, GroupError::NoAssembly { .. });
-                let status = if assembly { Status::NoAssembly } else { Status::NoSolution };
-                let message = PositionError { index: Some(first + lane), ..error }.to_string();
-                failures.push((lane, status, message));
-            }
-        }
-        self.health(&solved);
-        self.places(&solved);
-        for (lane, error) in self.forces(&solved) {
-            failures.push((lane, Status::NoSolution, format!("position {}: {error}", first + lane)));
-        }
+        let at = Lanes::of(|lane| input.coordinate((block.first + lane).min(input.positions - 1)));
+        let Err(errors) = linkage.solve_lanes(at, plan.order, position) else { return Vec::new() };
+        let failed = errors.into_iter().filter(|(lane, _)| block.valid[*lane]);
+        let failure = |(lane, error): (usize, PositionError)| {
+            let assembly = matches!(error.source, GroupError::NoAssembly { .. });
+            let status = if assembly { Status::NoAssembly } else { Status::NoSolution };
+            (lane, status, PositionError { index: Some(block.first + lane), ..error }.to_string())
+        };
+        failed.map(failure).collect()
+    }
+
+    /// Counts the failures of a block, and keeps the first one of all.
+    fn note(&mut self, mut failures: Vec<Failure>) {
         failures.sort_by_key(|(lane, ..)| *lane);
         self.failed += failures.len();
         let earliest = failures.into_iter().next().map(|(_, status, message)| (status, message));
@@ -93,18 +132,18 @@ impl<'a, 'w> Positions<'a, 'w> {
         self.worker.sweep.measures.iter().any(what)
     }
 
-    fn health(&mut self, block: &Block) {
+    fn health(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
         let needed = || plan.groups_needed.iter().enumerate().filter(|(_, needed)| **needed);
         if needed().next().is_none() {
             return;
         }
-        let healths = needed().map(|(group, _)| self.position.health[group].abs());
+        let healths = needed().map(|(group, _)| position.health[group].abs());
         let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
         self.worker.found.health.add(block.valid, block.numbers(), least);
         if self.wants(|measure| measure.transmission) {
             let least = Lanes::of(|lane| {
-                self.position.copy_lane(lane, &mut self.single);
+                position.copy_lane(lane, &mut self.single);
                 let of_group = |group: usize| {
                     let found = &linkage.structure.groups[group];
                     let health = self.single.health[group].abs();
@@ -116,11 +155,11 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
     }
 
-    fn places(&mut self, block: &Block) {
+    fn places(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
         let angles = self.wants(|measure| measure.angles);
         let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
-        let (bodies, numbers) = (&self.position.bodies, block.numbers());
+        let (bodies, numbers) = (&position.bodies, block.numbers());
         for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {
             let at = bodies[place.link].point(vector(place.at));
             (0..2).for_each(|axis| extent[axis].add(block.valid, numbers, at[axis]));
@@ -132,7 +171,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         for lane in (0..Lanes::WIDTH).filter(|&lane| angles && block.valid[lane]) {
             let pose = |body: &Body<Lanes>| [body.c, body.s, body.w1].map(|number| number.0[lane]);
             let poses = layout.links.iter().map(|link| (link.id, pose(&bodies[link.id])));
-            let angles = self.worker.angles.follow(linkage, self.position.coordinates.0[lane], poses);
+            let angles = self.worker.angles.follow(linkage, position.coordinates.0[lane], poses);
             for ([angle, _], extent) in angles.iter().zip(&mut found.links) {
                 extent.add_one(lane, numbers.0[lane], *angle);
             }
@@ -140,17 +179,17 @@ impl<'a, 'w> Positions<'a, 'w> {
     }
 
     /// Adds reactions and balancing loads; returns the lanes that have none.
-    fn forces(&mut self, block: &Block) -> Vec<(usize, ForceError)> {
+    fn forces(&mut self, block: &Block, position: &LanePosition) -> Vec<(usize, ForceError)> {
         let Some(forces) = &mut self.forces else { return Vec::new() };
-        let states = self.position.coordinates.0.map(|coordinate| self.calculation.state(coordinate));
-        let mut failures = forces.solve(&states, &self.position).err().unwrap_or_default();
+        let states = position.coordinates.0.map(|coordinate| self.calculation.state(coordinate));
+        let mut failures = forces.solve(&states, position).err().unwrap_or_default();
         failures.retain(|(lane, _)| block.valid[*lane]);
         let mut valid = block.valid;
         for (lane, _) in &failures {
             valid[*lane] = false;
         }
-        let (reactions, found) = (&forces.reactions, &mut self.worker.found);
-        let numbers = block.numbers();
+        let found = &mut self.worker.found;
+        let (reactions, numbers) = (&forces.reactions, block.numbers());
         found.balancing.add(valid, numbers, reactions.balancing);
         found.load.add(valid, numbers, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
@@ -162,31 +201,20 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         failures.retain(|(lane, error)| {
             let change_point = matches!(error, ForceError::ChangePoint { .. });
-            if change_point {
-                self.balancing_alone(block, *lane, &states[*lane]);
+            let state = &states[*lane];
+            let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
+            if let Some(balancing) = alone {
+                found.balancing.add_one(*lane, numbers.0[*lane], balancing);
+                found.load.add_one(*lane, numbers.0[*lane], balancing.abs());
             }
             !change_point
         });
         failures
     }
-
-    /// Adds the balancing load at a change point, where the reactions are not determined but the powers of the loads are:
-    /// by a method that finds it without reactions, where there is one.
-    fn balancing_alone(&mut self, block: &Block, lane: usize, state: &State) {
-        let Calculation { linkage, loads: Some(loads), .. } = self.calculation else { return };
-        let Some(method) = applicable(linkage).into_iter().find(|plugin| !plugin.gives_reactions) else {
-            return;
-        };
-        self.position.copy_lane(lane, &mut self.single);
-        let mut wrenches = loads.total(state, &self.single.bodies);
-        let mut alone = Reactions::new(linkage);
-        if method.instance.solve(linkage, &self.single, &mut wrenches, &mut alone).is_ok() {
-            let (found, number) = (&mut self.worker.found, block.numbers().0[lane]);
-            found.balancing.add_one(lane, number, alone.balancing);
-            found.load.add_one(lane, number, alone.balancing.abs());
-        }
-    }
 }
+
+/// The lane of a position that is not solved, and why.
+type Failure = (usize, Status, String);
 
 /// Eight successive positions.
 #[derive(Debug, Clone, Copy)]
@@ -198,6 +226,11 @@ struct Block {
 }
 
 impl Block {
+    /// The positions from `first` on, of so many in all.
+    fn new(first: usize, count: usize) -> Self {
+        Self { first, valid: std::array::from_fn(|lane| first + lane < count) }
+    }
+
     fn numbers(&self) -> Lanes {
         Lanes::of(|lane| (self.first + lane) as f64)
     }
@@ -223,10 +256,4 @@ fn greatest_square(joint: &Joint, pairs: &[Wrench<Lanes>]) -> Lanes {
         dot(force, force)
     });
     squares.fold(Lanes::ZERO, |a, b| -lesser(-a, -b))
-}
-
-/// Whether forces belong to the positions: not where the motion is transient, or not found.
-fn has_forces(calculation: &Calculation) -> bool {
-    let transient = matches!(calculation.linkage.mechanism.motion, Some(Motion::Transient { .. }));
-    !transient && calculation.no_motion.is_none()
 }

@@ -1,4 +1,5 @@
-//! Support for tests: the conformance suite that every registered kind of group must pass, and random mechanisms.
+//! Support for tests and benches: the conformance suite that every registered kind of group must pass, random mechanisms,
+//! and formulas written by hand as yardsticks.
 //!
 //! The test of a plugin is one line, `assur_testkit::conformance("rrr")`. The suite constructs random groups of the
 //! pattern that the plugin declares, of any class: it draws the poses of all bodies first and fits the pairs to them,
@@ -12,6 +13,7 @@ mod pattern;
 mod rng;
 mod sample;
 pub mod specimen;
+pub mod yardstick;
 
 pub use case::Fault;
 pub use rng::Rng;

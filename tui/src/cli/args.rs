@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
 use super::options::{CheckedArgs, Format, MethodArgs, SceneArgs};
@@ -64,6 +65,9 @@ pub(crate) enum Command {
     New {
         /// File to write; must not exist
         file: PathBuf,
+        /// Mechanism of the scene (default: a slider-crank compressor)
+        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::starter::kinds()))]
+        kind: Option<String>,
     },
     /// Print the default configuration of the terminal UI, commented
     #[command(display_order = 99)]

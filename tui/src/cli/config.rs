@@ -20,10 +20,14 @@ pub(crate) fn print() -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
+/// The path of the configuration of the user, which need not exist.
+pub(crate) fn file() -> Option<PathBuf> {
+    path(|name| std::env::var_os(name).map(PathBuf::from))
+}
+
 /// The configuration of the user; or the default, with the reason. A missing file is no error.
 pub(crate) fn load(style: Style) -> (Config, Option<String>) {
-    let path = path(|name| std::env::var_os(name).map(PathBuf::from));
-    match path.filter(|path| path.exists()).map(|path| read(&path, style)) {
+    match file().filter(|path| path.exists()).map(|path| read(&path, style)) {
         None => (Config::default(), None),
         Some(Ok(config)) => (config, None),
         Some(Err(fault)) => (Config::default(), Some(fault.to_string())),

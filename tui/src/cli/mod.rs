@@ -89,7 +89,7 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
-        Some(Command::New { file }) => starter::run(&file),
+        Some(Command::New { file, kind }) => starter::run(&file, kind.as_deref()),
         Some(Command::Config) => config::print(),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),
@@ -139,6 +139,8 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
                 integrator: cli.methods.integrator,
                 config,
                 config_fault,
+                config_file: config::file(),
+                note: Some(report::of_text),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
+use assur_analysis::{Calculation, MOST_KEPT};
 use assur_diagram::sheet_text;
 use clap::Args;
 
@@ -75,6 +75,12 @@ impl PlanArgs {
             return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
         }
         let count = study.linkage.mechanism.input.positions;
+        if self.by_cause && count > MOST_KEPT {
+            return Err(Fault::other(format!(
+                "--by-cause splits the reactions of at most {MOST_KEPT} positions, and the scene has {count}; lower \
+                 `positions` in `[input]`"
+            )));
+        }
         match self.plans.iter().find(|index| **index >= count) {
             Some(index) => Err(Fault::other(format!(
                 "--plans {index}: there is no such position; they are numbered 0 to {}",

@@ -12,7 +12,8 @@ use super::scene;
 use super::style::Style;
 use crate::files;
 use crate::note::{self, Form};
-use crate::screen::still::{self, StillError};
+use crate::screen::state::{Scene, Source};
+use crate::screen::still;
 
 /// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
@@ -45,11 +46,7 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
         note.language = language;
     }
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    let mut state = match still::analyzed(path.clone(), methods, true) {
-        Ok(state) => state,
-        Err(StillError::Scene(error)) => return Err(error.into()),
-        Err(error) => return Err(Fault::Scene(error.to_string())),
-    };
+    let mut state = still::analyzed(still::open(path.clone())?, methods, true);
     let failed = state.found().is_none_or(|found| {
         let analysis = &found.analysis;
         analysis.no_motion.is_some() || analysis.checks.iter().any(assur_analysis::results::Check::failed)
@@ -69,4 +66,16 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
         })?;
     }
     output.write(written.text, status).map(|()| status)
+}
+
+/// The note of a scene that is open in the terminal UI, from its name, its present text, and its methods.
+///
+/// # Errors
+///
+/// Why there is no note; in words.
+pub(crate) fn of_text(name: &str, text: &str, methods: [Option<String>; 2]) -> Result<String, String> {
+    let note = assur_scene::note(name, text).map_err(|errors| errors.to_string())?;
+    let scene = Scene::read(Source::File(name.into()), text)?;
+    let mut state = still::analyzed(scene, methods, true);
+    note::write(&mut state, &note, Form::Html, "").map(|written| written.text)
 }

@@ -4,10 +4,19 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
+use assur_fixtures::SCENES;
+
 use super::fault::{Fault, Status};
 use crate::files::FileError;
 
-pub(crate) fn run(path: &Path) -> Result<Status, Fault> {
+/// The mechanisms of which a scene can be written.
+pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
+    SCENES.iter().map(|(name, _)| *name)
+}
+
+pub(crate) fn run(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
+    let scene =
+        SCENES.iter().find(|(name, _)| Some(*name) == kind).map_or(assur_scene::STARTER, |(_, text)| text);
     let fault = |problem: String| FileError::write(path, problem);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
         fault(match error.kind() {
@@ -15,7 +24,7 @@ pub(crate) fn run(path: &Path) -> Result<Status, Fault> {
             _ => error.to_string(),
         })
     })?;
-    if let Err(error) = file.write_all(assur_scene::STARTER.as_bytes()) {
+    if let Err(error) = file.write_all(scene.as_bytes()) {
         drop(file);
         // An incomplete scene is worse than none.
         let _ = std::fs::remove_file(path);

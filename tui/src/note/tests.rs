@@ -10,7 +10,7 @@ use assur_scene::Note;
 use super::words::Words;
 use super::{Form, Written};
 use crate::screen::state::State;
-use crate::screen::still::analyzed;
+use crate::screen::still::{analyzed, open};
 
 fn note(language: &'static str) -> Note {
     let text = |text: &str| Some(text.to_owned());
@@ -19,7 +19,7 @@ fn note(language: &'static str) -> Note {
 
 /// A scene with its analysis done.
 fn state(scene: &str) -> State {
-    analyzed(assur_fixtures::path(&format!("{scene}.toml")), [None, None], true).unwrap()
+    analyzed(open(assur_fixtures::path(&format!("{scene}.toml"))).unwrap(), [None, None], true)
 }
 
 fn of(scene: &str, language: &'static str, form: Form) -> Written {

@@ -1,6 +1,7 @@
 //! The configuration: how the terminal UI looks, and its keys.
 
 mod default;
+mod keep;
 #[cfg(test)]
 mod tests;
 
@@ -10,11 +11,12 @@ use assur_scene::document::{self, Entry, Fault, Section};
 use assur_scene::{Dimension, SceneErrors};
 
 pub(crate) use default::text as default_text;
+pub(crate) use keep::keep;
 
 use super::command::COMMANDS;
-use super::state::{Command, Key, Keymap, Look, Marker, Theme, View};
+use super::state::{Command, Key, Keymap, Look, Marker, Panels, Theme, View};
 
-const KEYS: &[&str] = &["theme", "marker", "ascii", "fps", "cell_ratio", "mouse", "keys"];
+const KEYS: &[&str] = &["theme", "marker", "ascii", "fps", "cell_ratio", "panels", "mouse", "keys"];
 /// Without a key for this command a user could not leave.
 const OUT: &str = "quit";
 
@@ -22,6 +24,7 @@ const OUT: &str = "quit";
 #[derive(Debug, Clone, PartialEq)]
 pub struct Config {
     pub(crate) look: Look,
+    pub(crate) panels: Panels,
     /// Capture the mouse.
     pub(crate) mouse: bool,
     pub(crate) keys: Keymap,
@@ -29,7 +32,7 @@ pub struct Config {
 
 impl Default for Config {
     fn default() -> Self {
-        Self { look: Look::default(), mouse: false, keys: Keymap::of(COMMANDS) }
+        Self { look: Look::default(), panels: Panels::default(), mouse: false, keys: Keymap::of(COMMANDS) }
     }
 }
 
@@ -43,6 +46,7 @@ impl Config {
     pub(crate) fn read(file_name: &str, text: &str) -> Result<Self, SceneErrors> {
         document::read(file_name, text, "the configuration", KEYS, |root| Self {
             look: look(root),
+            panels: root.get("panels").map_or_else(Panels::default, |entry| panels(&entry)),
             mouse: root.get("mouse").and_then(|entry| entry.flag()).unwrap_or_default(),
             keys: root.get("keys").map_or_else(|| Keymap::of(COMMANDS), |keys| keymap(&keys)),
         })
@@ -63,6 +67,14 @@ fn look(root: &Section<'_>) -> Look {
         ratio: root.get("cell_ratio").and_then(|entry| ratio(&entry)).unwrap_or(default.ratio),
         fps: fps.and_then(|fps| u8::try_from(fps).ok()).unwrap_or(default.fps),
     }
+}
+
+/// Views by the names of their commands; none: no view beside the chosen one.
+fn panels(entry: &Entry<'_>) -> Panels {
+    let names = View::TABS.map(|view| (view.command(), view));
+    let views: Vec<View> =
+        entry.list("the name of a view").iter().filter_map(|item| item.choice(&names)).collect();
+    Panels { shown: !views.is_empty(), views }
 }
 
 fn ratio(entry: &Entry<'_>) -> Option<f64> {

@@ -26,6 +26,7 @@ use std::path::PathBuf;
 use command::COMMANDS;
 pub use config::Config;
 pub(crate) use config::default_text;
+pub use state::NoteWriter;
 use state::{Look, Marker, Source, State, Theme};
 
 /// Options of the terminal UI from the command line.
@@ -47,6 +48,10 @@ pub struct Options {
     pub config: Config,
     /// Why the configuration of the user was not used; the text is complete.
     pub config_fault: Option<String>,
+    /// The configuration file of the user, which need not exist; `None`: there is no place for it.
+    pub config_file: Option<PathBuf>,
+    /// Writes the note of a scene.
+    pub note: Option<NoteWriter>,
 }
 
 /// Why the terminal UI could not open.
@@ -81,11 +86,13 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
     let title = "The configuration could not be used; the defaults apply. Press any key.";
     state.fault = options.config_fault.clone().map(|fault| (title, fault));
+    state.panels.clone_from(&options.config.panels);
+    state.note = options.note;
     state.size = terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     command::start(&mut state);
-    session::run(state, options.mouse || options.config.mouse)?;
+    session::run(state, options.mouse || options.config.mouse, options.config_file.as_deref())?;
     Ok(0)
 }
 

@@ -1,6 +1,7 @@
 //! The loop: waits for an event, applies it and all that are queued, draws once.
 
 use std::io;
+use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,7 +12,7 @@ use signal_hook::iterator::Signals;
 
 use super::state::{Report, State, Wish};
 use super::terminal::{self, Screen};
-use super::{command, input, view, work};
+use super::{command, config, input, view, work};
 
 /// The events that wake the loop.
 #[derive(Debug)]
@@ -30,8 +31,8 @@ pub(crate) enum Event {
     Closed,
 }
 
-/// Runs until the user leaves.
-pub(crate) fn run(mut state: State, mouse: bool) -> io::Result<()> {
+/// Runs until the user leaves; `config`: where its configuration is kept.
+pub(crate) fn run(mut state: State, mouse: bool, config: Option<&Path>) -> io::Result<()> {
     let (sender, events) = channel();
     listen_to_signals(sender.clone())?;
     let mut screen = Screen::take(mouse)?;
@@ -40,7 +41,11 @@ pub(crate) fn run(mut state: State, mouse: bool) -> io::Result<()> {
     let mut next_tick = Instant::now();
     loop {
         for wish in std::mem::take(&mut state.wishes) {
-            grant(wish, &mut state, &mut screen, &sender)?;
+            if matches!(wish, Wish::Keep) {
+                config::keep(&mut state, config);
+            } else {
+                grant(wish, &mut state, &mut screen, &sender)?;
+            }
         }
         if state.leaving {
             return Ok(());
@@ -146,6 +151,7 @@ fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Eve
             work::start(job, move |report| drop(sender.send(Event::Work(report))));
         }
         Wish::Write(file) => command::grant(state, file),
+        Wish::Keep => {}
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use assur_figure::{Figure, svg};
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Cancel, Job, Keymap, Look, Part, Purpose, Report, Source, State, View, Wish};
+use super::state::{Cancel, Job, Keymap, Look, Part, Purpose, Report, Scene, Source, State, View, Wish};
 use super::{ScreenError, view, work};
 
 /// What is drawn.
@@ -58,7 +58,7 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
 pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
     let methods = [request.analyzer.clone(), request.integrator.clone()];
-    let mut state = analyzed(scene, methods, false)?;
+    let mut state = analyzed(open(scene)?, methods, false);
     let size = request.size.unwrap_or(PAGE);
     let wrong = |error: String| StillError::Request(error);
     state.view = View::all().find(|view| view.command() == request.view).unwrap_or(View::Mechanism);
@@ -84,18 +84,18 @@ pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<V
     picture(&figure, output, size).map_err(|error| wrong(error.to_string()))
 }
 
-/// The state of a scene with its analysis done, by a force analyzer and an integrator, and with its checks where they
-/// are wanted.
+/// Reads a scene from a file.
 ///
 /// # Errors
 ///
 /// A scene that can't be read.
-pub(crate) fn analyzed(
-    scene: PathBuf,
-    [analyzer, integrator]: [Option<String>; 2],
-    checks: bool,
-) -> Result<State, StillError> {
-    let scene = work::open(Source::File(scene)).map_err(ScreenError::Scene)?;
+pub(crate) fn open(scene: PathBuf) -> Result<Scene, ScreenError> {
+    work::open(Source::File(scene)).map_err(ScreenError::Scene)
+}
+
+/// The state of a scene with its analysis done, by a force analyzer and an integrator, and with its checks where they
+/// are wanted.
+pub(crate) fn analyzed(scene: Scene, [analyzer, integrator]: [Option<String>; 2], checks: bool) -> State {
     let mut state = State::new(Some(scene), Look::default(), COMMANDS, Keymap::of(COMMANDS));
     (state.analyzer, state.integrator) = (analyzer, integrator);
     command::ask(&mut state, Purpose::Main);
@@ -118,7 +118,7 @@ pub(crate) fn analyzed(
         }
     }
     state.message = None;
-    Ok(state)
+    state
 }
 
 fn choose_part(state: &mut State, name: &str) -> Result<(), String> {

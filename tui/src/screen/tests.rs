@@ -4,10 +4,13 @@ mod compare;
 mod forces;
 mod frames;
 mod keys;
+mod lists;
 mod pictures;
+mod random;
 mod reading;
 mod running;
 mod sizes;
+mod tasks;
 mod whatif;
 mod words;
 

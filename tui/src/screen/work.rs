@@ -40,6 +40,7 @@ fn failed(job: &Job, text: String) -> Report {
         Job::Open(_) => Report::Opened(Err(text)),
         Job::Change(change) => Report::Changed(change.clone(), Err(text)),
         Job::Compare(_) => Report::Compared(Err(text)),
+        Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
         Job::Preview(index) => Report::Preview(*index, Err(text)),
         Job::Calculate(Request { number, purpose: Purpose::Measurement, .. }) => {
             Report::Measured { number: *number, measured: Err(text) }
@@ -57,6 +58,9 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             Report::Changed(change.clone(), scene.map(Box::new))
         }
         Job::Compare(source) => Report::Compared(open(source.clone()).map(Box::new)),
+        Job::Note { write, name, text, methods, path } => {
+            Report::Noted(path.clone(), write(name, text, methods.clone()))
+        }
         Job::Preview(index) => {
             let name = SCENES.get(*index).map_or("", |(name, _)| name);
             Report::Preview(*index, open(Source::Shipped(name)).map(Box::new))

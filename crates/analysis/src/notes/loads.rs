@@ -50,10 +50,13 @@ impl Calculation {
             return Vec::new();
         }
         let input = &mechanism.input;
-        let ways = (0..input.positions).map(|index| input.coordinate(index) - input.from);
-        let times: Vec<Option<f64>> = ways.map(|way| passage(way, speed, acceleration)).collect();
-        let before = times.iter().flatten().filter(|time| **time < 0.0).count();
-        let never = times.iter().filter(|time| time.is_none()).count();
+        let (mut before, mut never) = (0, 0);
+        for index in 0..input.positions {
+            match passage(input.coordinate(index) - input.from, speed, acceleration) {
+                Some(time) => before += usize::from(time < 0.0),
+                None => never += 1,
+            }
+        }
         let mut notes = Vec::new();
         if before > 0 {
             notes.push(format!(

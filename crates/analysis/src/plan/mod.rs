@@ -7,6 +7,8 @@ mod carry;
 mod needs;
 mod order;
 
+pub(crate) use carry::is_heavy;
+
 use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;

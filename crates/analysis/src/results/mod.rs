@@ -31,7 +31,7 @@ mod structure;
 mod survey;
 mod table;
 
-pub use crate::blocks::Starts;
+pub use crate::angles::Starts;
 pub use analysis::{Analysis, Failure, InputReport};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
@@ -47,4 +47,4 @@ pub use residual::{Checks, Residual};
 pub use schema::{Base, Column, Owner, Part, Quantity, Schema, Section, Unit};
 pub use structure::{GroupReport, StructureReport};
 pub use survey::Survey;
-pub use table::{Cells, Table};
+pub use table::{Cells, Mask, Table};

@@ -46,15 +46,13 @@ impl Survey {
     /// Of positions that are all kept.
     pub fn of(positions: &Table) -> Self {
         let mut survey = Self::new(positions.schema());
-        survey.add(positions);
+        survey.add(positions, positions.not_finite());
         survey
     }
 
-    /// Adds the next rows.
-    pub(crate) fn add(&mut self, rows: &Table) {
-        if self.not_finite.is_none() {
-            self.not_finite = rows.not_finite().map(|(row, column)| (self.rows + row, column));
-        }
+    /// Adds the next rows, with their first number that is not finite.
+    pub(crate) fn add(&mut self, rows: &Table, not_finite: Option<(usize, usize)>) {
+        self.not_finite = self.not_finite.or(not_finite.map(|(row, column)| (self.rows + row, column)));
         self.rows += rows.len();
         for (section, any) in self.present.iter_mut().enumerate() {
             *any |= rows.present(Section(section)).contains(&true);

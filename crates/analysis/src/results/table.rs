@@ -2,7 +2,12 @@
 
 use std::sync::Arc;
 
+use assur_number::{Lanes, Real};
+
 use super::{Column, Schema, Section};
+
+/// Which of eight rows.
+pub type Mask = [bool; Lanes::WIDTH];
 
 /// Rows of numbers, column by column.
 ///
@@ -30,13 +35,30 @@ impl Table {
         }
     }
 
-    /// Starts a row; its cells follow in the order of the columns.
-    pub fn row(&mut self, number: usize) -> Cells<'_> {
-        self.numbers.push(number);
+    /// Makes room for more rows.
+    pub(crate) fn reserve(&mut self, rows: usize) {
+        self.numbers.reserve(rows);
+        self.columns.iter_mut().for_each(|column| column.reserve(rows));
+        self.present.iter_mut().for_each(|present| present.reserve(rows));
+    }
+
+    /// Starts those of eight rows that are marked; their numbers follow `first`, and their cells follow in the order of the
+    /// columns.
+    pub fn rows(&mut self, first: usize, rows: Mask) -> Cells<'_> {
+        let count = rows.iter().filter(|row| **row).count();
+        self.numbers.extend((first..).zip(rows).filter(|(_, row)| *row).map(|(number, _)| number));
         for (section, present) in self.present.iter_mut().enumerate() {
-            present.push(Section(section) == Section::ALWAYS);
+            present.extend(std::iter::repeat_n(Section(section) == Section::ALWAYS, count));
         }
-        Cells { table: self, column: 0 }
+        Cells { table: self, rows, all: count == Lanes::WIDTH, column: 0 }
+    }
+
+    /// Adds a row with the numbers of all columns; `None`: it has none there.
+    pub fn push(&mut self, number: usize, values: impl IntoIterator<Item = Option<f64>>) {
+        let mut cells = self.rows(number, std::array::from_fn(|lane| lane == 0));
+        for value in values {
+            cells.put(Lanes::from_f64(value.unwrap_or(0.0)), [value.is_some(); Lanes::WIDTH]);
+        }
     }
 
     /// Adds rows of another table of the same schema at the end: those whose number is wanted.
@@ -157,31 +179,46 @@ impl Table {
     }
 }
 
-/// The cells of the last row of a table, which are filled in the order of the columns.
+/// The cells of the last rows of a table, at most eight, which are filled in the order of the columns.
 #[derive(Debug)]
 pub struct Cells<'a> {
     table: &'a mut Table,
+    rows: Mask,
+    /// Whether all eight have a row.
+    all: bool,
     column: usize,
 }
 
 impl Cells<'_> {
-    /// A number, or none; all columns of a section have one or none.
-    pub fn put(&mut self, value: Option<f64>) {
-        let Table { schema, columns, present, .. } = &mut *self.table;
-        if let Some(present) = present[schema.section_of(self.column).0].last_mut() {
-            *present = value.is_some();
+    /// The numbers of a column that has numbers in all rows.
+    fn always(&mut self, values: Lanes) {
+        let column = &mut self.table.columns[self.column];
+        if self.all {
+            column.extend_from_slice(&values.0);
+        } else {
+            column.extend(values.0.iter().zip(self.rows).filter(|(_, row)| *row).map(|(value, _)| *value));
         }
-        columns[self.column].push(value.unwrap_or(0.0));
         self.column += 1;
     }
 
-    /// Numbers.
-    pub fn all(&mut self, values: impl IntoIterator<Item = f64>) {
-        values.into_iter().for_each(|value| self.put(Some(value)));
+    /// The numbers of a column, and the rows that have one; all columns of a section have them in the same rows.
+    pub fn put(&mut self, values: Lanes, has: Mask) {
+        let section = self.table.schema.section_of(self.column);
+        self.always(Lanes::of(|lane| if has[lane] { values.0[lane] } else { 0.0 }));
+        let rows = self.rows.iter().zip(has).filter(|(row, _)| **row).map(|(_, has)| has);
+        let last = self.table.present[section.0].iter_mut().rev();
+        last.zip(rows.rev()).for_each(|(present, has)| *present = has);
     }
 
-    /// No numbers in this many columns.
-    pub fn none(&mut self, columns: usize) {
-        (0..columns).for_each(|_| self.put(None));
+    /// Numbers of columns that have them in all rows.
+    pub fn all(&mut self, values: impl IntoIterator<Item = Lanes>) {
+        values.into_iter().for_each(|values| self.always(values));
+    }
+
+    /// No numbers in the columns up to this one.
+    pub(crate) fn end_at(&mut self, column: usize) {
+        while self.column < column {
+            self.put(Lanes::ZERO, [false; Lanes::WIDTH]);
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use assur_analysis::Calculation;
-use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Order, Wrench};
+use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Number, Order, Wrench};
 
 /// What was asked of one group.
 #[derive(Debug, Default)]
@@ -36,33 +36,36 @@ impl Calls {
 
 /// A kernel behind a counter. Derivatives that are not asked for become NaN, so that whatever looks at them shows it.
 #[derive(Debug)]
-struct Probe {
-    inner: Box<dyn AssurGroup<f64>>,
+struct Probe<T> {
+    inner: Box<dyn AssurGroup<T>>,
     calls: Arc<Calls>,
 }
 
-impl Probe {
+impl<T: Number> Probe<T> {
+    /// How many positions a call solves.
+    const POSITIONS: usize = size_of::<T>() / size_of::<f64>();
+
     fn count(&self, order: Order) {
-        self.calls.derived[0].fetch_add(usize::from(order >= Order::First), Relaxed);
-        self.calls.derived[1].fetch_add(usize::from(order >= Order::Second), Relaxed);
+        self.calls.derived[0].fetch_add(Self::POSITIONS * usize::from(order >= Order::First), Relaxed);
+        self.calls.derived[1].fetch_add(Self::POSITIONS * usize::from(order >= Order::Second), Relaxed);
     }
 
-    fn forget(&self, bodies: &mut [Body<f64>]) {
+    fn forget(&self, bodies: &mut [Body<T>]) {
         for &link in &self.inner.frame().links {
             let Body { x, y, c, s, .. } = bodies[link];
-            let none = f64::NAN;
+            let none = T::from_f64(f64::NAN);
             bodies[link] = Body { x, y, c, s, x1: none, y1: none, w1: none, x2: none, y2: none, w2: none };
         }
     }
 }
 
-impl AssurGroup<f64> for Probe {
+impl<T: Number> AssurGroup<T> for Probe<T> {
     fn frame(&self) -> &GroupFrame {
         self.inner.frame()
     }
 
-    fn place(&self, bodies: &mut [Body<f64>], way: usize) -> Result<f64, GroupError> {
-        self.calls.placed.fetch_add(1, Relaxed);
+    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        self.calls.placed.fetch_add(Self::POSITIONS, Relaxed);
         self.forget(bodies);
         self.inner.place(bodies, way)
     }
@@ -71,41 +74,43 @@ impl AssurGroup<f64> for Probe {
         self.inner.ways()
     }
 
-    fn derive(&self, bodies: &mut [Body<f64>], order: Order) -> Result<(), GroupError> {
+    fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
         self.count(order);
         self.inner.derive(bodies, order)
     }
 
-    fn solve(&self, bodies: &mut [Body<f64>], way: usize, order: Order) -> Result<f64, GroupError> {
-        self.calls.placed.fetch_add(1, Relaxed);
+    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
+        self.calls.placed.fetch_add(Self::POSITIONS, Relaxed);
         self.count(order);
         self.forget(bodies);
         self.inner.solve(bodies, way, order)
     }
 
-    fn health(&self, bodies: &[Body<f64>]) -> f64 {
+    fn health(&self, bodies: &[Body<T>]) -> f64 {
         self.inner.health(bodies)
     }
 
     fn reactions(
         &self,
-        bodies: &[Body<f64>],
-        loads: &mut [Wrench<f64>],
-        reactions: &mut [Wrench<f64>],
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        self.calls.reactions.fetch_add(1, Relaxed);
+        self.calls.reactions.fetch_add(Self::POSITIONS, Relaxed);
         self.inner.reactions(bodies, loads, reactions)
     }
 }
 
 /// Puts a counter before every kernel of a compiled study.
 pub(crate) fn probe(study: &mut Calculation) -> Vec<Arc<Calls>> {
-    let kernels = std::mem::take(&mut study.linkage.chain.groups);
-    let mut counters = Vec::new();
-    for inner in kernels {
-        let calls = Arc::new(Calls::default());
-        counters.push(Arc::clone(&calls));
-        study.linkage.chain.groups.push(Box::new(Probe { inner, calls }));
-    }
+    let counters: Vec<Arc<Calls>> = study.linkage.groups().iter().map(|_| Arc::default()).collect();
+    watch(&mut study.linkage.chain.groups, &counters);
+    watch(&mut study.linkage.lane_chain.groups, &counters);
     counters
+}
+
+fn watch<T: Number>(kernels: &mut Vec<Box<dyn AssurGroup<T>>>, counters: &[Arc<Calls>]) {
+    for (inner, calls) in std::mem::take(kernels).into_iter().zip(counters) {
+        kernels.push(Box::new(Probe { inner, calls: Arc::clone(calls) }));
+    }
 }

@@ -1,12 +1,13 @@
-use assur_force::{Loads, State, find};
+use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, find};
 use assur_group::{Order, Wrench};
+use assur_number::Lanes;
 
-use crate::{Chosen, Coverage, SAMPLE, notable};
+use crate::{Chosen, Coverage, Notable, SAMPLE};
 
 #[test]
 fn up_to_the_size_of_a_sample_all_are_chosen() {
     for count in [0, 1, 48, SAMPLE] {
-        let chosen = Coverage::Sample.choose(count, || panic!("nothing is left out"));
+        let chosen = Coverage::Sample.choose(count, &[0]);
         assert_eq!(chosen, Chosen::all(count));
         assert_eq!((chosen.iter().collect::<Vec<_>>(), chosen.share()), ((0..count).collect(), None));
     }
@@ -16,7 +17,7 @@ fn up_to_the_size_of_a_sample_all_are_chosen() {
 fn a_sample_is_spread_and_contains_what_is_notable() {
     for count in [SAMPLE + 1, 1000, 1_000_000] {
         let wanted = vec![0, 1, 2, count / 3 + 1, count - 1];
-        let chosen = Coverage::Sample.choose(count, || wanted.clone());
+        let chosen = Coverage::Sample.choose(count, &wanted);
         let members: Vec<_> = chosen.iter().collect();
         assert_eq!((members.len(), chosen.count(), chosen.share()), (SAMPLE, SAMPLE, Some([SAMPLE, count])));
         assert!(wanted.iter().all(|one| members.contains(one)), "{count}");
@@ -29,9 +30,9 @@ fn a_sample_is_spread_and_contains_what_is_notable() {
 
 #[test]
 fn all_are_all_and_none_is_none() {
-    let all = Coverage::All.choose(1000, || panic!("no sample"));
+    let all = Coverage::All.choose(1000, &[0]);
     assert_eq!((all.iter().count(), all.share()), (1000, None));
-    let none = Coverage::None.choose(1000, || panic!("no sample"));
+    let none = Coverage::None.choose(1000, &[0]);
     assert_eq!((none.iter().count(), none.count()), (0, 0));
 }
 
@@ -45,7 +46,19 @@ fn the_worst_condition_and_the_greatest_values_are_notable() {
     let states: Vec<_> =
         (0..500).map(|i| State::prescribed(&linkage.mechanism, input.coordinate(i))).collect();
     let method = find("newton-euler").unwrap();
-    let found = notable(&linkage, Some((&loads, method)), states.iter().copied().enumerate());
+    let carrying = vec![true; linkage.groups().len()];
+    let mut forces = LaneKinetostatics::new(Kinetostatics::new(&linkage, &loads, method.instance, &carrying));
+    let (mut at, mut found) = (linkage.lane_position(), Notable::default());
+    for first in (0..states.len()).step_by(Lanes::WIDTH) {
+        let eight = std::array::from_fn(|lane| states[(first + lane).min(states.len() - 1)]);
+        linkage.solve_lanes(Lanes(eight.map(|state| state.coordinate)), Order::Second, &mut at).unwrap();
+        forces.solve(&eight, &at).unwrap();
+        let lanes = std::array::from_fn(|lane| first + lane < states.len());
+        let mut next = Notable::default();
+        next.add(&linkage, first, (lanes, &at), Some((lanes, &forces.reactions)));
+        found.append(&next);
+    }
+    let found = found.numbers();
     let mut greatest = [(0.0, 0); 3];
     let mut position = linkage.position();
     for (i, state) in states.iter().enumerate() {

@@ -57,3 +57,40 @@ fn springs_are_drawn_between_their_ends() {
     let springs = items.iter().filter(|item| matches!(item, Item::Spring { .. })).count();
     assert_eq!(springs, linkage.mechanism.springs.len());
 }
+
+/// The length of the gap that is drawn in a position, m.
+fn gap(text: &str, index: usize) -> f64 {
+    let linkage = Linkage::compile(assur_scene::read("scene.toml", text).unwrap()).unwrap();
+    let mut position = linkage.position();
+    let error = linkage.solve_index(index, Order::Place, &mut position).unwrap_err();
+    let strokes = vec![[0.0; 2]; linkage.mechanism.slides.len()];
+    let drawing = Drawing { linkage: &linkage, strokes: &strokes, marked: &[], hidden: &[] };
+    let items = drawing.gap(&position, error.group);
+    let ends = items.iter().find_map(|item| match item {
+        Item::Line { points, ink: Ink::Marked, .. } => Some([points[0], points[1]]),
+        _ => None,
+    });
+    let [a, b] = ends.unwrap();
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[test]
+fn a_gap_is_as_wide_as_the_lengths_miss() {
+    // Crank 100 mm, frame 400 mm; at 180 degrees the ends of rod and rocker are 500 mm apart, at 0 degrees 300 mm.
+    let four_bar = |rod: u32, rocker: u32| {
+        format!(
+            "[ground]\npoints = {{ O = [0, 0], C = [0.4, 0] }}\n[link.crank]\npoints = {{ O = 0, A = \"100 mm\" }}\n\
+             [link.rod]\npoints = {{ A = 0, B = \"{rod} mm\" }}\n[link.rocker]\npoints = {{ C = 0, B = \"{rocker} mm\" }}\n\
+             [input]\nlink = \"crank\"\npositions = 12\n"
+        )
+    };
+    assert!((gap(&four_bar(200, 250), 6) - 0.050).abs() < 1e-12);
+    assert!((gap(&four_bar(700, 250), 0) - 0.150).abs() < 1e-12);
+    assert!((gap(&four_bar(150, 500), 0) - 0.050).abs() < 1e-12);
+    // The guide is 200 mm above the crank's pin; at 270 degrees the end of the crank is 300 mm below it, the rod 250 mm long.
+    let slider = "[ground]\npoints = { O = [0, 0], G = [0, 0.2] }\n[link.crank]\npoints = { O = 0, A = \"100 mm\" }\n\
+                  [link.rod]\npoints = { A = 0, B = \"250 mm\" }\n[link.piston]\npoints = { B = 0 }\n\
+                  [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = \"G\"\nangle = 0\n\
+                  [input]\nlink = \"crank\"\npositions = 4\n";
+    assert!((gap(slider, 3) - 0.050).abs() < 1e-12);
+}

@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use proptest::prelude::*;
 
 use super::{applied, at, bodies, compiled, fixture, near};
-use crate::stroke::{NoStroke, Span, Stroke};
+use crate::grid::Span;
+use crate::stroke::{NoStroke, Stroke};
 
 const R: f64 = 0.06;
 const L: f64 = 0.24;

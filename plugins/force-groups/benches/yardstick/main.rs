@@ -1,8 +1,7 @@
 //! What loads and reactions cost beside formulas that are written by hand for one mechanism with constant lengths:
 //! `cargo bench -p assur-force-groups`.
 //!
-//! All contestants take turns in short rounds; the least time of each counts, since a shared machine only adds. The
-//! formulas by hand find the same numbers: the bench compares them first. Figures: `docs/performance.md`.
+//! The formulas by hand find the same numbers: the bench compares them first. Figures: `docs/performance.md`.
 
 #![allow(missing_docs, reason = "a program")]
 
@@ -10,50 +9,15 @@ mod andrews;
 mod six_bar;
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use assur_all as _;
 use assur_dynamics::Machine;
 use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, choose};
 use assur_group::Order;
 use assur_integrator::Motion;
-use assur_kinematics::Linkage;
-use assur_number::{Formula, Lanes, Real};
-
-/// The six-bar by hand at eight coordinates.
-struct SixBar(Lanes);
-
-impl Formula for SixBar {
-    type Value = six_bar::Found<Lanes>;
-
-    #[inline(always)]
-    fn evaluate(self) -> six_bar::Found<Lanes> {
-        let (s, c) = self.0.sin_cos();
-        six_bar::by_hand([s, c])
-    }
-}
-
-/// A contestant: its name, a call that solves a number of positions, and its least time for one, s.
-struct Contestant<'a> {
-    name: &'static str,
-    call: Box<dyn FnMut(usize) + 'a>,
-    least: f64,
-}
-
-impl<'a> Contestant<'a> {
-    fn new(name: &'static str, call: impl FnMut(usize) + 'a) -> Self {
-        Self { name, call: Box::new(call), least: f64::INFINITY }
-    }
-}
-
-/// The coordinate of a position: none repeats, and whole turns are spread evenly.
-fn coordinate(index: usize) -> f64 {
-    (index % 4096) as f64 * 0.618
-}
-
-fn coordinates(block: usize) -> Lanes {
-    Lanes::of(|lane| coordinate(block * Lanes::WIDTH + lane))
-}
+use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_number::Lanes;
+use assur_testkit::yardstick::{Contestant, coordinates, race};
 
 /// A mechanism with its loads.
 struct Subject {
@@ -78,119 +42,108 @@ impl Subject {
         coordinates.0.map(|coordinate| State::prescribed(&self.linkage.mechanism, coordinate))
     }
 
+    fn state(&self, coordinate: f64) -> State {
+        State::prescribed(&self.linkage.mechanism, coordinate)
+    }
+
     fn one_by_one<'a>(&'a self, name: &'static str) -> Contestant<'a> {
         let (mut position, mut forces) = (self.linkage.position(), self.kinetostatics());
-        Contestant::new(name, move |count| {
-            for index in 0..count {
-                let q = black_box(coordinate(index));
-                let placed = self.linkage.solve(q, Order::Second, &mut position).is_ok();
-                let solved = forces.solve(&State::prescribed(&self.linkage.mechanism, q), &position).is_ok();
-                assert!(black_box(placed && solved));
-            }
+        Contestant::one_by_one(name, move |q| {
+            let placed = self.linkage.solve(q, Order::Second, &mut position).is_ok();
+            let solved = forces.solve(&self.state(q), &position).is_ok();
+            assert!(black_box(placed && solved));
         })
     }
 
     fn eight_by_eight<'a>(&'a self, name: &'static str) -> Contestant<'a> {
         let mut position = self.linkage.lane_position();
         let mut forces = LaneKinetostatics::new(self.kinetostatics());
-        Contestant::new(name, move |count| {
-            for block in 0..count / Lanes::WIDTH {
-                let q = black_box(coordinates(block));
-                let placed = self.linkage.solve_lanes(q, Order::Second, &mut position).is_ok();
-                let solved = forces.solve(&self.states(q), &position).is_ok();
-                assert!(black_box(placed && solved));
-            }
+        Contestant::eight_by_eight(name, move |q| {
+            let placed = self.linkage.solve_lanes(q, Order::Second, &mut position).is_ok();
+            let solved = forces.solve(&self.states(q), &position).is_ok();
+            assert!(black_box(placed && solved));
         })
     }
 
-    /// The parts of a position: positions alone, loads, reactions, and reduction.
-    fn parts(&self) -> Vec<Contestant<'_>> {
-        let mut solved = vec![self.linkage.position(); 64];
-        for (index, position) in solved.iter_mut().enumerate() {
-            assert!(self.linkage.solve(coordinate(index), Order::Second, position).is_ok());
-        }
-        let state = |q: f64| State::prescribed(&self.linkage.mechanism, q);
-        let (one, two, three) = (solved.clone(), solved.clone(), solved);
+    /// Some solved positions.
+    fn solved(&self) -> Vec<Position> {
+        let mut position = self.linkage.position();
+        let solved = coordinates().take(64).map(|q| {
+            assert!(self.linkage.solve(q, Order::Second, &mut position).is_ok());
+            position.clone()
+        });
+        solved.collect()
+    }
+
+    /// Some solved positions, eight at a time.
+    fn solved_lanes(&self) -> Vec<LanePosition> {
+        let mut position = self.linkage.lane_position();
+        let mut all = coordinates();
+        let solved = (0..8).map(|_| {
+            let eight = Lanes::of(|_| all.next().unwrap_or_default());
+            assert!(self.linkage.solve_lanes(eight, Order::Second, &mut position).is_ok());
+            position.clone()
+        });
+        solved.collect()
+    }
+
+    /// The parts of a position: the position alone, loads, reactions, and reduction.
+    fn parts<'a>(&'a self, solved: &'a [Position]) -> Vec<Contestant<'a>> {
+        let [mut one, mut two, mut three] = [(); 3].map(|()| solved.iter().cycle());
         let mut wrenches = vec![assur_group::Wrench::ZERO; self.linkage.structure.links];
         let mut forces = self.kinetostatics();
         let mut position = self.linkage.position();
         vec![
-            Contestant::new("- position alone", move |count| {
-                for index in 0..count {
-                    let q = black_box(coordinate(index));
-                    assert!(black_box(self.linkage.solve(q, Order::Second, &mut position).is_ok()));
-                }
+            Contestant::one_by_one("- position alone", move |q| {
+                assert!(black_box(self.linkage.solve(q, Order::Second, &mut position).is_ok()));
             }),
-            Contestant::new("- loads alone", move |count| {
-                for index in 0..count {
-                    let position = &one[index % one.len()];
-                    self.loads.evaluate(
-                        &state(position.coordinate),
-                        black_box(&position.bodies),
-                        &mut wrenches,
-                    );
-                    black_box(&wrenches);
-                }
+            Contestant::one_by_one("- loads alone", move |_| {
+                let position = one.next().expect("a cycle");
+                let state = self.state(position.coordinate);
+                self.loads.evaluate(&state, black_box(&position.bodies), &mut wrenches);
+                black_box(&wrenches);
             }),
-            Contestant::new("- loads and reactions alone", move |count| {
-                for index in 0..count {
-                    let position = &two[index % two.len()];
-                    assert!(forces.solve(&state(position.coordinate), black_box(position)).is_ok());
-                }
+            Contestant::one_by_one("- loads and reactions alone", move |_| {
+                let position = two.next().expect("a cycle");
+                assert!(forces.solve(&self.state(position.coordinate), black_box(position)).is_ok());
             }),
-            Contestant::new("- reduction alone", move |count| {
-                for index in 0..count {
-                    let position = &three[index % three.len()];
-                    black_box(self.loads.reduced(&state(position.coordinate), black_box(&position.bodies)));
-                }
+            Contestant::one_by_one("- reduction alone", move |_| {
+                let position = three.next().expect("a cycle");
+                let state = self.state(position.coordinate);
+                black_box(self.loads.reduced(&state, black_box(&position.bodies)));
             }),
         ]
     }
 
     /// The parts of eight positions.
-    fn lane_parts(&self) -> Vec<Contestant<'_>> {
-        let mut solved = vec![self.linkage.lane_position(); 8];
-        for (block, position) in solved.iter_mut().enumerate() {
-            assert!(self.linkage.solve_lanes(coordinates(block), Order::Second, position).is_ok());
-        }
-        let (one, two) = (solved.clone(), solved);
+    fn lane_parts<'a>(&'a self, solved: &'a [LanePosition]) -> Vec<Contestant<'a>> {
+        let [mut one, mut two] = [(); 2].map(|()| solved.iter().cycle());
         let mut wrenches = vec![assur_group::Wrench::ZERO; self.linkage.structure.links];
         let mut forces = LaneKinetostatics::new(self.kinetostatics());
         let mut position = self.linkage.lane_position();
         vec![
-            Contestant::new("- positions alone", move |count| {
-                for block in 0..count / Lanes::WIDTH {
-                    let q = black_box(coordinates(block));
-                    assert!(black_box(self.linkage.solve_lanes(q, Order::Second, &mut position).is_ok()));
-                }
+            Contestant::eight_by_eight("- positions alone", move |q| {
+                assert!(black_box(self.linkage.solve_lanes(q, Order::Second, &mut position).is_ok()));
             }),
-            Contestant::new("- states alone", move |count| {
-                for block in 0..count / Lanes::WIDTH {
-                    black_box(self.states(black_box(coordinates(block))));
-                }
+            Contestant::eight_by_eight("- states alone", move |q| {
+                black_box(self.states(q));
             }),
-            Contestant::new("- states and loads alone", move |count| {
-                for block in 0..count / Lanes::WIDTH {
-                    let position = black_box(&one[block % one.len()]);
-                    self.loads.evaluate(&self.states(position.coordinates), &position.bodies, &mut wrenches);
-                    black_box(&wrenches);
-                }
+            Contestant::eight_by_eight("- states and loads alone", move |_| {
+                let position = black_box(one.next().expect("a cycle"));
+                self.loads.evaluate(&self.states(position.coordinates), &position.bodies, &mut wrenches);
+                black_box(&wrenches);
             }),
-            Contestant::new("- states, loads and reactions", move |count| {
-                for block in 0..count / Lanes::WIDTH {
-                    let position = black_box(&two[block % two.len()]);
-                    assert!(forces.solve(&self.states(position.coordinates), position).is_ok());
-                }
+            Contestant::eight_by_eight("- states, loads and reactions", move |_| {
+                let position = black_box(two.next().expect("a cycle"));
+                assert!(forces.solve(&self.states(position.coordinates), position).is_ok());
             }),
         ]
     }
 
     fn right_hand_side<'a>(&'a self, name: &'static str) -> Contestant<'a> {
         let mut machine = Machine::new(&self.linkage, &self.loads);
-        Contestant::new(name, move |count| {
-            for index in 0..count {
-                black_box(acceleration(&mut machine, black_box(coordinate(index))));
-            }
+        Contestant::one_by_one(name, move |q| {
+            black_box(acceleration(&mut machine, q));
         })
     }
 }
@@ -208,8 +161,7 @@ fn compare(six_bar: &Subject, andrews: &Subject) {
     let near = |a: f64, b: f64, size: f64| assert!((a - b).abs() < 1e-11 * size, "{a:e} and {b:e}");
     let (mut position, mut forces) = (six_bar.linkage.position(), six_bar.kinetostatics());
     let joints = assur_force::joints(&six_bar.linkage.mechanism, &six_bar.linkage.structure);
-    for index in 0..50 {
-        let q = coordinate(index);
+    for q in coordinates().take(50) {
         six_bar.linkage.solve(q, Order::Second, &mut position).expect("a position");
         forces.solve(&State::prescribed(&six_bar.linkage.mechanism, q), &position).expect("reactions");
         let (s, c) = q.sin_cos();
@@ -243,64 +195,41 @@ fn compare(six_bar: &Subject, andrews: &Subject) {
     }
     let mut machine = Machine::new(&andrews.linkage, &andrews.loads);
     machine.enter(&assur_integrator::State { time: 0.0, coordinate: 0.0, speed: SPEED }).expect("a piece");
-    let accelerations = |index: usize| [coordinate(index), andrews::by_hand(coordinate(index), SPEED)];
-    let greatest = (0..50).map(|index| accelerations(index)[1].abs()).fold(0.0, f64::max);
-    for [q, wanted] in (0..50).map(accelerations) {
+    let accelerations = || coordinates().take(50).map(|q| [q, andrews::by_hand(q, SPEED)]);
+    let greatest = accelerations().map(|[_, wanted]| wanted.abs()).fold(0.0, f64::max);
+    for [q, wanted] in accelerations() {
         near(acceleration(&mut machine, q), wanted, greatest);
     }
 }
 
-/// Positions of one contestant in one round, and rounds.
-const COUNT: usize = 1024;
 const ROUNDS: usize = 1500;
 
 fn main() {
     let six_bar = Subject::of(six_bar::SCENE);
     let [shaper, andrews] = ["shaper", "andrews"].map(|name| Subject::of(assur_fixtures::scene(name)));
     compare(&six_bar, &andrews);
+    let (solved, solved_lanes, solved_andrews) = (six_bar.solved(), six_bar.solved_lanes(), andrews.solved());
     let mut all = vec![
-        Contestant::new("six-bar by hand", |count| {
-            for index in 0..count {
-                let (s, c) = black_box(coordinate(index)).sin_cos();
-                black_box(six_bar::by_hand([s, c]));
-            }
+        Contestant::one_by_one("six-bar by hand", |q| {
+            let (s, c) = f64::sin_cos(q);
+            black_box(six_bar::by_hand([s, c]));
         }),
         six_bar.one_by_one("six-bar"),
     ];
-    all.extend(six_bar.parts());
+    all.extend(six_bar.parts(&solved));
     all.extend([
         shaper.one_by_one("shaper of the fixtures"),
-        Contestant::new("six-bar by hand, lanes", |count| {
-            for block in 0..count / Lanes::WIDTH {
-                black_box(Lanes::evaluate(SixBar(black_box(coordinates(block)))));
-            }
-        }),
+        Contestant::by_hand_in_lanes("six-bar by hand, lanes", six_bar::by_hand),
         six_bar.eight_by_eight("six-bar, lanes"),
     ]);
-    all.extend(six_bar.lane_parts());
+    all.extend(six_bar.lane_parts(&solved_lanes));
     all.extend([
         shaper.eight_by_eight("shaper of the fixtures, lanes"),
-        Contestant::new("Andrews by hand", |count| {
-            for index in 0..count {
-                black_box(andrews::by_hand(black_box(coordinate(index)), black_box(SPEED)));
-            }
+        Contestant::one_by_one("Andrews by hand", |q| {
+            black_box(andrews::by_hand(q, black_box(SPEED)));
         }),
         andrews.right_hand_side("Andrews, right-hand side"),
     ]);
-    all.extend(andrews.parts());
-    for _ in 0..ROUNDS {
-        for one in &mut all {
-            let start = Instant::now();
-            (one.call)(COUNT);
-            one.least = one.least.min(start.elapsed().as_secs_f64() / COUNT as f64);
-        }
-    }
-    println!("{:32} {:>8} {:>12}", "", "ns", "of by hand");
-    let mut by_hand = f64::NAN;
-    for one in &all {
-        if one.name.contains("by hand") {
-            by_hand = one.least;
-        }
-        println!("{:32} {:8.2} {:12.2}", one.name, one.least * 1e9, one.least / by_hand);
-    }
+    all.extend(andrews.parts(&solved_andrews));
+    race(all, ROUNDS);
 }

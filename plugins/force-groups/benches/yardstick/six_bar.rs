@@ -1,6 +1,7 @@
 //! The six-bar with all its loads and reactions, by hand.
 
 use assur_number::Real;
+use assur_testkit::yardstick::{self, SixBar};
 
 /// Crank at the origin, rocker on (0, -0.4) guided by a stone on the crank pin, ram on y = 0.28 moved by a stone on the
 /// rocker; masses on all links, a force on the ram, weights.
@@ -87,21 +88,9 @@ pub(crate) struct Found<T> {
 pub(crate) fn by_hand<T: Real>([s, c]: [T; 2]) -> Found<T> {
     let number = T::from_f64;
     let (x, y) = (number(0.1) * c, number(0.1) * s);
-    let up = y + number(0.4);
     let height = number(0.68);
-    let square = x * x + up * up;
-    let along = square.sqrt();
-    let per_along = along * (T::ONE / square);
-    let t = [x * per_along, up * per_along];
-    // A' = (-y, x), A'' = (-x, -y); along and across the rocker.
-    let [along1, across1] = [x * t[1] - y * t[0], x * t[0] + y * t[1]];
-    let across2 = x * t[1] - y * t[0];
-    let w = across1 * per_along;
-    let e = (across2 - (along1 * w).twice()) * per_along;
-    let per_sine = T::ONE / t[1];
-    let slope = height * per_sine * per_sine;
-    let ram1 = -(slope * w);
-    let ram2 = -(slope * (e - (w * w * t[0] * per_sine).twice()));
+    let SixBar { direction: t, turn: [w, e], ram: [_, ram1, ram2], inverse, .. } = yardstick::six_bar([s, c]);
+    let [per_along, per_sine] = inverse;
     // Accelerations in time.
     let (speed2, acceleration) = (number(SPEED * SPEED), number(ACCELERATION));
     let turn2 = w * w * speed2;

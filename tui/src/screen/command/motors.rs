@@ -1,6 +1,6 @@
 //! Motors of the catalogues for the drive of the open scene.
 
-use assur_mechanism::{Motor as Wanted, Torque};
+use assur_mechanism::Torque;
 use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_motors, rpm, select};
 use assur_scene::{Dimension, edit, quantity};
 
@@ -44,14 +44,10 @@ pub(super) fn limits(state: &mut State, rest: &str) {
 /// The motors that fit the drive of the scene under a heading that says what is asked of them; or why there are none.
 fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
     let drive = state.scene.as_ref().and_then(|scene| scene.linkage.mechanism.drive.as_ref());
-    let Some(Torque::Motor { motor, catalogue, max_speed, characteristic }) =
-        drive.map(|drive| &drive.torque)
+    let Some(Torque::Motor { catalogue, max_speed, characteristic, .. }) = drive.map(|drive| &drive.torque)
     else {
         return Err("the scene has no drive with a motor: add motor = \"auto\" to [drive]".to_owned());
     };
-    if matches!(motor, Wanted::Rated(_)) {
-        return Err("the scene gives the data of its motor: write motor = \"auto\" to choose one".to_owned());
-    }
     let dynamics = state.found().and_then(|found| found.analysis.dynamics.as_ref());
     let dynamics = dynamics.ok_or("no regime is found, so the needed power is not known")?;
     let (required_power, max_motor_speed) = match state.motor_limits {
@@ -75,7 +71,8 @@ fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
     let rows = std::iter::once(&found.chosen).chain(&found.runners_up).map(|candidate| row(candidate, load));
     let limit = max_motor_speed.map_or_else(String::new, |speed| format!(", at most {:.0} rpm", rpm(speed)));
     let power = digits(required_power / 1e3, 4);
-    let heading = format!("Motors of at least {power} kW{limit} (:motors POWER, SPEED asks for others)");
+    let columns = "kW, rpm, ratio, breakdown torque / load at rest, kg";
+    let heading = format!("Motors of at least {power} kW{limit}: {columns}");
     Ok((heading, rows.collect()))
 }
 
@@ -87,7 +84,7 @@ fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
     let reserve = torque.zip(load).filter(|(_, load)| *load > 0.0);
     let reserve = or_dash(reserve.map(|(torque, load)| torque * candidate.ratio / load));
     let text = format!(
-        "{:<18}{:<8}{:>7} kW {:>6.0} rpm  ratio {:>7}  reserve {:>6} {:>8} kg",
+        "{:<21} {:<12}{:>7}{:>7.0}{:>8}{:>8}{:>8}",
         motor.designation,
         motor.catalogue,
         digits(motor.rated_power / 1e3, 4),
@@ -103,6 +100,9 @@ fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
 pub(super) fn take(state: &mut State, designation: &str) {
     match state.what_if.values.iter().position(|value| value.key == KEY) {
         Some(index) => whatif::put(state, index, edit::quoted(designation)),
-        None => state.say(Role::Bad, format!("the scene has no `{KEY}` to be changed")),
+        None => {
+            let text = format!("the scene gives data of its motor: write {KEY} = \"{designation}\" instead");
+            state.say(Role::Bad, text);
+        }
     }
 }

@@ -3,7 +3,9 @@
 use assur_analysis::results::Checks;
 
 use super::{jobs, whatif};
-use crate::screen::state::{Chosen, Compared, Found, Purpose, Report, Role, Scene, State, View, Zoom};
+use crate::screen::state::{
+    Chosen, Compared, Found, OutputFile, Purpose, Report, Role, Scene, State, View, Wish, Zoom,
+};
 
 const FAULT: &str = "The scene could not be read; the old result is still shown. Press any key.";
 
@@ -21,6 +23,12 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
         (Report::Opened(Ok(scene)), _) => open(state, *scene),
         (Report::Opened(Err(text)) | Report::Compared(Err(text)), _) => state.fault = Some((FAULT, text)),
         (Report::Changed(change, scene), _) => return whatif::take(state, &change, scene),
+        (Report::Noted(path, Ok(note)), _) => {
+            let content = note.into_bytes();
+            let file = OutputFile { path, content, numbers: None, overwrite: false, scene: false };
+            state.wishes.push(Wish::Write(file));
+        }
+        (Report::Noted(_, Err(text)), _) => state.say(Role::Bad, format!("no note: {text}")),
         (Report::Preview(index, preview), _) => drop(state.previews.insert(index, preview)),
         (Report::Compared(Ok(scene)), _) => take_compared(state, scene),
         (Report::Counted { count, .. }, Some(index)) => state.running[index].count = count,

@@ -7,7 +7,7 @@ use assur_figure::{Figure, Frame, Item, png, svg};
 use crossterm::event::KeyCode;
 
 use crate::files;
-use crate::screen::state::{Key, OutputFile, Role, Scene, State, View, Wish};
+use crate::screen::state::{Job, Key, OutputFile, Role, Scene, State, View, Wish};
 use crate::screen::view;
 
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
@@ -54,6 +54,20 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
         }
         Err(error) => state.say(Role::Bad, error.to_string()),
     }
+}
+
+/// Writes the explanatory note of the scene with its present numbers to a name of its own.
+pub(super) fn note(state: &mut State) {
+    let (Some(scene), Some(write)) = (&state.scene, state.note) else {
+        return state.say(Role::Plain, "there is no scene to write a note of");
+    };
+    let name = scene.source.name();
+    let stem = Path::new(&name).file_stem().unwrap_or_default().to_string_lossy();
+    let path = PathBuf::from(format!("{stem}-note.html"));
+    let methods = [state.analyzer.clone(), state.integrator.clone()];
+    let text = state.what_if.changed_text();
+    state.wishes.push(Wish::Work(Job::Note { write, name, text, methods, path }));
+    state.say(Role::Plain, "the note is being written ...");
 }
 
 /// A figure in the form that the ending of a file names.

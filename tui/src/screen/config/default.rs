@@ -4,7 +4,7 @@ use assur_scene::edit::quoted;
 
 use super::Config;
 use crate::screen::command::COMMANDS;
-use crate::screen::state::{Command, Group, Key, Look, Marker, Theme};
+use crate::screen::state::{Command, Group, Key, Look, Marker, Panels, Theme};
 
 /// Column at which the comments of the keys begin.
 const COMMENT_AT: usize = 40;
@@ -40,6 +40,11 @@ pub(crate) fn text() -> String {
     );
     setting(&fps, "fps", &config.look.fps.to_string());
     setting(&ratio, "cell_ratio", &format!("{:?}", config.look.ratio));
+    setting(
+        "views beside the chosen one from 120 columns, as many as there is room for; [] means none",
+        "panels",
+        &list_of(&config.panels),
+    );
     setting("capture the mouse: a click on a curve chooses the position", "mouse", &config.mouse.to_string());
     let head = "Configuration of assur's terminal UI. Every value here is the default; keep what you change.
 It is read from $XDG_CONFIG_HOME/assur/config.toml, or else from ~/.config/assur/config.toml.
@@ -59,6 +64,13 @@ Two commands that meet in a view can't share a key.", Key::names());
         .chain(Group::ALL.into_iter().flat_map(of_group))
         .collect();
     all.join("\n") + "\n"
+}
+
+/// The views as a list of TOML.
+pub(super) fn list_of(panels: &Panels) -> String {
+    let views = panels.views.iter().filter(|_| panels.shown);
+    let names: Vec<String> = views.map(|view| quoted(view.command())).collect();
+    format!("[{}]", names.join(", "))
 }
 
 /// The commands of a group of the help screen, under its title.

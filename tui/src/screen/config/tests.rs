@@ -1,8 +1,9 @@
 //! The default read back, and the text of each fault.
 
+use super::keep::kept;
 use super::{Config, default_text};
 use crate::screen::command::COMMANDS;
-use crate::screen::state::{Key, Look, Marker, Theme};
+use crate::screen::state::{Key, Look, Marker, Panels, Theme, View};
 
 fn read(text: &str) -> Config {
     Config::read("config.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
@@ -46,6 +47,7 @@ fn the_lines_of_the_default_are_live() {
         ("fps = 10", "fps = 11"),
         ("cell_ratio = 2.0", "cell_ratio = 2.5"),
         ("mouse = false", "mouse = true"),
+        ("panels = [\"mechanism\", ", "panels = ["),
         ("play = [\"Space\"]", "play = [\"y\"]"),
     ] {
         assert!(text.contains(from), "{from}");
@@ -108,10 +110,28 @@ fn what_is_wrong_is_told_with_its_place() {
         ("[keys]\nplay = 3", "line 2, column 8", "`play` wants the name of a key, got an integer"),
         ("[keys]\nquit = []", "line 2, column 8", "`quit` needs a key"),
         ("keys = 3", "line 1, column 8", "`keys` wants a table, got an integer"),
+        ("panels = ['curvs']", "line 1, column 11", "`panels` wants one of"),
         ("mouse = 'yes'", "line 1, column 9", "`mouse` wants true or false, got a text"),
         ("fps = = 3", "line 1, column 7", "not TOML"),
     ] {
         let faults = faults(text);
         assert!(faults.contains(place) && faults.contains(words) && faults.contains('^'), "{text}: {faults}");
     }
+}
+
+#[test]
+fn what_is_kept_is_read_again_and_the_rest_stays() {
+    let look = Look { theme: Theme::Mono, fps: 25, ..Look::default() };
+    let panels = Panels { shown: true, views: vec![View::Plans, View::Working] };
+    let own = "# mine\nfps = 5\n\n[keys]\nplay = 'y' # y\n";
+    for old in [own, "", &default_text()] {
+        let text = kept(old, look, &panels).unwrap();
+        let config = read(&text);
+        assert_eq!((config.look, &config.panels), (look, &panels));
+        assert_eq!(config.keys, read(old).keys);
+        assert_eq!(kept(&text, look, &panels).unwrap(), text);
+    }
+    assert!(kept(own, look, &panels).unwrap().contains("# mine\nfps = 25\n\n[keys]\nplay = 'y' # y\n"));
+    // A value over several lines is left to the user.
+    assert!(kept("panels = [\n'plans',\n]\n", look, &panels).is_err());
 }

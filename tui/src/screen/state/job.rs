@@ -24,6 +24,8 @@ pub(crate) enum Wish {
     Suspend,
     Work(Job),
     Write(OutputFile),
+    /// Write how the screen looks into the configuration.
+    Keep,
 }
 
 /// A file to be written.
@@ -40,6 +42,10 @@ pub(crate) struct OutputFile {
     pub(crate) scene: bool,
 }
 
+/// Writes the explanatory note of a scene from its name, its text, and the names of force analyzer and integrator; an error
+/// is a text to show.
+pub type NoteWriter = fn(&str, &str, [Option<String>; 2]) -> Result<String, String>;
+
 /// A request to the worker.
 #[derive(Debug)]
 pub(crate) enum Job {
@@ -47,6 +53,8 @@ pub(crate) enum Job {
     Open(Source),
     /// Read a second scene, for comparison.
     Compare(Source),
+    /// Write the note of a scene, given by its name and its text, with these methods, to a file.
+    Note { write: NoteWriter, name: String, text: String, methods: [Option<String>; 2], path: PathBuf },
     /// Compile a shipped scene for its picture.
     Preview(usize),
     /// Read the open scene with changed numbers.
@@ -111,6 +119,8 @@ pub(crate) enum Report {
     /// The open scene with changed numbers.
     Changed(Change, Result<Box<Scene>, String>),
     Compared(Result<Box<Scene>, String>),
+    /// The note, to be written to a file.
+    Noted(PathBuf, Result<String, String>),
     /// A shipped scene by its number.
     Preview(usize, Result<Box<Scene>, String>),
     /// The progress of the calculation of a request.

@@ -23,6 +23,7 @@ pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use compare::Compared;
 pub(crate) use found::{Found, Reaction};
+pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
 pub(crate) use key::Key;
 pub(crate) use keymap::{Command, Group, Keymap};
@@ -100,6 +101,8 @@ pub(crate) struct State {
     pub(crate) message: Option<(Role, String)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
     pub(crate) fault: Option<(&'static str, String)>,
+    /// Writes the note of a scene.
+    pub(crate) note: Option<NoteWriter>,
     /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
     pub(crate) wishes: Vec<Wish>,
@@ -145,6 +148,7 @@ impl State {
             question: None,
             message: None,
             fault: None,
+            note: None,
             size: (80, 24),
             wishes: Vec::new(),
             leaving: false,

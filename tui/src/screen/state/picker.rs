@@ -45,7 +45,7 @@ impl Picker {
         Self { kind, heading, filter: Filter::default(), chosen: 0, rows, marked: Vec::new() }
     }
 
-    /// The rows that the typed text leaves, the best match first.
+    /// The rows that the typed text leaves, the best match first: those that have most of the typed words as a whole.
     pub(crate) fn left(&self) -> Vec<&Choice> {
         if self.filter.text.trim().is_empty() {
             return self.rows.iter().collect();
@@ -53,7 +53,16 @@ impl Picker {
         let texts: Vec<&str> = self.rows.iter().map(|row| row.text.as_str()).collect();
         let config = Config::default().casing(CaseMatching::Ignore);
         let found = Matcher::from_query(&self.filter.text, &config).match_list(&texts);
-        found.iter().filter_map(|found| self.rows.get(usize::try_from(found.index).ok()?)).collect()
+        let found = found.iter().filter_map(|found| self.rows.get(usize::try_from(found.index).ok()?));
+        let mut found: Vec<&Choice> = found.collect();
+        let is_word = |typed: &str, text: &str| {
+            text.split(|letter: char| !letter.is_alphanumeric()).any(|word| word.eq_ignore_ascii_case(typed))
+        };
+        let whole = |choice: &&Choice| {
+            self.filter.text.split_whitespace().filter(|typed| is_word(typed, &choice.text)).count()
+        };
+        found.sort_by_key(|choice| std::cmp::Reverse(whole(choice)));
+        found
     }
 
     /// The chosen row.

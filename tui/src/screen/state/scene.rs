@@ -55,6 +55,8 @@ pub(crate) struct Scene {
     pub(crate) poses: Vec<Option<Position>>,
     /// Why a position can't be assembled.
     pub(crate) failures: Vec<Option<String>>,
+    /// Of a position that can't be assembled, the links that have their places, and the first group that has none.
+    pub(crate) broken: Vec<Option<(Position, usize)>>,
     /// Closely spaced positions over the whole cycle, for paths; `None` where there is no assembly.
     pub(crate) fine: Vec<Option<Position>>,
     /// Paths of the points over the whole cycle, m; empty for points of the ground.
@@ -101,12 +103,20 @@ impl Scene {
             };
             located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
         })?;
-        let (mut poses, mut failures) = (Vec::new(), Vec::new());
+        let (mut poses, mut failures, mut broken) = (Vec::new(), Vec::new(), Vec::new());
         for index in 0..linkage.mechanism.input.positions {
-            let mut position = linkage.position();
-            let solved = linkage.solve_index(index, Order::Second, &mut position);
-            failures.push(solved.as_ref().err().map(|error| failure(&linkage, index, error)));
-            poses.push(solved.is_ok().then_some(position));
+            let mut position = nowhere(&linkage);
+            let error = linkage.solve_index(index, Order::Second, &mut position).err();
+            failures.push(error.as_ref().map(|error| failure(&linkage, index, error)));
+            let (pose, rest) = match error {
+                None => (Some(position), None),
+                Some(error) => (None, Some((error.group, position))),
+            };
+            poses.push(pose);
+            broken.push(rest.map(|(group, position)| {
+                let placed = first_without_place(&linkage, &position).min(group);
+                (position, placed)
+            }));
         }
         let fine = fine_positions(&linkage);
         let paths = paths(&linkage, &fine);
@@ -116,10 +126,11 @@ impl Scene {
             source,
             text: text.to_owned(),
             values: Document::of(text).values(),
-            bounds: bounds(&linkage, &fine, &paths, &strokes),
+            bounds: bounds(&linkage, &fine, &paths, &strokes, &broken),
             linkage: Arc::new(linkage),
             poses,
             failures,
+            broken,
             fine,
             paths,
             strokes,
@@ -179,6 +190,20 @@ impl Scene {
     }
 }
 
+/// Storage for a position in which no link has a place yet.
+fn nowhere(linkage: &Linkage) -> Position {
+    let mut position = linkage.position();
+    position.bodies.iter_mut().skip(1).for_each(|body| body.x = f64::NAN);
+    position
+}
+
+/// The first group with a link that has no place.
+fn first_without_place(linkage: &Linkage, position: &Position) -> usize {
+    let placed = |link: &usize| position.bodies[*link].x.is_finite();
+    let groups = &linkage.structure.groups;
+    groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(groups.len())
+}
+
 /// Why a position does not exist, the most important first: what, by how much, where.
 fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
     let GroupError::NoAssembly { gap_m } = error.source else {
@@ -235,8 +260,14 @@ fn bounds(
     fine: &[Option<Position>],
     paths: &[Vec<[f64; 2]>],
     strokes: &[[f64; 2]],
+    broken: &[Option<(Position, usize)>],
 ) -> Bounds {
     let mut bounds = Bounds::EMPTY;
+    for (position, _) in broken.iter().flatten() {
+        let places = linkage.mechanism.points.iter().flat_map(|point| &point.places);
+        let at = places.map(|place| position.bodies[place.link].point(place.at));
+        at.filter(|at| at[0].is_finite()).for_each(|at| bounds.add(at));
+    }
     for point in &linkage.mechanism.points {
         point.places.iter().filter(|place| place.link == GROUND).for_each(|place| bounds.add(place.at));
     }

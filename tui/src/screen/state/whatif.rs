@@ -7,7 +7,7 @@ use assur_scene::edit::{SceneValue, bare, replaced};
 use super::scene::{Scene, Source};
 
 /// Steps by which a key changes a value, in per cent of the number in the file.
-pub(crate) const STEPS: [f64; 3] = [0.1, 1.0, 10.0];
+pub(crate) const STEPS: [f64; 4] = [0.1, 1.0, 5.0, 10.0];
 /// The step at the start: 1 %.
 const FIRST_STEP: usize = 1;
 

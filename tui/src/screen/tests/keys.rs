@@ -131,7 +131,7 @@ fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
 fn every_command_has_its_help_and_keys_that_are_read() {
     for command in COMMANDS {
         assert!(!command.help.is_empty(), "{}", command.name);
-        assert_eq!(command.default_keys().len(), command.keys.split(' ').count(), "{}", command.name);
+        assert_eq!(command.default_keys().len(), command.keys.split_whitespace().count(), "{}", command.name);
     }
 }
 

@@ -48,7 +48,7 @@ fn the_numbers_are_those_of_the_changed_scene() {
     let mut state = at_length(View::Mechanism);
     press(&mut state, "e");
     for (keys, length) in
-        [("e + e", "101.000"), ("e % + e", "111.000"), ("e % - e", "110.900"), ("u u", "101.000")]
+        [("e + e", "101.000"), ("e % + e", "106.000"), ("e % - e", "96.0000"), ("u u", "101.000")]
     {
         press(&mut state, keys);
         let frame = text(&state, 80, 24);

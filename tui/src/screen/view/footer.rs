@@ -7,7 +7,7 @@ use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use crate::screen::draw::{folded, put, short};
-use crate::screen::state::{Command, Key, PromptKind, Role, Running, State, View};
+use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, State, View};
 
 /// A command that applies in at most this many views belongs to them.
 const OWN: usize = 4;
@@ -34,7 +34,16 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         let text = calculating(state, running);
         put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
     }
-    draw_hints(state, area, buffer);
+    match (&state.help, &state.picker) {
+        (None, Some(picker)) => {
+            let mark = if picker.kind == PickerKind::Quantities { "Tab mark  " } else { "" };
+            let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };
+            let close = state.keys.first("close");
+            let text = format!("type to search  Up/Down choose  {mark}Enter take  {close} close{limits}");
+            put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
+        }
+        _ => draw_hints(state, area, buffer),
+    }
 }
 
 /// The notice of an analysis in progress: its progress, and the key that stops it.

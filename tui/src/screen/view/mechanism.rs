@@ -54,7 +54,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
             items.extend(arrows::items(state, scene, &pose, position));
             items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
         }
-        None => items.extend(drawing(scene, marked).ground()),
+        None => items.extend(broken(scene, marked, position)),
     }
     let coordinate = &scene.series[0];
     let at = format!("position {position}, {} {}", plain(coordinate.at(position)), coordinate.unit);
@@ -89,7 +89,22 @@ fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
 /// The links of the groups that are not joined yet, while the structure is put together.
 fn not_joined(state: &State, scene: &Scene) -> Vec<usize> {
     let joined = state.joined.filter(|_| state.view == View::Structure);
-    let groups = scene.linkage.structure.groups.iter().skip(joined.unwrap_or(usize::MAX));
+    joined.map_or_else(Vec::new, |joined| links_from(scene, joined))
+}
+
+/// A position that can't be assembled: what has a place, and the gap of the first group that has none.
+fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
+    let drawing = drawing(scene, marked);
+    let Some(Some((pose, group))) = scene.broken.get(position) else { return drawing.ground() };
+    let hidden = links_from(scene, *group);
+    let mut items = Drawing { hidden: &hidden, ..drawing }.items(pose);
+    items.extend(drawing.gap(pose, *group));
+    items
+}
+
+/// The links of a group and of all after it.
+fn links_from(scene: &Scene, group: usize) -> Vec<usize> {
+    let groups = scene.linkage.structure.groups.iter().skip(group);
     groups.flat_map(|group| group.frame.links.iter().copied()).collect()
 }
 

@@ -22,6 +22,7 @@ mod quantities;
 mod reactions;
 mod regime;
 pub(crate) mod report;
+mod results;
 mod structure;
 mod table;
 pub(crate) mod values;

@@ -2,13 +2,14 @@
 
 use assur_figure::cells::cell_width;
 use assur_figure::{Figure, Ink, Sample};
-use assur_mechanism::Motion;
+use assur_geometry::Curvature;
+use assur_mechanism::{Motion, Place};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::number::digits;
 use crate::screen::draw::{cells, put_lines, wrapped};
-use crate::screen::state::{Owner, Role, Scene, State};
+use crate::screen::state::{Bounds, Owner, Probe, Role, Scene, State};
 
 /// Longest shaft of an arrow of the legend, in columns.
 const SHAFT: f64 = 12.0;
@@ -29,7 +30,10 @@ pub(super) fn draw(
         let rows = wrapped(failure, usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
     } else {
-        lines.extend(quantities(state, scene));
+        match &state.probe {
+            Some(probe) => lines.extend(of_probe(state, scene, probe)),
+            None => lines.extend(quantities(state, scene)),
+        }
         // The legend and the scale of the arrows, at the foot of the panel.
         let legend = legend(state, figure, drawing);
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
@@ -73,6 +77,36 @@ fn input(state: &State, scene: &Scene) -> Vec<String> {
     let balancing = found.and_then(|found| found.balancing());
     lines.extend(balancing.map(|series| format!("balance {}", series.show(at))));
     lines
+}
+
+/// The moved point: its place on the link and in the plane, size and length of its path, radius of curvature.
+fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> {
+    let Some(pose) = scene.pose(state.at()) else { return Vec::new() };
+    let linkage = &scene.linkage;
+    let motion = linkage.place_motion(Place { link: probe.link, at: probe.at }, &pose);
+    let path = probe.path(scene);
+    let [width, height] = Bounds::around(path.iter().copied()).size();
+    let pieces = path.windows(2).map(|two| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]));
+    let length: f64 = pieces.filter(|piece| piece.is_finite()).sum();
+    let mm = |value: f64| digits(1e3 * value, 5);
+    let curvature = Curvature::of(&motion, motion.pf1[0].hypot(motion.pf1[1]));
+    let radius = curvature.map(|found| found.curvature.abs()).filter(|curvature| *curvature > 0.0);
+    let radius =
+        radius.map_or_else(|| "infinite".to_owned(), |curvature| format!("{} mm", mm(1.0 / curvature)));
+    let [own, here] = [probe.at, motion.pf0].map(|[x, y]| format!("{}, {}", mm(x), mm(y)));
+    let name = &linkage.mechanism.links[probe.link].name;
+    let rows = [
+        (Role::Header, format!("P on {} {name}", probe.link)),
+        (Role::Plain, " in its frame, mm:".to_owned()),
+        (Role::Plain, format!("  {own}")),
+        (Role::Plain, " in the plane, mm:".to_owned()),
+        (Role::Plain, format!("  {here}")),
+        (Role::Plain, format!(" path {} x {} mm", mm(width), mm(height))),
+        (Role::Plain, format!(" about {} mm long", mm(length))),
+        (Role::Plain, " radius of curvature".to_owned()),
+        (Role::Plain, format!("  {radius}")),
+    ];
+    rows.into()
 }
 
 /// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.

@@ -1,0 +1,228 @@
+//! Tables as Parquet: numbers as DOUBLE, whole numbers as INT64, texts as UTF-8 strings.
+//!
+//! Numbers are split into streams of bytes and compressed by zstd, which suits numbers that change smoothly; the columns of
+//! a group of rows are compressed by all threads. What the metadata says of each column of each group is kept in memory
+//! until the file ends, and is as little as readers need: no statistics, no index of pages.
+
+mod positions;
+
+use std::fs;
+use std::io::Write;
+use std::sync::Arc;
+
+use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical, ZstdLevel};
+use ::parquet::column::writer::{ColumnCloseResult, ColumnWriter, get_column_writer};
+use ::parquet::data_type::ByteArray;
+use ::parquet::errors::ParquetError as Inner;
+use ::parquet::file::metadata::KeyValue;
+use ::parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
+use ::parquet::file::reader::FileReader;
+use ::parquet::file::serialized_reader::SerializedFileReader;
+use ::parquet::file::writer::{SerializedFileWriter, SerializedPageWriter, TrackedWrite};
+use ::parquet::schema::types::{ColumnDescPtr, ColumnPath, Type, TypePtr};
+use bytes::Bytes;
+use rayon::prelude::*;
+
+use crate::csv::Cell;
+
+pub use positions::Writer;
+
+/// A table can't be written as Parquet.
+#[derive(Debug, thiserror::Error)]
+#[error("Parquet: {0}")]
+pub struct ParquetError(#[from] Inner);
+
+impl From<std::io::Error> for ParquetError {
+    fn from(error: std::io::Error) -> Self {
+        Self(error.into())
+    }
+}
+
+/// A column, and what of it is not written yet.
+#[derive(Debug)]
+pub struct Column {
+    name: String,
+    values: Values,
+    /// Of a column that some rows lack: 1 where a row has a value, else 0.
+    levels: Option<Vec<i16>>,
+}
+
+#[derive(Debug)]
+enum Values {
+    Whole(Vec<i64>),
+    Numbers(Vec<f64>),
+    Texts(Vec<ByteArray>),
+}
+
+impl Column {
+    /// A column of numbers; `optional`: some rows may have none.
+    pub fn of_numbers(name: String, optional: bool) -> Self {
+        Self { name, values: Values::Numbers(Vec::new()), levels: optional.then(Vec::new) }
+    }
+
+    /// A column of texts, of which some rows may have none.
+    pub fn of_texts(name: String) -> Self {
+        Self { name, values: Values::Texts(Vec::new()), levels: Some(Vec::new()) }
+    }
+
+    /// Adds the cell of a row; one that does not suit the column is empty.
+    pub fn push(&mut self, cell: Cell<'_>) {
+        let has = match (&mut self.values, cell) {
+            (Values::Numbers(numbers), Cell::Number(number)) => {
+                numbers.push(number);
+                true
+            }
+            (Values::Texts(texts), Cell::Text(text)) => {
+                texts.push(text.into());
+                true
+            }
+            _ => false,
+        };
+        self.levels.iter_mut().for_each(|levels| levels.push(i16::from(has)));
+    }
+
+    fn field(&self) -> Result<TypePtr, Inner> {
+        let (physical, logical) = match self.values {
+            Values::Whole(_) => (Physical::INT64, None),
+            Values::Numbers(_) => (Physical::DOUBLE, None),
+            Values::Texts(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+        };
+        let repetition = if self.levels.is_some() { Repetition::OPTIONAL } else { Repetition::REQUIRED };
+        let field = Type::primitive_type_builder(&self.name, physical).with_logical_type(logical);
+        field.with_repetition(repetition).build().map(Arc::new)
+    }
+
+    /// The values, compressed; the column is empty then.
+    fn compressed(
+        &mut self,
+        (description, properties): (ColumnDescPtr, WriterPropertiesPtr),
+    ) -> Result<(Bytes, ColumnCloseResult), Inner> {
+        let mut bytes = TrackedWrite::new(Vec::new());
+        let pages = Box::new(SerializedPageWriter::new(&mut bytes));
+        let mut writer = get_column_writer(description, properties, pages);
+        let levels = self.levels.as_deref();
+        match (&mut writer, &self.values) {
+            (ColumnWriter::Int64ColumnWriter(out), Values::Whole(values)) => {
+                out.write_batch(values, levels, None)
+            }
+            (ColumnWriter::DoubleColumnWriter(out), Values::Numbers(values)) => {
+                out.write_batch(values, levels, None)
+            }
+            (ColumnWriter::ByteArrayColumnWriter(out), Values::Texts(values)) => {
+                out.write_batch(values, levels, None)
+            }
+            _ => Err(Inner::General(format!("column `{}` is not of the kind of the file's", self.name))),
+        }?;
+        let close = writer.close()?;
+        match &mut self.values {
+            Values::Whole(values) => values.clear(),
+            Values::Numbers(values) => values.clear(),
+            Values::Texts(values) => values.clear(),
+        }
+        self.levels.iter_mut().for_each(Vec::clear);
+        Ok((bytes.into_inner()?.into(), close))
+    }
+}
+
+/// The schema of a file with these columns.
+///
+/// # Errors
+///
+/// [`ParquetError`] if two columns have one name.
+pub fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
+    let fields = columns.iter().map(Column::field).collect::<Result<_, _>>()?;
+    Ok(Arc::new(Type::group_type_builder("assur").with_fields(fields).build()?))
+}
+
+/// A file that is written, group of rows by group of rows.
+pub struct File<W: Write + Send> {
+    file: SerializedFileWriter<W>,
+    properties: WriterPropertiesPtr,
+}
+
+impl<W: Write + Send> File<W> {
+    /// Begins a file with these columns; `data`: keys and values of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the writer fails.
+    pub fn new(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
+        let data = data.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value));
+        let data: Vec<KeyValue> = data.collect();
+        let mut properties = WriterProperties::builder()
+            .set_created_by(concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(data).filter(|data| !data.is_empty()))
+            .set_compression(Compression::ZSTD(ZstdLevel::try_new(1)?))
+            .set_dictionary_enabled(false)
+            .set_encoding(Encoding::BYTE_STREAM_SPLIT)
+            .set_offset_index_disabled(true)
+            .set_statistics_enabled(EnabledStatistics::None);
+        // Texts repeat.
+        for column in columns.iter().filter(|column| matches!(column.values, Values::Texts(_))) {
+            let path = ColumnPath::new(vec![column.name.clone()]);
+            properties = properties.set_column_encoding(path.clone(), Encoding::PLAIN);
+            properties = properties.set_column_dictionary_enabled(path, true);
+        }
+        let properties = Arc::new(properties.build());
+        let file = SerializedFileWriter::new(out, schema(columns)?, Arc::clone(&properties))?;
+        Ok(Self { file, properties })
+    }
+
+    /// Writes the rows of all columns as a group; the columns are empty then.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the writer fails, or the columns are not those of the file.
+    pub fn write_group(&mut self, columns: &mut [Column]) -> Result<(), ParquetError> {
+        let descriptions = self.file.schema_descr().columns().to_vec();
+        let mut group = self.file.next_row_group()?;
+        // Only some columns are kept compressed at a time.
+        let together = 2 * rayon::current_num_threads();
+        for (columns, descriptions) in columns.chunks_mut(together).zip(descriptions.chunks(together)) {
+            let each = columns.par_iter_mut().zip(descriptions);
+            let compressed = each.map(|(column, description)| {
+                column.compressed((Arc::clone(description), Arc::clone(&self.properties)))
+            });
+            for column in compressed.collect::<Vec<_>>() {
+                let (bytes, close) = column?;
+                group.append_column(&bytes, close)?;
+            }
+        }
+        group.close()?;
+        Ok(())
+    }
+
+    /// Appends the groups of a complete file with the same columns.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the file can't be read, or the writer fails.
+    pub fn append(&mut self, part: fs::File) -> Result<(), ParquetError> {
+        let reader = SerializedFileReader::new(part.try_clone()?)?;
+        for old in reader.metadata().row_groups() {
+            let mut group = self.file.next_row_group()?;
+            for column in old.columns() {
+                let close = ColumnCloseResult {
+                    bytes_written: column.compressed_size().unsigned_abs(),
+                    rows_written: old.num_rows().unsigned_abs(),
+                    metadata: column.clone(),
+                    bloom_filter: None,
+                    column_index: None,
+                    offset_index: None,
+                };
+                group.append_column(&part, close)?;
+            }
+            group.close()?;
+        }
+        Ok(())
+    }
+
+    /// Ends the file, and returns what it was written to.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the writer fails.
+    pub fn finish(self) -> Result<W, ParquetError> {
+        Ok(self.file.into_inner()?)
+    }
+}

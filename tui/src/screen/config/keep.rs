@@ -1,0 +1,64 @@
+//! How the screen looks now, written into the configuration of the user.
+
+use std::path::Path;
+
+use assur_scene::edit::quoted;
+
+use super::Config;
+use super::default::list_of;
+use crate::files;
+use crate::screen::state::{Look, Panels, Role, State};
+
+/// Writes it to the configuration file, and says so.
+pub(crate) fn keep(state: &mut State, file: Option<&Path>) {
+    let Some(path) = file else {
+        let text = "there is no place for a configuration: neither XDG_CONFIG_HOME nor HOME is set";
+        return state.say(Role::Bad, text);
+    };
+    let old =
+        if path.exists() { files::read(path).map_err(|error| error.to_string()) } else { Ok(String::new()) };
+    let written = old.and_then(|old| kept(&old, state.look, &state.panels)).and_then(|text| {
+        let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+        folder.map_err(|error| error.to_string())?;
+        files::write(path, text.as_bytes()).map_err(|error| error.to_string())
+    });
+    match written {
+        Ok(()) => state.say(Role::Good, format!("kept in {}", path.display())),
+        Err(error) => state.say(Role::Bad, error),
+    }
+}
+
+/// The text of a configuration with these settings; everything else stays as it is.
+///
+/// # Errors
+///
+/// What the user may do instead, if the text can't be changed so that it is read again.
+pub(super) fn kept(text: &str, look: Look, panels: &Panels) -> Result<String, String> {
+    let settings = [
+        ("theme", quoted(look.theme.name())),
+        ("marker", quoted(look.marker.name())),
+        ("ascii", look.ascii.to_string()),
+        ("fps", look.fps.to_string()),
+        ("cell_ratio", format!("{:?}", look.ratio)),
+        ("panels", list_of(panels)),
+    ];
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for (name, value) in settings {
+        let line = format!("{name} = {value}");
+        // A setting stands before the first table.
+        let tables = lines.iter().position(|line| line.trim_start().starts_with('[')).unwrap_or(lines.len());
+        let is_setting = |line: &String| line.split_once('=').is_some_and(|(key, _)| key.trim() == name);
+        match lines[..tables].iter().position(is_setting) {
+            Some(at) => lines[at] = line,
+            None => lines.insert(0, line),
+        }
+    }
+    let text = lines.join("\n") + "\n";
+    match Config::read("config.toml", &text) {
+        Ok(config) if config.look == look => Ok(text),
+        _ => {
+            Err("the configuration has a form that can't be changed here; `assur config` prints one that can"
+                .into())
+        }
+    }
+}

@@ -1,0 +1,282 @@
+//! Lists to choose from, several views at once, and what closes what is open.
+
+use ratatui::layout::Rect;
+
+use super::{View, empty, opened, press, scene, settle, text, write};
+use crate::screen::command;
+use crate::screen::state::{Part, PickerKind, State};
+use crate::screen::view;
+
+fn type_in(state: &mut State, letters: &str) {
+    for letter in letters.chars() {
+        press(state, if letter == ' ' { "Space".to_owned() } else { letter.to_string() }.as_str());
+    }
+}
+
+#[test]
+fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
+    let mut state = opened("shaper");
+    press(&mut state, "p");
+    type_in(&mut state, "ram mom");
+    press(&mut state, "Enter");
+    assert_eq!(state.view, View::Curves);
+    let found = state.found().unwrap();
+    let guide = found.reactions.iter().find(|reaction| reaction.pair == "ram/ground").unwrap();
+    let moment = &found.series[guide.moment.unwrap()];
+    assert_eq!(state.picked, [moment.short.clone()]);
+    let values = moment.values.clone();
+    let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
+    press(&mut state, "g");
+    assert_eq!(state.position, at);
+    let least = (0..values.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
+    press(&mut state, "G");
+    assert_eq!(state.position, least);
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let rms = (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt();
+    let frame = text(&state, 100, 24);
+    for value in [values[at], values[least], mean, rms] {
+        let shown = crate::number::digits(value, 5);
+        assert!(frame.contains(&shown), "{shown}: {frame}");
+    }
+}
+
+#[test]
+fn several_quantities_of_one_unit_share_a_chart() {
+    let mut state = opened("shaper");
+    press(&mut state, "p");
+    type_in(&mut state, "K vel");
+    press(&mut state, "Tab Tab Enter");
+    assert_eq!(state.picked, ["K.vx", "K.vy"], "a word that is a name goes before letters in other words");
+    let figure = view::figure(&state, View::Curves).unwrap();
+    assert_eq!(figure.panels.len(), 1);
+    press(&mut state, "p");
+    type_in(&mut state, "balancing");
+    press(&mut state, "Enter Down");
+    assert_ne!(state.picked, ["balancing"], "the next quantity of all");
+    press(&mut state, "Up");
+    assert_eq!(state.picked, ["balancing"]);
+    press(&mut state, "Esc");
+    assert!(state.picked.is_empty() && text(&state, 80, 24).contains("PF0"));
+}
+
+#[test]
+fn escape_and_control_g_close_whatever_is_open() {
+    for key in ["Esc", "C-g"] {
+        let mut state = opened("shaper");
+        let before = text(&state, 80, 24);
+        for open in ["?", ":", "/", "p", "o", "n", "e", "? / q", ": v i e w", "9 Tab 1"] {
+            press(&mut state, open);
+            press(&mut state, key);
+            if open.starts_with('9') {
+                press(&mut state, &format!("9 {key} 1"));
+            }
+            assert_eq!(text(&state, 80, 24), before, "{open} {key}");
+        }
+    }
+}
+
+#[test]
+fn a_search_may_begin_with_any_letter() {
+    let mut state = opened("shaper");
+    press(&mut state, "? / q u i t");
+    assert_eq!(state.help.as_ref().unwrap().filter.text, "quit");
+    press(&mut state, "Esc p q");
+    assert_eq!(state.picker.as_ref().unwrap().filter.text, "q");
+    press(&mut state, "Esc ? m a x i m u m");
+    assert!(text(&state, 80, 24).contains("greatest"), "other words for it find a command");
+    press(&mut state, "Esc ? d e t e r m");
+    assert!(text(&state, 80, 24).contains("singular position"), "words of the field are explained");
+}
+
+#[test]
+fn the_list_of_scenes_is_no_trap() {
+    let mut state = opened("shaper");
+    let before = text(&state, 80, 24);
+    write(&mut state, ":value link.crank.points.A 101 mm");
+    press(&mut state, "o q");
+    assert!(state.picker.is_none() && state.wishes.is_empty(), "q closes the list, not the program");
+    press(&mut state, "u o");
+    type_in(&mut state, "fb");
+    press(&mut state, "Esc");
+    assert_eq!(text(&state, 80, 24), before);
+    let mut state = empty(None);
+    command::start(&mut state);
+    settle(&mut state);
+    press(&mut state, "Esc");
+    assert!(state.picker.is_some(), "there is nothing behind it");
+    write(&mut state, ":view mechanism");
+    assert!(text(&state, 80, 24).contains("no scene is open"));
+    type_in(&mut state, "compr");
+    press(&mut state, "Enter");
+    assert_eq!(state.scene.as_ref().unwrap().source.name(), "press-compression.toml");
+    assert!(state.picker.is_none());
+}
+
+#[test]
+fn each_view_keeps_its_part_and_shows_none_that_is_empty() {
+    let mut state = opened("shaper");
+    press(&mut state, "3 Tab Tab Tab");
+    assert_eq!(state.part(View::Forces), Part::Hodograph);
+    // The balancing load has no direction, hence no hodograph.
+    press(&mut state, "Up");
+    assert_eq!(state.part(View::Forces), Part::Overview);
+    let parts: Vec<Part> = (0..4)
+        .map(|_| {
+            press(&mut state, "Tab");
+            assert!(text(&state, 80, 24).lines().skip(3).take(18).any(|line| !line.trim().is_empty()));
+            state.part(View::Forces)
+        })
+        .collect();
+    assert!(!parts.contains(&Part::Hodograph), "{parts:?}");
+    press(&mut state, "4 Tab");
+    assert_eq!((state.part(View::Plans), state.part(View::Motion)), (Part::Velocities, Part::Overview));
+}
+
+#[test]
+fn the_open_list_of_values_leaves_the_balancing_load_in_sight() {
+    let mut state = opened("shaper");
+    press(&mut state, "3 e");
+    assert!(text(&state, 80, 24).contains("balancing load"));
+}
+
+#[test]
+fn views_beside_each_other_move_together() {
+    let mut state = opened("shaper");
+    for (size, least) in [((80, 24), 1), ((119, 60), 1), ((120, 40), 3), ((200, 60), 4)] {
+        state.size = size;
+        let areas = view::areas(&state);
+        assert_eq!(areas.len(), least, "{size:?}");
+        let sum: u32 = areas.iter().map(|(_, area)| area.area()).sum();
+        assert_eq!(sum, u32::from(size.0) * u32::from(size.1 - 4), "nothing is left free, nothing overlaps");
+    }
+    let beside = |state: &State| {
+        let body = Rect::new(100, 2, 100, 54);
+        let frame = super::frame(state, 200, 60);
+        body.positions().map(|at| frame[at].symbol().to_owned()).collect::<String>()
+    };
+    let before = beside(&state);
+    press(&mut state, "Right");
+    assert_ne!(beside(&state), before);
+    write(&mut state, ":panels table checks");
+    assert!(beside(&state).contains("residual"));
+    write(&mut state, ":panels tabel");
+    assert!(text(&state, 200, 60).contains("did you mean `table`?"));
+    press(&mut state, "P");
+    assert_eq!(view::areas(&state).len(), 1);
+}
+
+#[test]
+fn a_pasted_text_is_written_and_never_run() {
+    let mut state = opened("shaper");
+    command::paste(&mut state, "q\n1e5\u{1b}[A");
+    assert_eq!(state.prompt.as_ref().unwrap().text, "q 1e5 [A");
+    assert!(state.wishes.is_empty());
+    press(&mut state, "Esc p");
+    command::paste(&mut state, "ram ");
+    assert_eq!(state.picker.as_ref().unwrap().filter.text, "ram");
+    press(&mut state, "Esc ?");
+    command::paste(&mut state, "q");
+    assert_eq!(state.help.as_ref().unwrap().filter.text, "q");
+}
+
+#[test]
+fn the_motion_plays_between_the_positions() {
+    let mut state = opened("shaper");
+    press(&mut state, ", , Space");
+    let still = text(&state, 80, 24);
+    state.advance();
+    assert_eq!((state.position, state.phase), (0, 0.25));
+    assert_ne!(text(&state, 80, 24), still);
+    (0..3).for_each(|_| state.advance());
+    assert_eq!((state.position, state.phase), (1, 0.0));
+    press(&mut state, ". . . .");
+    state.advance();
+    assert_eq!(state.position, 5);
+    press(&mut state, "x x");
+    assert_ne!(text(&state, 80, 24), still, "trails");
+}
+
+#[test]
+fn a_moved_point_describes_its_path() {
+    let mut state = opened("four-bar");
+    press(&mut state, "n");
+    let scene = state.scene.as_ref().unwrap();
+    let mut probe = state.probe.unwrap();
+    // On the crank the path is a circle about its pin, whose radius is the distance from the pin.
+    probe.link = scene.linkage.mechanism.input.link;
+    let (pose, place) = (scene.pose(0.0).unwrap(), [0.03, 0.04]);
+    probe.put(scene, 0.0, place);
+    let there = pose.bodies[probe.link].point(probe.at);
+    assert!((there[0] - place[0]).hypot(there[1] - place[1]) < 1e-15);
+    let center = pose.bodies[0].point(scene.linkage.mechanism.points[0].places[0].at);
+    let radius = (place[0] - center[0]).hypot(place[1] - center[1]);
+    for at in probe.path(scene) {
+        assert!(((at[0] - center[0]).hypot(at[1] - center[1]) - radius).abs() < 1e-14, "{at:?}");
+    }
+    state.probe = Some(probe);
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains(&format!("{} mm", crate::number::digits(1e3 * radius, 5))), "{frame}");
+    press(&mut state, "Up Left Tab");
+    assert_ne!(state.probe.unwrap().link, probe.link);
+}
+
+#[test]
+fn the_structure_is_joined_group_by_group() {
+    let mut state = opened("shaper");
+    press(&mut state, "9 Tab");
+    let links = |state: &State| {
+        let figure = view::figure(state, View::Structure).unwrap();
+        let inks = figure.panels[0].items.iter().filter_map(|item| match item {
+            assur_figure::Item::Line { ink, stroke: assur_figure::Stroke::Thick, .. }
+            | assur_figure::Item::Area { ink, .. } => Some(*ink),
+            _ => None,
+        });
+        inks.count()
+    };
+    let counts: Vec<usize> = (0..4)
+        .map(|_| {
+            let count = links(&state);
+            press(&mut state, "Tab");
+            count
+        })
+        .collect();
+    assert!(counts[0] < counts[1] && counts[1] < counts[2] && counts[3] == counts[0], "{counts:?}");
+}
+
+#[test]
+fn a_motor_is_taken_into_the_scene() {
+    let own = assur_fixtures::scene("shaper-drive");
+    let motor = own.lines().find(|line| line.starts_with("motor = ")).unwrap();
+    let mut state = scene(&own.replace(motor, "motor = \"auto\"\ncatalogue = \"4A\""));
+    press(&mut state, "6 p");
+    let picker = state.picker.as_ref().unwrap();
+    assert_eq!(picker.kind, PickerKind::Motors);
+    let designation = picker.rows[1].name.clone();
+    press(&mut state, "Down Enter");
+    let dynamics = state.found().unwrap().analysis.dynamics.as_ref().unwrap();
+    assert_eq!(dynamics.motor.as_ref().unwrap().designation, designation);
+    press(&mut state, "u");
+    assert_eq!(state.what_if.changes(), 0);
+    write(&mut state, ":motors 3 kW, 1000 rpm");
+    let picker = state.picker.as_ref().unwrap();
+    assert!(
+        picker
+            .rows
+            .iter()
+            .all(|row| row.text.split_whitespace().nth(2).unwrap().parse::<f64>().unwrap() >= 3.0)
+    );
+    write(&mut state, "");
+    press(&mut opened("shaper"), "6 p");
+}
+
+#[test]
+fn the_working_is_that_of_the_position() {
+    let mut state = opened("shaper");
+    press(&mut state, "W");
+    assert!(text(&state, 80, 24).contains("working of position 0"));
+    press(&mut state, "Right");
+    assert!(text(&state, 80, 24).contains("working of position 1"));
+    write(&mut state, "/balancing");
+    assert!(text(&state, 80, 24).to_lowercase().contains("balancing"));
+    press(&mut state, "Home End PgUp");
+}

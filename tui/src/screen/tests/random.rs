@@ -1,0 +1,128 @@
+//! Any keys, pasted texts, clicks and sizes leave a state that can be drawn and left.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+
+use super::{opened, press, run, scene, text};
+use crate::screen::command;
+use crate::screen::state::{State, View, Wish};
+
+/// Numbers that look random and are the same in every run (Marsaglia's xorshift).
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        usize::try_from(self.0 >> 33).unwrap() % count
+    }
+}
+
+const NAMED: [KeyCode; 18] = [
+    KeyCode::Enter,
+    KeyCode::Enter,
+    KeyCode::Esc,
+    KeyCode::Tab,
+    KeyCode::Tab,
+    KeyCode::BackTab,
+    KeyCode::Backspace,
+    KeyCode::Left,
+    KeyCode::Right,
+    KeyCode::Up,
+    KeyCode::Down,
+    KeyCode::Home,
+    KeyCode::End,
+    KeyCode::PageUp,
+    KeyCode::PageDown,
+    KeyCode::Delete,
+    KeyCode::F(1),
+    KeyCode::Null,
+];
+const PASTED: [&str; 7] =
+    ["q\nq", "ram", "value link.crank.points.A 0 mm", "\u{44f}\u{4e2d}", "42", "", "panels table curves"];
+const SIZES: [(u16, u16); 6] = [(80, 24), (120, 40), (200, 60), (81, 25), (1, 1), (100, 30)];
+
+fn event(state: &mut State, dice: &mut Dice) {
+    match dice.below(40) {
+        0 => command::paste(state, PASTED[dice.below(PASTED.len())]),
+        1 => state.size = SIZES[dice.below(SIZES.len())],
+        2 => {
+            let (column, row) =
+                (u16::try_from(dice.below(210)).unwrap(), u16::try_from(dice.below(65)).unwrap());
+            let kind = MouseEventKind::Down(MouseButton::Left);
+            command::click(state, MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE });
+        }
+        3 => state.advance(),
+        4..16 => command::press(state, KeyEvent::from(NAMED[dice.below(NAMED.len())])),
+        16 => {
+            let letter = char::from(b'a' + u8::try_from(dice.below(26)).unwrap());
+            command::press(state, KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL));
+        }
+        _ => {
+            let letter = char::from(b' ' + u8::try_from(dice.below(95)).unwrap());
+            command::press(state, KeyEvent::from(KeyCode::Char(letter)));
+        }
+    }
+}
+
+/// What holds in every state.
+fn check(state: &State) {
+    assert!(state.position < state.positions());
+    assert!((0.0..1.0).contains(&state.phase));
+    let Some(scene) = &state.scene else { return };
+    assert!(state.chosen.transfer < scene.transfers.len().max(1));
+    assert!(state.chosen.group < scene.linkage.structure.groups.len().max(1));
+    assert!(state.probe.is_none_or(|probe| probe.link < scene.linkage.mechanism.links.len()));
+    assert!(state.probe.is_none_or(|probe| probe.at.iter().all(|x| x.is_finite())));
+    let (width, height) = state.size;
+    let _ = text(state, width, height);
+}
+
+/// Plays random events; every job is done at once or, now and then, never.
+fn play(mut state: State, seed: u64, count: usize) {
+    let mut dice = Dice(seed);
+    for _ in 0..count {
+        event(&mut state, &mut dice);
+        for wish in std::mem::take(&mut state.wishes) {
+            // Files are not written, and the program goes on.
+            if let Wish::Work(job) = wish
+                && dice.below(8) > 0
+            {
+                run(&mut state, &job);
+            }
+        }
+        check(&state);
+    }
+    // From any state the way out is the same.
+    state.size = (80, 24);
+    press(&mut state, "n");
+    for _ in 0..12 {
+        press(&mut state, "Esc");
+    }
+    assert!(state.prompt.is_none() && state.help.is_none() && state.picker.is_none(), "{:?}", state.picker);
+    press(&mut state, "1");
+    assert_eq!(state.view, View::Mechanism);
+    assert!(text(&state, 80, 24).contains("position"));
+}
+
+/// A four-bar with a motion and loads, quickly calculated.
+fn small() -> State {
+    let loads = "[motion]\nspeed = 2\n[[moment]]\nlink = \"rocker\"\nvalue = 3\n";
+    scene(&(super::words::TURNS.to_owned() + loads))
+}
+
+#[test]
+fn random_keys_leave_no_broken_state() {
+    for seed in [1, 20, 300] {
+        play(small(), seed, 400);
+    }
+    play(opened("shaper-drive"), 4000, 60);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn ten_thousand_random_keys_leave_no_broken_state() {
+    for seed in 1..=10 {
+        play(small(), seed, 1000);
+    }
+}
