@@ -69,10 +69,11 @@ const LIMIT_TOO_WIDE: &str =
 
 const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
 
-/// Ratio of a residual to its limit. Of residuals that are zero, the one with the larger limit counts more, so that a
-/// report shows a meaningful limit.
+/// Ratio of a residual to its limit; infinite where it is no number. Of residuals that are zero, the one with the larger
+/// limit counts more, so that a report shows a meaningful limit.
 fn share(residual: f64, limit: f64) -> f64 {
-    if residual == 0.0 { -1.0 / limit } else { residual / limit }
+    let share = if residual == 0.0 { -1.0 / limit } else { residual / limit };
+    if share.is_nan() { f64::INFINITY } else { share }
 }
 
 /// One residual with its limit and its place.
@@ -128,15 +129,42 @@ impl Collector {
             return;
         }
         self.enter(at);
+        if self.is_worse(residual, limit, holds) {
+            self.set(Residual { size: residual, limit, at, place: place() }, holds);
+        }
         self.offers += 1;
-        let worse = match (self.check.ok, holds) {
+    }
+
+    /// Whether a residual is nearer to its limit, or exceeds it more, than all that were offered.
+    fn is_worse(&self, residual: f64, limit: f64, holds: bool) -> bool {
+        match (self.check.ok, holds) {
             (true, false) => true,
             (false, true) => false,
-            _ => self.offers == 1 || share(residual, limit) > share(self.check.residual, self.check.limit),
-        };
-        if worse {
-            let ok = self.check.ok && holds;
-            self.check = Check { residual, limit, at: Some(at), place: place(), ok, ..self.check.clone() };
+            _ => self.offers == 0 || share(residual, limit) > share(self.check.residual, self.check.limit),
+        }
+    }
+
+    fn set(&mut self, Residual { size: residual, limit, at, place }: Residual, holds: bool) {
+        let ok = self.check.ok && holds;
+        self.check = Check { residual, limit, at: Some(at), place, ok, ..self.check.clone() };
+    }
+
+    /// Adds what was collected over the positions after these.
+    pub(crate) fn append(&mut self, next: Self) {
+        let Self { check, offers, positions, widest, .. } = next;
+        self.check.left_out += check.left_out;
+        if self.check.why_left_out.is_empty() {
+            self.check.why_left_out = check.why_left_out;
+        }
+        let Check { residual, limit, at, place, ok, .. } = check;
+        if let Some(at) = at.filter(|_| self.is_worse(residual, limit, ok)) {
+            self.set(Residual { size: residual, limit, at, place }, ok);
+        }
+        self.offers += offers;
+        self.positions += positions;
+        let limit = |of: &Option<Residual>| of.as_ref().map(|residual| residual.limit);
+        if limit(&widest) > limit(&self.widest) {
+            self.widest = widest;
         }
     }
 

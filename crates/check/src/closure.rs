@@ -2,7 +2,7 @@
 
 use assur_group::{Body, Pair, PairGeometry};
 
-use crate::check::{Check, Collector};
+use crate::check::Collector;
 use crate::elements::place_motion;
 use crate::subject::{Solved, Subject};
 
@@ -54,8 +54,8 @@ impl Closure {
         }
     }
 
-    pub(crate) fn finish(self) -> impl Iterator<Item = Check> {
-        self.0.into_iter().filter_map(Collector::into_check)
+    pub(crate) fn collectors(self) -> impl Iterator<Item = Collector> {
+        self.0.into_iter()
     }
 }
 

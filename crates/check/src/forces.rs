@@ -4,7 +4,7 @@ use assur_force::{Joint, Loads, State, joints};
 use assur_group::Wrench;
 
 use crate::case::{Case, ROUNDINGS};
-use crate::check::{Check, Collector};
+use crate::check::Collector;
 use crate::residuals::ForceResiduals;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
@@ -17,7 +17,7 @@ const NO_ANSWER: &str = "no method finds reactions there: the position is singul
 pub(crate) struct Forces<'a> {
     subject: &'a Subject<'a>,
     loads: &'a Loads,
-    writer: Writer<'a>,
+    writer: &'a Writer<'a>,
     joints: Vec<Joint>,
     written: Collector,
     balance: [Collector; 3],
@@ -27,12 +27,13 @@ pub(crate) struct Forces<'a> {
 }
 
 impl<'a> Forces<'a> {
-    pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads) -> Self {
+    /// `writer`: writes out the loads of the subject.
+    pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads, writer: &'a Writer<'a>) -> Self {
         let reason = "each load written out from the scene once more; limit: 64 rounding units of its terms";
         Self {
             subject,
             loads,
-            writer: Writer::new(subject),
+            writer,
             joints: joints(&subject.linkage.mechanism, &subject.linkage.structure),
             written: Collector::new("loads", reason),
             balance: equilibrium::collectors(),
@@ -71,9 +72,10 @@ impl<'a> Forces<'a> {
         self.residuals.push(ForceResiduals { number: index, groups, dynamics, global });
     }
 
-    pub(crate) fn finish(self) -> (impl Iterator<Item = Check>, Vec<ForceResiduals>) {
+    /// What was collected, and the residuals of each state.
+    pub(crate) fn finish(self) -> (impl Iterator<Item = Collector>, Vec<ForceResiduals>) {
         let all = [self.written].into_iter().chain(self.balance).chain([self.agreement]).chain(self.powers);
-        (all.filter_map(Collector::into_check), self.residuals)
+        (all, self.residuals)
     }
 }
 

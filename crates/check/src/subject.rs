@@ -18,7 +18,7 @@ pub struct Subject<'a> {
     /// of a trajectory.
     pub states: Chosen,
     /// The state of such a number; `None` where forces are not determined.
-    pub state: &'a dyn Fn(usize) -> Option<State>,
+    pub state: &'a (dyn Fn(usize) -> Option<State> + Sync),
     /// The methods. All checks use the first one that gives reactions; the others are compared with it.
     pub methods: Vec<AnalyzerPlugin>,
 }

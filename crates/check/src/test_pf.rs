@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use assur_kinematics::Position;
 use assur_number::Dd;
 
-use crate::check::{Check, Collector};
+use crate::check::Collector;
 use crate::differences::{LEVELS, SAFETY, extrapolated};
 use crate::elements::{Element, elements};
 use crate::interpolated::interpolated;
@@ -95,8 +95,9 @@ impl<'a> TestPf<'a> {
         }
     }
 
-    pub(crate) fn finish(self) -> (impl Iterator<Item = Check>, Vec<(usize, f64)>) {
-        (self.collectors.into_iter().filter_map(Collector::into_check), self.residuals)
+    /// What was collected, and by the number of each position its largest deviation.
+    pub(crate) fn finish(self) -> (impl Iterator<Item = Collector>, Vec<(usize, f64)>) {
+        (self.collectors.into_iter(), self.residuals)
     }
 }
 

@@ -82,6 +82,8 @@ impl<'a> System<'a> {
         }
         let matrix = self.matrix(bodies);
         let mut symbolic = rsparse::sqr(&matrix, ORDERING, false);
+        // Room for a little fill-in, which is what the ordering leaves: the factors grow where they need more.
+        (symbolic.lnz, symbolic.unz) = (matrix.nzmax + rows, matrix.nzmax + rows);
         let Nmrc { l, u, pinv, .. } = rsparse::lu(&matrix, &mut symbolic, 1.0).map_err(|_| 0.0)?;
         let pivots = (0..rows).map(|k| u.x[index(u.p[k + 1]) - 1].abs());
         let (least, greatest) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, g), p| (l.min(p), g.max(p)));

@@ -1,8 +1,9 @@
 //! The results of a scene as CSV: one file for the positions, one for reactions, one for the motion over time.
 
-use assur_analysis::results::{Analysis, Base, Column, Owner, Part, Quantity, Schema, Table};
+use assur_analysis::results::{Analysis, Column, Quantity, Schema, Table};
 
 use super::{CsvError, header, number};
+use crate::names;
 use crate::template::{Template, Templates};
 
 /// The names of all files that an analysis may have.
@@ -50,7 +51,7 @@ type Has<'a> = dyn Fn(usize) -> bool + 'a;
 /// Columns that CSV has, with numbers in any row, in the order of the schema.
 fn shown(schema: &Schema, has: &Has<'_>, wanted: impl Fn(Column) -> bool) -> Vec<(usize, String)> {
     let each = schema.select(|column| wanted(*column)).into_iter().filter(|column| has(*column));
-    each.filter_map(|column| Some((column, name(schema, schema.columns()[column])?))).collect()
+    each.filter_map(|column| Some((column, names::csv(schema, schema.columns()[column])?))).collect()
 }
 
 fn places(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
@@ -113,79 +114,4 @@ fn template(columns: &[(usize, String)], numbered: bool, has: &Has<'_>) -> Templ
         }
     }
     Template { pieces, end: text + "\n" }
-}
-
-/// The name of a column, with its unit; `None` where CSV does not have it.
-pub(crate) fn name(schema: &Schema, column: Column) -> Option<String> {
-    use Quantity as Q;
-    if column.cause.is_some() {
-        return None;
-    }
-    let unit = unit(schema, column);
-    let owner = schema.name(column.owner);
-    let part = match column.part {
-        Part::Whole => "",
-        Part::X => "x",
-        Part::Y => "y",
-    };
-    let name = match (column.quantity, column.owner) {
-        (Q::Time, _) => "time".to_owned(),
-        (Q::Transfer(_), Owner::Input) => "coordinate".to_owned(),
-        (Q::Velocity, Owner::Input) => "speed".to_owned(),
-        (Q::Acceleration, Owner::Input) => "acceleration".to_owned(),
-        (Q::Transfer(order), _) => {
-            let what = match column.owner {
-                Owner::Link(_) => "angle",
-                Owner::Slide(_) => "displacement",
-                _ => part,
-            };
-            if order == 0 { format!("{owner}_{what}") } else { format!("{owner}_{what}_pf{order}") }
-        }
-        (Q::Velocity, Owner::Link(_)) => format!("{owner}_w"),
-        (Q::Acceleration, Owner::Link(_)) => format!("{owner}_e"),
-        (Q::Velocity, _) => format!("{owner}_v{part}"),
-        (Q::Acceleration, _) => format!("{owner}_a{part}"),
-        (Q::DrivingWork, _) => "work_driving".to_owned(),
-        (Q::ResistingWork, _) => "work_resisting".to_owned(),
-        (Q::KineticEnergy, _) => "kinetic_energy".to_owned(),
-        (Q::ReducedInertia, Owner::Link(_)) => format!("{owner}_reduced_inertia"),
-        (Q::ReducedInertia, _) => "reduced_inertia".to_owned(),
-        (Q::ReducedInertiaDerivative, _) => "reduced_inertia_derivative".to_owned(),
-        (Q::ReducedMoment, _) => "reduced_moment".to_owned(),
-        (Q::Force, Owner::PairOn(_, link)) => format!("{owner}_{}_f{part}", schema.link(link)),
-        (Q::Moment, _) => format!("{owner}_moment"),
-        (Q::Balancing, _) => "balancing".to_owned(),
-        (Q::Load, _) => format!("load_{owner}"),
-        (Q::InertiaForce, _) => format!("{owner}_inertia_f{part}"),
-        (Q::InertiaMoment, _) => format!("{owner}_inertia_moment"),
-        (Q::ShakingForce, _) => format!("shaking_f{part}"),
-        (Q::ShakingMoment, _) => "shaking_moment".to_owned(),
-        (Q::Residual(of), owner) => format!("residual_{}", of.name(owner).replace(' ', "_")),
-        (Q::Condition, _) => format!("condition_{owner}"),
-        _ => return None,
-    };
-    Some(if unit.is_empty() { name } else { format!("{name}_{unit}") })
-}
-
-/// The unit as part of a name: `m_per_rad2`, `kgm2`; empty for a plain number.
-fn unit(schema: &Schema, column: Column) -> String {
-    let unit = schema.unit(column);
-    let base = match unit.base {
-        Base::One => "",
-        Base::Second => "s",
-        Base::Radian => "rad",
-        Base::Meter => "m",
-        Base::Kilogram => "kg",
-        Base::KilogramMeter2 => "kgm2",
-        Base::Newton => "N",
-        Base::NewtonMeter => "Nm",
-        Base::Joule => "J",
-    };
-    let q = if schema.angular() { "rad" } else { "m" };
-    let per = |of: &str, times: u8| match times {
-        0 => String::new(),
-        1 => format!("_per_{of}"),
-        times => format!("_per_{of}{times}"),
-    };
-    format!("{base}{}{}", per(q, unit.per_coordinate), per("s", unit.per_time))
 }

@@ -12,7 +12,6 @@ use ::csv::Writer;
 use crate::json::NotFinite;
 use crate::to_ascii;
 
-pub(crate) use analysis::name;
 pub use analysis::{FILES, Sheet, of_positions, of_trajectory};
 pub use geometry::geometry;
 pub use shaking::shaking;

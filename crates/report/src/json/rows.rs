@@ -1,39 +1,17 @@
 //! The rows of a table as JSON objects.
 
-use std::borrow::Cow;
 use std::fmt::Write;
+use std::ops::Range;
 
-use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
+use assur_analysis::results::{Schema, Table};
+use rayon::prelude::*;
 
 use super::quoted;
+use crate::names::{KEYS, Step, path};
 use crate::template::{Template, Templates};
 
-/// The keys of a row, in their order.
-const KEYS: [&str; 23] = [
-    "time",
-    "coordinate",
-    "speed",
-    "acceleration",
-    "work_driving",
-    "work_resisting",
-    "kinetic_energy",
-    "links",
-    "points",
-    "slides",
-    "velocities",
-    "accelerations",
-    "reduced",
-    "loads",
-    "inertia_loads",
-    "shaking",
-    "reactions",
-    "balancing",
-    "reactions_by_cause",
-    "balancing_by_cause",
-    "holding",
-    "residuals",
-    "condition",
-];
+/// Numbers that a thread writes at a time: some milliseconds of work.
+const NUMBERS: usize = 1 << 16;
 
 /// What the objects of a table have besides its columns.
 #[derive(Debug, Clone, Copy)]
@@ -49,73 +27,6 @@ pub(super) const POSITIONS: Form =
     Form { numbered: true, always: &["links", "points", "slides", "condition"] };
 /// The samples of a motion.
 pub(super) const TRAJECTORY: Form = Form { numbered: false, always: &["links"] };
-
-/// A step into an object or an array.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Step<'a> {
-    Key(Cow<'a, str>),
-    Item(usize),
-}
-
-/// Where a column stands in the object of a row; `None` where JSON does not have it.
-pub(super) fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
-    use Quantity as Q;
-    let key = |key: &'static str| Step::Key(key.into());
-    let name = || Step::Key(schema.name(column.owner));
-    let of = |list: &'static str| match column.owner {
-        Owner::Link(_) => vec![key(list), key("links"), name()],
-        Owner::Slide(_) => vec![key(list), key("slides"), name()],
-        _ => vec![key(list), key("points"), name()],
-    };
-    let cause = column.cause.map(|cause| Step::Key(schema.causes[cause].as_str().into()));
-    let mut path = match (column.quantity, column.owner) {
-        (Q::Time, _) => vec![key("time")],
-        (Q::Transfer(_), Owner::Input) => vec![key("coordinate")],
-        (Q::Velocity, Owner::Input) => vec![key("speed")],
-        (Q::Acceleration, Owner::Input) => vec![key("acceleration")],
-        (Q::Transfer(order), _) => {
-            let order = ["pf0", "pf1", "pf2"].get(usize::from(order))?;
-            of("").into_iter().skip(1).chain([key(order)]).collect()
-        }
-        (Q::Velocity, _) => of("velocities"),
-        (Q::Acceleration, _) => of("accelerations"),
-        (Q::DrivingWork, _) => vec![key("work_driving")],
-        (Q::ResistingWork, _) => vec![key("work_resisting")],
-        (Q::KineticEnergy, _) => vec![key("kinetic_energy")],
-        (Q::ReducedInertia, Owner::Link(_)) => vec![key("reduced"), key("inertia_of_links"), name()],
-        (Q::ReducedInertia, _) => vec![key("reduced"), key("inertia")],
-        (Q::ReducedInertiaDerivative, _) => vec![key("reduced"), key("inertia_derivative")],
-        (Q::ReducedMoment, _) => vec![key("reduced"), key("moment")],
-        (Q::Force | Q::Moment, _) => {
-            let part = match column.owner {
-                Owner::PairOn(_, link) => Step::Key(schema.link(link).into()),
-                _ => key("moment"),
-            };
-            let all = if cause.is_some() { key("reactions_by_cause") } else { key("reactions") };
-            [all].into_iter().chain(cause).chain([name(), part]).collect()
-        }
-        (Q::Balancing, _) => match cause {
-            Some(cause) => vec![key("balancing_by_cause"), cause],
-            None => vec![key("balancing")],
-        },
-        (Q::Holding, _) => vec![key("holding"), key("moment")],
-        (Q::HoldingBound, _) => vec![key("holding"), key("bound")],
-        (Q::Load, _) => vec![key("loads"), name()],
-        (Q::InertiaForce, _) => vec![key("inertia_loads"), name(), key("force")],
-        (Q::InertiaMoment, _) => vec![key("inertia_loads"), name(), key("moment")],
-        (Q::ShakingForce, _) => vec![key("shaking"), key("force")],
-        (Q::ShakingMoment, _) => vec![key("shaking"), key("moment")],
-        (Q::Residual(of), owner) => vec![key("residuals"), Step::Key(of.name(owner))],
-        (Q::Condition, _) => vec![key("condition"), name()],
-        _ => return None,
-    };
-    path.extend(match column.part {
-        Part::Whole => None,
-        Part::X => Some(Step::Item(0)),
-        Part::Y => Some(Step::Item(1)),
-    });
-    Some(path)
-}
 
 /// The path as people write it: `.points.A.pf0[1]`.
 pub(super) fn spelled(path: &[Step<'_>]) -> String {
@@ -140,7 +51,7 @@ impl Rows {
     pub(super) fn new(schema: &Schema, form: Form, ascii: bool) -> Self {
         let rank = |column: &usize| {
             let path = path(schema, schema.columns()[*column]);
-            path.and_then(|path| KEYS.iter().position(|key| path[0] == Step::Key((*key).into())))
+            path.and_then(|path| KEYS.split(' ').position(|key| path[0] == Step::Key(key.into())))
         };
         let mut columns: Vec<usize> =
             (0..schema.columns().len()).filter(|column| rank(column).is_some()).collect();
@@ -148,12 +59,22 @@ impl Rows {
         Self { form, ascii, columns }
     }
 
-    /// The rows of a table, each after a comma.
+    /// The rows of a table, each after a comma; those of a large table are written by all threads.
     pub(super) fn text(&self, table: &Table) -> Vec<u8> {
+        let together = (NUMBERS / self.columns.len().max(1)).max(1);
+        if table.len() <= 2 * together {
+            return self.some(table, 0..table.len());
+        }
+        let starts = (0..table.len()).into_par_iter().step_by(together);
+        let each = starts.map(|start| self.some(table, start..(start + together).min(table.len())));
+        each.collect::<Vec<_>>().concat()
+    }
+
+    fn some(&self, table: &Table, rows: Range<usize>) -> Vec<u8> {
         let Self { form, ascii, columns } = self;
         let mut templates = Templates::new(table, columns.iter().copied());
         let mut out = Vec::new();
-        for row in 0..table.len() {
+        for row in rows {
             let make = |has: &dyn Fn(usize) -> bool| {
                 let columns = columns.iter().copied().filter(|column| has(*column));
                 template(table.schema(), columns, *form, *ascii)
@@ -182,7 +103,7 @@ fn template(schema: &Schema, columns: impl Iterator<Item = usize>, form: Form, a
     let paths: Vec<_> =
         columns.filter_map(|column| Some((column, path(schema, schema.columns()[column])?))).collect();
     let mut paths = paths.into_iter().peekable();
-    for key in KEYS {
+    for key in KEYS.split(' ') {
         let under = |path: &[Step<'_>]| path[0] == Step::Key(key.into());
         if form.always.contains(&key) && !paths.peek().is_some_and(|(_, path)| under(path)) {
             writer.go(vec![Step::Key(key.into())]);

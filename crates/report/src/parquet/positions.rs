@@ -5,7 +5,7 @@ use std::io::Write;
 use assur_analysis::results::{Analysis, Section, Table};
 
 use super::{Column, File, ParquetError, Values};
-use crate::csv;
+use crate::{csv, names};
 
 /// Numbers of one group of rows: 64 MB, kept until they are compressed.
 const NUMBERS: usize = 1 << 23;
@@ -29,7 +29,7 @@ impl<W: Write + Send> Writer<W> {
         let schema = analysis.positions.schema();
         let all =
             (0..schema.columns().len()).filter(|column| analysis.survey.has(schema.section_of(*column)));
-        let named = all.filter_map(|column| Some((column, csv::name(schema, schema.columns()[column])?)));
+        let named = all.filter_map(|column| Some((column, names::csv(schema, schema.columns()[column])?)));
         let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();
         let mut names = csv::unique(std::iter::once("index".to_owned()).chain(names)).into_iter();
         let name = names.next().unwrap_or_default();

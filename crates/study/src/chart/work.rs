@@ -13,6 +13,9 @@ use super::{ChartError, Reference};
 /// the equations of a group are undetermined there.
 const NEAR_CHANGE: f64 = 0.02;
 
+/// Of more positions so many are taken, equally spaced: ten for each degree of a turn. Their references are kept.
+const MOST_POSITIONS: usize = 3600;
+
 /// The positions with their reference.
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
@@ -31,10 +34,11 @@ impl<'a> Work<'a> {
     pub(crate) fn new(linkage: &'a Linkage) -> Result<Self, ChartError> {
         let extended = Chain::<Dd>::compile(&linkage.mechanism, &linkage.structure)?;
         let input = &linkage.mechanism.input;
-        let all: Vec<f64> = (0..input.positions).map(|index| input.coordinate(index)).collect();
+        let count = input.positions.min(MOST_POSITIONS);
+        let spread = (0..count).map(|i| input.coordinate(i * input.positions / count));
         let mut position = linkage.position();
         let near = NEAR_CHANGE * linkage.coordinate_unit();
-        let apart = all.iter().copied().filter(|q| !linkage.is_near_change_point(*q, near));
+        let apart = spread.filter(|q| !linkage.is_near_change_point(*q, near));
         let solved = apart.filter(|q| linkage.solve(*q, Order::Second, &mut position).is_ok());
         let coordinates: Vec<f64> = solved.collect();
         if coordinates.is_empty() {
@@ -46,7 +50,7 @@ impl<'a> Work<'a> {
             truth.push(closed(linkage, &extended, *q).ok_or(ChartError::NoReference { coordinate: *q })?);
         }
         let ruler = Ruler::new(truth.iter().map(Vec::as_slice), linkage.structure.scale);
-        let left = all.len() - coordinates.len();
+        let left = count - coordinates.len();
         let mut work = Self {
             linkage,
             coordinates,
