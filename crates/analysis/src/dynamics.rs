@@ -6,8 +6,8 @@ use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, Stea
 use assur_mechanism::{Motion, Solve};
 
 use crate::results::{
-    AdvisedRegime, Dynamics, Energy, Integration, MotorAdvice, MotorReport, MotorWork, PointReport,
-    RegimePoint, RegimeReport, RunnerUp,
+    AdvisedRegime, Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, MotorAdvice, MotorReport,
+    MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
 };
 use crate::{AnalysisError, Calculation, InputMotion};
 
@@ -50,6 +50,7 @@ impl Calculation {
                 }
                 _ => Vec::new(),
             },
+            energy_mass: energy_mass(regime, self.linkage.mechanism.input.from, self.course(regime)),
             regime: self.regime(found),
             reduction_point: self.reduction_point(),
         })
@@ -76,9 +77,6 @@ impl Calculation {
 
     fn regime(&self, found: &Steady) -> RegimeReport {
         let regime = &found.regime;
-        let input = &self.linkage.mechanism.input;
-        let cycle = input.sign() * input.period().unwrap_or(0.0);
-        let at = |i: u32| input.from + cycle * (f64::from(i) / f64::from(INTERVALS));
         RegimeReport {
             mean_resistance: found.mean_resistance,
             resistance_work: found.resistance_work,
@@ -89,8 +87,16 @@ impl Calculation {
             effort: regime.effort,
             iteration: regime.iterations.clone(),
             trials: regime.trials.clone(),
-            course: (0..=INTERVALS).map(|i| regime_point(regime, at(i))).collect(),
+            course: self.course(regime).collect(),
         }
+    }
+
+    /// The regime over a cycle, its end included.
+    fn course<'a>(&self, regime: &'a Regime) -> impl Iterator<Item = RegimePoint> + use<'a> {
+        let input = &self.linkage.mechanism.input;
+        let (from, cycle) = (input.from, input.sign() * input.period().unwrap_or(0.0));
+        (0..=INTERVALS)
+            .map(move |i| regime_point(regime, from + cycle * (f64::from(i) / f64::from(INTERVALS))))
     }
 
     /// How a transient motion was found; `None` without one.
@@ -111,6 +117,22 @@ impl Calculation {
             events: found.trajectory.events.clone(),
             energy: energy(found),
         })
+    }
+}
+
+fn energy_mass(regime: &Regime, from: f64, course: impl Iterator<Item = RegimePoint>) -> EnergyMass {
+    let energy = |inertia: f64, speed: f64| 0.5 * (inertia + regime.drive_inertia) * speed * speed;
+    let first = regime.state(from);
+    let start = energy(first.inertia, first.speed);
+    let ends = [(regime.speed_max, regime.coordinate_at_max), (regime.speed_min, regime.coordinate_at_min)];
+    EnergyMass {
+        curve: course.map(|at| [at.inertia, energy(at.inertia, at.speed) - start]).collect(),
+        tangents: ends.map(|(speed, coordinate)| {
+            let inertia = regime.state(coordinate).inertia;
+            let touches = [inertia, energy(inertia, speed) - start];
+            EnergyMassTangent { slope: 0.5 * speed * speed, touches, coordinate }
+        }),
+        origin: [-regime.drive_inertia, -start],
     }
 }
 

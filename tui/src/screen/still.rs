@@ -58,7 +58,9 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
 pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
     let methods = [request.analyzer.clone(), request.integrator.clone()];
-    let mut state = analyzed(open(scene)?, methods, false);
+    // Residuals are quantities too, and known after the checks.
+    let checks = request.show.is_some() && request.view == View::Curves.command();
+    let mut state = analyzed(open(scene)?, methods, checks);
     let size = request.size.unwrap_or(PAGE);
     let wrong = |error: String| StillError::Request(error);
     state.view = View::all().find(|view| view.command() == request.view).unwrap_or(View::Mechanism);

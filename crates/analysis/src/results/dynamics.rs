@@ -52,6 +52,8 @@ pub struct Dynamics {
     /// Where the unevenness follows from the motor: the motors that would do, with the greatest unevenness of each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub motors_by_unevenness: Vec<MotorAdvice>,
+    /// The energy-mass diagram of the regime (Wittenbauer).
+    pub energy_mass: EnergyMass,
     /// The regime over the cycle.
     pub regime: RegimeReport,
     /// The point of the input link to which loads and masses are reduced, too.
@@ -84,6 +86,33 @@ pub struct RegimeReport {
     pub trials: Vec<Trial>,
     /// Over a cycle: speeds, moments and inertia (S figs. 8, 9, 12); the end of the cycle is the last row.
     pub course: Vec<RegimePoint>,
+}
+
+/// The energy-mass diagram (Wittenbauer): the work of all moments over the reduced inertia of the links, between the two
+/// straight lines of the greatest and of the least speed.
+///
+/// Both lines touch the curve and meet at [`origin`](Self::origin); with a greater flywheel they meet farther to the left and
+/// are more nearly parallel.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EnergyMass {
+    /// Over the cycle: reduced inertia of the links without flywheel and rotor, kg m² (kg), and work of all moments since the
+    /// first position, J.
+    pub curve: Vec<[f64; 2]>,
+    /// The lines of the greatest and of the least speed.
+    pub tangents: [EnergyMassTangent; 2],
+    /// Where both lines meet: less the inertia of flywheel and rotor, and less the kinetic energy in the first position.
+    pub origin: [f64; 2],
+}
+
+/// A line of constant speed in the energy-mass diagram.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EnergyMassTangent {
+    /// Half the square of the speed: energy over inertia along the line.
+    pub slope: f64,
+    /// Where it touches the curve.
+    pub touches: [f64; 2],
+    /// The coordinate of this position, rad or m.
+    pub coordinate: f64,
 }
 
 /// The regime at one coordinate.

@@ -38,8 +38,8 @@ pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};
 pub use cycle::{Cycle, PositionPlans};
 pub use dynamics::{
-    AdvisedRegime, Dynamics, MotorAdvice, MotorReport, MotorWork, PointReport, RegimePoint, RegimeReport,
-    RunnerUp,
+    AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
+    RegimePoint, RegimeReport, RunnerUp,
 };
 pub use motion::{Energy, Integration};
 pub use named::Named;

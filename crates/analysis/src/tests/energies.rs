@@ -67,3 +67,37 @@ fn shares_of_links_sum_to_the_reduced_inertia() {
         assert!((sum - whole).abs() <= 1e-14 * whole, "{row}: {sum} {whole}");
     }
 }
+
+/// The curve of the energy-mass diagram lies between its tangents, which meet at the origin and touch it; it is the work of
+/// the energies over the cycle.
+#[test]
+fn the_energy_mass_diagram_lies_between_its_tangents() {
+    for name in ["shaper-drive", "flywheel"] {
+        let found = analyzed(&text(name));
+        let dynamics = found.dynamics.as_ref().unwrap();
+        let diagram = &dynamics.energy_mass;
+        let [x, y] = diagram.origin;
+        let size = -y;
+        for tangent in &diagram.tangents {
+            let [inertia, work] = tangent.touches;
+            assert!((y + tangent.slope * (inertia - x) - work).abs() < 1e-12 * size, "{name}");
+        }
+        let [fast, slow] = diagram.tangents.map(|tangent| tangent.slope);
+        for [inertia, work] in &diagram.curve {
+            let along = |slope: f64| y + slope * (inertia - x);
+            assert!(*work <= along(fast) + 1e-12 * size && *work >= along(slow) - 1e-12 * size, "{name}");
+        }
+        // Half of the cycle on: driving and resisting work together.
+        let row = found.trajectory.len() / 2;
+        let works = [Quantity::DrivingWork, Quantity::ResistingWork];
+        let work: f64 = works
+            .map(|quantity| found.trajectory.get(row, Column::of(quantity, Owner::Input)).unwrap())
+            .iter()
+            .sum();
+        assert!((work - diagram.curve[diagram.curve.len() / 2][1]).abs() < 1e-9 * size, "{name}");
+        // Wittenbauer: what the tangents cut off the axis of the energy, over the difference of their slopes.
+        let cut = (y - fast * x) - (y - slow * x);
+        let inertia = cut / (fast - slow);
+        assert!((inertia - dynamics.regime.shaft_inertia).abs() < 1e-9 * inertia, "{name}: {inertia}");
+    }
+}

@@ -82,7 +82,7 @@ impl View {
             Forces => &[Part::Overview, Part::Causes, Part::Curves, Part::Hodograph],
             Plans => &[Part::Forces, Part::Velocities, Part::Accelerations, Part::Construction],
             Motion => &[Part::Overview, Part::Course, Part::Iteration],
-            Drive => &[Part::Overview, Part::Curves, Part::Places],
+            Drive => &[Part::Overview, Part::Curves, Part::Places, Part::EnergyMass, Part::Inertia],
             _ => &[],
         }
     }
@@ -105,6 +105,10 @@ pub(crate) enum Part {
     Iteration,
     /// The flywheel in its two places, and other motors.
     Places,
+    /// The energy-mass diagram.
+    EnergyMass,
+    /// The shares of the reduced inertia.
+    Inertia,
     /// Force polygons.
     Forces,
     /// The plan of velocities.
@@ -126,6 +130,8 @@ impl Part {
             Self::Course => "course",
             Self::Iteration => "iteration",
             Self::Places => "places",
+            Self::EnergyMass => "energy-mass",
+            Self::Inertia => "inertia",
             Self::Forces => "forces",
             Self::Velocities => "velocities",
             Self::Accelerations => "accelerations",

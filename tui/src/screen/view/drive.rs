@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::motion::{numbers, unevenness};
-use super::regime;
+use super::{energy, regime};
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
@@ -29,7 +29,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let heading = unevenness(dynamics, angular) + flywheel.as_deref().unwrap_or_default();
     put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
-        Part::Curves => paint(state, &figure(state, scene, 1), area, buffer),
+        Part::Curves | Part::EnergyMass | Part::Inertia => {
+            paint(state, &figure(state, scene, 1), area, buffer)
+        }
         Part::Places => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
         _ => {
             let area = warned(state, dynamics, area, buffer);
@@ -57,12 +59,18 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     rest
 }
 
-/// Characteristic and moments, in so many columns.
+/// Characteristic and moments, the energy-mass diagram, or the shares of the reduced inertia, in so many columns.
 pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
-    let dynamics = scene.found.as_ref().and_then(|found| found.analysis.dynamics.as_ref());
-    let Some(dynamics) = dynamics else { return Figure::default() };
-    let moments = regime::moments(state, scene, &dynamics.regime);
-    let panels = regime::characteristic(dynamics).into_iter().chain([moments]).collect();
+    let Some(found) = &scene.found else { return Figure::default() };
+    let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
+    let panels = match state.part(View::Drive) {
+        Part::EnergyMass => vec![energy::energy_mass(&dynamics.energy_mass)],
+        Part::Inertia => vec![energy::shares(state, scene, found, dynamics)],
+        _ => {
+            let moments = regime::moments(state, scene, &dynamics.regime);
+            regime::characteristic(dynamics).into_iter().chain([moments]).collect()
+        }
+    };
     Figure { title: "drive".to_owned(), panels, columns, legend: Vec::new() }
 }
 

@@ -8,6 +8,7 @@ mod causes;
 mod checks;
 pub(crate) mod curves;
 mod drive;
+mod energy;
 mod footer;
 mod forces;
 mod header;

@@ -1,14 +1,17 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
 use assur_analysis::results::{Dynamics, RegimePoint, RegimeReport};
-use assur_figure::{Axis, Panel};
+use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots;
+use super::{energy, plots};
 use crate::number::digits;
-use crate::screen::draw::put_lines;
+use crate::screen::draw::{paint, put_lines, short};
 use crate::screen::state::{Role, Scene, State, coordinate_unit};
+
+/// Rows that the curves below the table of the iteration need.
+const PLOTS: u16 = 8;
 
 /// Points of a quantity over the cycle, the coordinate in the unit that is shown.
 fn over(scene: &Scene, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64) -> Vec<[f64; 2]> {
@@ -82,5 +85,11 @@ pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, b
         let row = format!("{:>4} {ratio:>12} {flywheel:>12} {speed:>14} {unevenness:>12}", trial.number);
         lines.push((Role::Plain, row));
     }
-    put_lines(buffer, area, 1, state.look, &lines);
+    let [table, below] =
+        Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
+    put_lines(buffer, table, 1, state.look, &lines);
+    if below.height >= PLOTS {
+        let panels = energy::iteration(regime);
+        paint(state, &Figure { title: String::new(), panels, columns: 2, legend: Vec::new() }, below, buffer);
+    }
 }
