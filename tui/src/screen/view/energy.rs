@@ -25,13 +25,13 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
     let table = &found.analysis.positions;
     let schema = table.schema();
     let mut sums = vec![dynamics.regime.shaft_inertia; table.len()];
-    let mut names = vec!["flywheel and rotor".to_owned()];
+    let mut names = vec!["drive".to_owned()];
     let mut levels = vec![sums.clone()];
     for owner in schema.owners(Quantity::ReducedInertia) {
         let column = schema.find(Column::of(Quantity::ReducedInertia, owner));
         let (Owner::Link(_), Some(column)) = (owner, column) else { continue };
         sums.iter_mut().zip(table.each(column)).for_each(|(sum, share)| *sum += share.unwrap_or(f64::NAN));
-        names.push(schema.name(owner).into_owned());
+        names.push(format!("+ {}", schema.name(owner)));
         levels.push(sums.clone());
     }
     let places: Vec<f64> =
@@ -53,7 +53,7 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         cursor: Some(plots::coordinate(scene, state.at())),
     };
     Panel {
-        title: format!("reduced inertia, each share on those before: {}", names.join("  ")),
+        title: format!("reduced inertia: {}", names.join("  ")),
         frame,
         items,
     }
