@@ -52,11 +52,7 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         y,
         cursor: Some(plots::coordinate(scene, state.at())),
     };
-    Panel {
-        title: format!("reduced inertia: {}", names.join("  ")),
-        frame,
-        items,
-    }
+    Panel { title: format!("reduced inertia: {}", names.join("  ")), frame, items }
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
