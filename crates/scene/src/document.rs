@@ -1,5 +1,7 @@
 //! TOML files with faults that are reported with their place: scenes, and other files that the program reads.
 
+use std::ops::Range;
+
 use toml::de::DeTable;
 
 pub use crate::error::Fault;
@@ -55,15 +57,51 @@ pub fn read<T>(
     let value = if syntax.is_empty() {
         Some(make(&Section::root(document.get_ref(), what, known, &faults)))
     } else {
-        for error in syntax.iter().take(SYNTAX_FAULTS) {
-            let span = error.span().unwrap_or(0..0);
-            faults.push(Fault::new(span.clone(), syntax_words(error.message(), text.get(span))));
+        let errors = syntax.iter().map(|error| (error.span().unwrap_or(0..0), error.message()));
+        for fault in syntax_faults(text, errors) {
+            faults.push(fault);
         }
         None
     };
     match value.filter(|_| faults.is_empty()) {
         Some(value) => Ok(value),
         None => Err(faults.into_errors(file_name, text)),
+    }
+}
+
+/// The first faults of the syntax, in the order of the file. A text without its closing quote is the last one: what follows
+/// it is read as something else than it is.
+fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m str)>) -> Vec<Fault> {
+    let mut errors: Vec<_> = errors.collect();
+    errors.sort_by_key(|(span, _)| span.start);
+    let mut faults = Vec::new();
+    for (span, message) in errors.into_iter().take(SYNTAX_FAULTS) {
+        if let Some(start) = unclosed(text, span.start, message) {
+            let message = "not TOML: this text has no closing quote";
+            faults.push(Fault::new(start..start + 1, message).label("it begins here"));
+            break;
+        }
+        faults.push(Fault::new(span.clone(), syntax_words(message, text.get(span))));
+    }
+    faults
+}
+
+/// Where the text begins whose closing quote the parser misses; `None` for another fault.
+fn unclosed(text: &str, at: usize, message: &str) -> Option<usize> {
+    let (kind, expected) = message.strip_prefix("invalid ")?.split_once(" string, expected ")?;
+    if !["`\"`", "`'`"].contains(&expected) {
+        return None;
+    }
+    let before = text.get(..at)?;
+    match kind {
+        "basic" | "literal" => {
+            let quote = if kind == "basic" { '"' } else { '\'' };
+            let line = before.rfind('\n').map_or(0, |end| end + 1);
+            before[line..].rfind(quote).map(|start| line + start)
+        }
+        "multi-line basic" => before.rfind("\"\"\""),
+        "multi-line literal" => before.rfind("'''"),
+        _ => None,
     }
 }
 

@@ -29,7 +29,7 @@ impl Drawing<'_> {
         let PairGeometry::Pin { at_a, at_b } = inner.geometry else { return Vec::new() };
         let links = [*one, *two];
         let ends = links.map(|link| if link == inner.a { at_a } else { at_b });
-        let hanging = links.map(|link| self.hanging(pose, group.frame.outer.as_slice(), link));
+        let hanging = links.map(|link| hanging(pose, &group.frame.outer, link));
         let [Some(first), Some(second)] = hanging else { return Vec::new() };
         let Some(bodies) = nearest([first, second], ends) else { return Vec::new() };
         let mut items = Vec::new();
@@ -43,27 +43,26 @@ impl Drawing<'_> {
         items.push(Item::name([0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis])), "gap", Ink::Marked));
         items
     }
+}
 
-    /// How a link hangs in its outer pair; `None` if it has none.
-    fn hanging(&self, pose: &Position, outer: &[assur_group::Pair], link: LinkId) -> Option<Hanging> {
-        let pair = outer.iter().find(|pair| [pair.a, pair.b].contains(&link))?;
-        let (is_a, other) = (pair.a == link, &pose.bodies[if pair.a == link { pair.b } else { pair.a }]);
-        Some(match pair.geometry {
-            PairGeometry::Pin { at_a, at_b } => {
-                let (own, outer) = if is_a { (at_a, at_b) } else { (at_b, at_a) };
-                Hanging::Pin { at: other.point(outer), own }
-            }
-            PairGeometry::Slide { point, through, angle, tilt } => {
-                let turn = if is_a { angle + tilt } else { -angle - tilt };
-                let axis = other.turned([turn.cos(), turn.sin()]);
-                let along = if is_a { angle } else { -tilt };
-                let along = other.turned([along.cos(), along.sin()]);
-                let (own, at) =
-                    if is_a { (point, other.point(through)) } else { (through, other.point(point)) };
-                Hanging::Slide { pose: placed(axis, own, at), along }
-            }
-        })
-    }
+/// How a link hangs in its outer pair; `None` if it has none.
+fn hanging(pose: &Position, outer: &[assur_group::Pair], link: LinkId) -> Option<Hanging> {
+    let pair = outer.iter().find(|pair| [pair.a, pair.b].contains(&link))?;
+    let (is_a, other) = (pair.a == link, &pose.bodies[if pair.a == link { pair.b } else { pair.a }]);
+    Some(match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => {
+            let (own, outer) = if is_a { (at_a, at_b) } else { (at_b, at_a) };
+            Hanging::Pin { at: other.point(outer), own }
+        }
+        PairGeometry::Slide { point, through, angle, tilt } => {
+            let turn = if is_a { angle + tilt } else { -angle - tilt };
+            let axis = other.turned([turn.cos(), turn.sin()]);
+            let along = if is_a { angle } else { -tilt };
+            let along = other.turned([along.cos(), along.sin()]);
+            let (own, at) = if is_a { (point, other.point(through)) } else { (through, other.point(point)) };
+            Hanging::Slide { pose: placed(axis, own, at), along }
+        }
+    })
 }
 
 /// A body whose x axis has a direction, with a point of its own at a place.

@@ -258,3 +258,27 @@ fn wishes() {
         ),
     );
 }
+
+#[test]
+fn a_text_without_its_closing_quote_is_reported_where_it_begins() {
+    let scene = |title: &str, length: &str| {
+        format!(
+            "title = {title}\n[ground]\npoints = {{ O = [0, 0] }}\n[link.crank]\npoints = {{ O = 0, A = {length} }}\n\
+             mass = \"3 kg\"\ninertia = \"1 kg*m^2\"\n[input]\nlink = \"crank\"\n"
+        )
+    };
+    for (text, place) in [
+        (scene("\"a", "1"), (1, 9)),
+        (scene("'a", "1"), (1, 9)),
+        (scene("\"\"\"a", "1"), (1, 9)),
+        (scene("'''a", "1"), (1, 9)),
+        // In a table within braces the parser goes on over the end of the line.
+        (scene("\"a\"", "\"100 mm"), (5, 23)),
+        (scene("\"a\"", "'100 mm"), (5, 23)),
+    ] {
+        let errors = crate::read("scene.toml", &text).unwrap_err().errors;
+        let found: Vec<_> = errors.iter().map(|error| (error.line, error.column)).collect();
+        assert_eq!(found, [place], "{text}\n{errors:?}");
+        assert!(errors[0].message.contains("no closing quote"), "{errors:?}");
+    }
+}

@@ -2,8 +2,8 @@
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    Arrows, Help, Job, Marker, PACES, Part, Purpose, Role, Scene, Source, State, Theme, Traces, View, Wish,
-    Zoom, following, round,
+    Arrows, FRAMES, Help, Job, Marker, PACES, Part, Purpose, Role, Scene, Source, State, Theme, Traces, View,
+    Wish, Zoom, following, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -74,7 +74,8 @@ pub(super) fn extreme(state: &mut State, sense: isize) {
 /// A faster (1) or slower (-1) motion.
 pub(super) fn pace(state: &mut State, by: isize) {
     state.pace = state.pace.saturating_add_signed(by).min(PACES.len() - 1);
-    let text = format!("{} positions a second", PACES[state.pace] * f64::from(state.look.fps));
+    let pace = f64::from(PACES[state.pace]) / f64::from(FRAMES);
+    let text = format!("{} positions a second", pace * f64::from(state.look.fps));
     state.say(Role::Plain, text);
 }
 

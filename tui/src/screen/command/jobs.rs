@@ -44,7 +44,7 @@ pub(super) fn stop(state: &mut State) {
 /// Replaces the open scene by another one, and requests its analysis; returns the scene before.
 pub(super) fn exchange(state: &mut State, scene: Scene) -> Option<Scene> {
     state.position = state.position.min(scene.positions().saturating_sub(1));
-    state.phase = 0.0;
+    state.phase = 0;
     let before = state.scene.replace(scene);
     stop_running(state, |purpose| purpose == Purpose::Measurement);
     state.measured = None;

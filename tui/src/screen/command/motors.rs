@@ -61,9 +61,7 @@ fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
         characteristic: *characteristic,
     };
     let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
-    let all = catalogues()
-        .and_then(|all| list_motors(&all, &filter).map_err(|error| error))
-        .map_err(|error| error.to_string())?;
+    let all = catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| error.to_string())?;
     let found = select(all, &request).map_err(|error| error.to_string())?;
     // The load on the shaft of another motor, with the ratio that this one needs.
     let work = dynamics.motor.as_ref().map(|motor| &motor.work);
@@ -98,11 +96,10 @@ fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
 
 /// Takes a motor into the scene as a change that can be undone.
 pub(super) fn take(state: &mut State, designation: &str) {
-    match state.what_if.values.iter().position(|value| value.key == KEY) {
-        Some(index) => whatif::put(state, index, edit::quoted(designation)),
-        None => {
-            let text = format!("the scene gives data of its motor: write {KEY} = \"{designation}\" instead");
-            state.say(Role::Bad, text);
-        }
+    if let Some(index) = state.what_if.values.iter().position(|value| value.key == KEY) {
+        whatif::put(state, index, edit::quoted(designation));
+    } else {
+        let text = format!("the scene gives data of its motor: write {KEY} = \"{designation}\" instead");
+        state.say(Role::Bad, text);
     }
 }

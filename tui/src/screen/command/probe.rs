@@ -20,14 +20,15 @@ pub(super) fn toggle(state: &mut State) {
 
 /// Moves the point along an axis of the drawing.
 pub(super) fn shift(state: &mut State, axis: usize, sense: f64) {
-    let (at, Some(scene), Some(probe)) = (state.at(), &state.scene, &mut state.probe) else { return };
-    let Some(pose) = scene.pose(at) else {
+    let part = state.part_way();
+    let (Some(scene), Some(probe)) = (&state.scene, &mut state.probe) else { return };
+    let Some(pose) = scene.pose(state.position, part) else {
         return state.say(Role::Bad, "there is no assembly in this position");
     };
-    let [width, height] = scene.bounds.size();
+    let [width, height] = scene.outline.bounds.size();
     let mut place = pose.bodies[probe.link].point(probe.at);
     place[axis] += sense * STEP * width.max(height) / state.zoom.factor;
-    probe.put(scene, at, place);
+    probe.put(&pose, place);
 }
 
 /// Sets the point on the next link.
@@ -39,8 +40,9 @@ pub(super) fn link(state: &mut State) {
 
 /// Moves the point to a cell of the screen; returns whether there is a drawing.
 pub(super) fn click(state: &mut State, area: Rect, cell: [u16; 2]) -> bool {
-    let Some(place) = mechanism::place_at(state, area, cell) else { return false };
-    let (at, Some(scene), Some(probe)) = (state.at(), &state.scene, &mut state.probe) else { return false };
-    probe.put(scene, at, place);
+    let (place, part) = (mechanism::place_at(state, area, cell), state.part_way());
+    let (Some(scene), Some(probe)) = (&state.scene, &mut state.probe) else { return false };
+    let (Some(place), Some(pose)) = (place, scene.pose(state.position, part)) else { return false };
+    probe.put(&pose, place);
     true
 }

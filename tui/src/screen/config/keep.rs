@@ -2,10 +2,8 @@
 
 use std::path::Path;
 
-use assur_scene::edit::quoted;
-
 use super::Config;
-use super::default::list_of;
+use super::default::settings;
 use crate::files;
 use crate::screen::state::{Look, Panels, Role, State};
 
@@ -34,16 +32,8 @@ pub(crate) fn keep(state: &mut State, file: Option<&Path>) {
 ///
 /// What the user may do instead, if the text can't be changed so that it is read again.
 pub(super) fn kept(text: &str, look: Look, panels: &Panels) -> Result<String, String> {
-    let settings = [
-        ("theme", quoted(look.theme.name())),
-        ("marker", quoted(look.marker.name())),
-        ("ascii", look.ascii.to_string()),
-        ("fps", look.fps.to_string()),
-        ("cell_ratio", format!("{:?}", look.ratio)),
-        ("panels", list_of(panels)),
-    ];
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    for (name, value) in settings {
+    for (_, name, value) in settings(look, panels) {
         let line = format!("{name} = {value}");
         // A setting stands before the first table.
         let tables = lines.iter().position(|line| line.trim_start().starts_with('[')).unwrap_or(lines.len());

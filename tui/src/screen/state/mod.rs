@@ -3,16 +3,19 @@
 
 mod compare;
 mod found;
+mod gather;
 mod job;
 mod key;
 mod keymap;
 mod kinds;
 mod look;
+mod outline;
 mod picker;
 mod plans;
 mod probe;
 mod scene;
 mod series;
+mod shown;
 mod theme;
 mod transfer;
 mod whatif;
@@ -22,7 +25,8 @@ use std::collections::BTreeMap;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use compare::Compared;
-pub(crate) use found::{Found, Reaction};
+pub(crate) use found::Found;
+pub(crate) use gather::Reaction;
 pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
 pub(crate) use key::Key;
@@ -38,8 +42,10 @@ pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
 
-/// Positions by which a frame of the motion goes on.
-pub(crate) const PACES: [f64; 7] = [0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
+/// Greatest number of frames from a position to the next one.
+pub(crate) const FRAMES: u8 = 16;
+/// Parts of the way to the next position, in [`FRAMES`], by which a frame of the motion goes on.
+pub(crate) const PACES: [u8; 7] = [1, 2, 4, 8, 16, 32, 64];
 /// The pace at the start: every position once.
 const EVERY: usize = 4;
 
@@ -61,8 +67,8 @@ pub(crate) struct State {
     /// The other views that are shown beside it where there is room.
     pub(crate) panels: Panels,
     pub(crate) position: usize,
-    /// How far the motion has gone from this position to the next one, from 0 to 1; 0 unless it plays.
-    pub(crate) phase: f64,
+    /// How many [`FRAMES`] the motion has gone from this position towards the next one; 0 unless it plays.
+    pub(crate) phase: u8,
     /// Index in [`PACES`].
     pub(crate) pace: usize,
     pub(crate) chosen: Chosen,
@@ -123,7 +129,7 @@ impl State {
             panels: Panels::default(),
             position: scene.as_ref().map_or(0, Scene::first_position),
             scene,
-            phase: 0.0,
+            phase: 0,
             pace: EVERY,
             chosen: Chosen::default(),
             picked: Vec::new(),
@@ -181,50 +187,6 @@ impl State {
         Some(View::Values).filter(|_| self.values_open()).or(probe)
     }
 
-    /// The part of a view that is shown: the chosen one if there is something to show in it.
-    pub(crate) fn part(&self, view: View) -> Part {
-        let parts = self.available_parts(view);
-        let chosen = self.parts.get(&view).filter(|part| parts.contains(part));
-        chosen.or(parts.first()).copied().unwrap_or(Part::Overview)
-    }
-
-    /// The parts of a view in which there is something to show.
-    pub(crate) fn available_parts(&self, view: View) -> Vec<Part> {
-        let found = self.found();
-        let reaction = found.and_then(|found| found.reactions.get(self.chosen.reaction));
-        let regime = found.is_some_and(|found| found.analysis.dynamics.is_some());
-        let has = |part: &Part| match (view, part) {
-            // The balancing load has one number, no direction.
-            (View::Forces, Part::Hodograph) => reaction.is_some_and(|reaction| reaction.series.len() == 3),
-            (View::Motion, Part::Course) => {
-                regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
-            }
-            (View::Motion, Part::Iteration) => regime,
-            _ => true,
-        };
-        view.parts().iter().copied().filter(has).collect()
-    }
-
-    /// The quantity that the view is about: what the keys to the greatest and least value mean.
-    pub(crate) fn main_series(&self) -> Option<&Series> {
-        let scene = self.scene.as_ref()?;
-        let of_found = |index: usize| scene.found.as_ref()?.series.get(index);
-        let transfer = || scene.series.get(scene.transfers.get(self.chosen.transfer)?.orders[0]);
-        match self.view {
-            View::Table => scene.column(self.chosen.column),
-            View::Forces => {
-                let reaction = self.found()?.reactions.get(self.chosen.reaction)?;
-                of_found(*reaction.series.last()?)
-            }
-            View::Motion => {
-                let motion = &self.found()?.motion;
-                of_found(*motion.get(self.chosen.motion % motion.len().max(1))?)
-            }
-            View::Curves => self.picked.last().and_then(|short| scene.named(short)).or_else(transfer),
-            _ => transfer(),
-        }
-    }
-
     /// The command of a name.
     pub(crate) fn named(&self, name: &str) -> Option<&'static Command> {
         self.commands.iter().find(|command| command.name == name)
@@ -257,51 +219,39 @@ impl State {
     /// Moves by this many positions, cyclically.
     pub(crate) fn step(&mut self, by: isize) {
         self.position = round(self.position, by, self.positions());
-        self.phase = 0.0;
+        self.phase = 0;
     }
 
     /// The next frame of the motion that plays.
     pub(crate) fn advance(&mut self) {
-        let ahead = self.phase + PACES[self.pace % PACES.len()];
         // Between the last position and the first one there is a way only where they close a cycle.
         let closed = self.scene.as_ref().is_some_and(Scene::closed);
-        let whole =
-            if ahead >= 1.0 || !closed && self.position + 1 == self.positions() { ahead.ceil() } else { 0.0 };
-        if whole > 0.0 {
-            self.step(PACES[self.pace % PACES.len()].max(1.0) as isize);
-        } else {
-            self.phase = ahead;
+        let end = !closed && self.position + 1 == self.positions();
+        let ahead = if end { FRAMES } else { self.phase + PACES[self.pace % PACES.len()] };
+        if ahead >= FRAMES {
+            self.step(isize::from(ahead / FRAMES));
         }
+        self.phase = ahead % FRAMES;
+    }
+
+    /// How far the motion has gone from the present position to the next one, from 0 to 1.
+    pub(crate) fn part_way(&self) -> f64 {
+        f64::from(self.phase) / f64::from(FRAMES)
     }
 
     /// The place in the motion as a number of a position, with a fraction between two of them.
     pub(crate) fn at(&self) -> f64 {
-        self.position as f64 + self.phase
+        self.position as f64 + self.part_way()
     }
 
     /// Goes to a position; a message if there is none of that number.
     pub(crate) fn go_to(&mut self, position: usize) {
         let last = self.positions() - 1;
         if position <= last {
-            (self.position, self.phase) = (position, 0.0);
+            (self.position, self.phase) = (position, 0);
         } else {
             self.say(Role::Bad, format!("there is no position {position}: the last one is {last}"));
         }
-    }
-
-    /// The positions in the order of the table's rows.
-    pub(crate) fn order(&self) -> Vec<usize> {
-        let Some(scene) = &self.scene else { return Vec::new() };
-        let mut order: Vec<usize> = (0..scene.positions()).collect();
-        if let Some((column, up)) = self.sorted
-            && let Some(series) = scene.column(column)
-        {
-            order.sort_by(|a, b| series.at(*a).total_cmp(&series.at(*b)));
-            if !up {
-                order.reverse();
-            }
-        }
-        order
     }
 
     /// The first line that is shown of the text of the view.
@@ -317,20 +267,5 @@ impl State {
     /// Shows a message until the next key.
     pub(crate) fn say(&mut self, role: Role, text: impl Into<String>) {
         self.message = Some((role, text.into()));
-    }
-
-    /// Whether a view has something to show.
-    pub(crate) fn has(&self, view: View) -> bool {
-        let found = self.found();
-        match view {
-            View::Forces => found.is_some_and(|found| !found.reactions.is_empty()),
-            View::Plans => found.is_some(),
-            View::Motion => {
-                found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
-            }
-            View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
-            View::Checks => found.is_some_and(|found| !found.analysis.checks.is_empty()),
-            _ => self.scene.is_some(),
-        }
     }
 }

@@ -1,5 +1,6 @@
 //! A point that is moved over the drawing, to see which curve a point of a link describes.
 
+use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
 
 use super::scene::Scene;
@@ -38,15 +39,14 @@ impl Probe {
 
     /// Its path over the whole cycle, m; NaN where there is no assembly.
     pub(crate) fn path(&self, scene: &Scene) -> Vec<[f64; 2]> {
-        let at = |position: &Option<assur_kinematics::Position>| {
+        let at = |position: &Option<Position>| {
             position.as_ref().map_or([f64::NAN; 2], |position| position.bodies[self.link].point(self.at))
         };
-        scene.fine.iter().map(at).collect()
+        scene.outline.fine.iter().map(at).collect()
     }
 
-    /// Moves it so that it is at a place of the plane (m) in a position.
-    pub(crate) fn put(&mut self, scene: &Scene, at: f64, place: [f64; 2]) {
-        let Some(pose) = scene.pose(at) else { return };
+    /// Moves it so that it is at a place of the plane (m) in a position of the mechanism.
+    pub(crate) fn put(&mut self, pose: &Position, place: [f64; 2]) {
         let body = &pose.bodies[self.link];
         let origin = body.point([0.0; 2]);
         let [x, y] = [place[0] - origin[0], place[1] - origin[1]];

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_analysis::MOST_KEPT;
-use assur_figure::Bounds;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
-use assur_mechanism::{GROUND, Range};
+use assur_mechanism::Range;
 use assur_scene::edit::{Document, SceneValue};
 
 use super::found::Found;
+use super::outline::Outline;
 use super::series::{Owner, Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
@@ -53,18 +53,10 @@ pub(crate) struct Scene {
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
-    /// Why a position can't be assembled.
-    pub(crate) failures: Vec<Option<String>>,
-    /// Of a position that can't be assembled, the links that have their places, and the first group that has none.
-    pub(crate) broken: Vec<Option<(Position, usize)>>,
-    /// Closely spaced positions over the whole cycle, for paths; `None` where there is no assembly.
-    pub(crate) fine: Vec<Option<Position>>,
-    /// Paths of the points over the whole cycle, m; empty for points of the ground.
-    pub(crate) paths: Vec<Vec<[f64; 2]>>,
-    /// Least and greatest displacement of each slide, m.
-    pub(crate) strokes: Vec<[f64; 2]>,
-    /// Bounds of the drawing over the whole cycle.
-    pub(crate) bounds: Bounds,
+    /// The positions that can't be assembled, by number.
+    pub(crate) broken: Vec<Option<Broken>>,
+    /// The whole cycle for drawings.
+    pub(crate) outline: Outline,
     /// Every quantity over the positions.
     pub(crate) series: Vec<Series>,
     /// The quantities with two derivatives.
@@ -77,8 +69,16 @@ pub(crate) struct Scene {
     pub(crate) fault: Option<String>,
 }
 
-/// Number of positions added between the scene's own to make a path smooth.
-const PATH_POINTS: usize = 240;
+/// A position that can't be assembled.
+#[derive(Debug)]
+pub(crate) struct Broken {
+    /// Why: what, by how much, where.
+    pub(crate) why: String,
+    /// The links that have a place; the others are at NaN.
+    pub(crate) pose: Position,
+    /// The first group that has none.
+    pub(crate) group: usize,
+}
 
 impl Scene {
     /// Reads and compiles a scene.
@@ -103,43 +103,29 @@ impl Scene {
             };
             located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
         })?;
-        let (mut poses, mut failures, mut broken) = (Vec::new(), Vec::new(), Vec::new());
-        for index in 0..linkage.mechanism.input.positions {
-            let mut position = nowhere(&linkage);
-            let error = linkage.solve_index(index, Order::Second, &mut position).err();
-            failures.push(error.as_ref().map(|error| failure(&linkage, index, error)));
-            let (pose, rest) = match error {
-                None => (Some(position), None),
-                Some(error) => (None, Some((error.group, position))),
-            };
-            poses.push(pose);
-            broken.push(rest.map(|(group, position)| {
-                let placed = first_without_place(&linkage, &position).min(group);
-                (position, placed)
-            }));
-        }
-        let fine = fine_positions(&linkage);
-        let paths = paths(&linkage, &fine);
-        let strokes = strokes(&linkage, &fine);
+        Ok(Self::of(source, text, linkage))
+    }
+
+    /// The scene of a compiled linkage.
+    fn of(source: Source, text: &str, linkage: Linkage) -> Self {
+        let solved = (0..linkage.mechanism.input.positions).map(|index| solve(&linkage, index));
+        let (poses, broken): (Vec<_>, Vec<Option<Broken>>) = solved.unzip();
+        let outline = Outline::of(&linkage, broken.iter().flatten().map(|broken| &broken.pose));
         let (series, transfers) = transfer::series(&linkage, &poses);
-        Ok(Self {
+        Self {
             source,
             text: text.to_owned(),
             values: Document::of(text).values(),
-            bounds: bounds(&linkage, &fine, &paths, &strokes, &broken),
             linkage: Arc::new(linkage),
             poses,
-            failures,
             broken,
-            fine,
-            paths,
-            strokes,
+            outline,
             series,
             transfers,
             found: None,
             other: None,
             fault: None,
-        })
+        }
     }
 
     /// Number of positions.
@@ -150,7 +136,7 @@ impl Scene {
     /// Whether the positions close a cycle: the first follows the last.
     pub(crate) fn closed(&self) -> bool {
         matches!(self.linkage.mechanism.input.range, Range::Cycle(_))
-            && self.failures.iter().all(Option::is_none)
+            && self.poses.iter().all(Option::is_some)
     }
 
     /// The least determinant of a group over the positions, and the position that has it.
@@ -170,18 +156,15 @@ impl Scene {
         least.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// The mechanism at a number of a position, also between two of them; `None` where there is no assembly.
-    pub(crate) fn pose(&self, at: f64) -> Option<Cow<'_, Position>> {
-        let number = at.floor();
-        let input = &self.linkage.mechanism.input;
-        let index = (0..self.poses.len()).find(|index| *index as f64 == number)?;
-        if at == number {
-            return self.poses[index].as_ref().map(Cow::Borrowed);
+    /// The mechanism in a position, or on a part of the way to the next one; `None` where there is no assembly.
+    pub(crate) fn pose(&self, index: usize, part: f64) -> Option<Cow<'_, Position>> {
+        if part > 0.0 {
+            let [from, to] = [index, index + 1].map(|index| self.linkage.mechanism.input.coordinate(index));
+            let mut position = self.linkage.position();
+            let solved = self.linkage.solve(from + part * (to - from), Order::Second, &mut position);
+            return solved.ok().map(|()| Cow::Owned(position));
         }
-        let [from, to] = [index, index + 1].map(|index| input.coordinate(index));
-        let mut position = self.linkage.position();
-        let solved = self.linkage.solve(from + (at - number) * (to - from), Order::Second, &mut position);
-        solved.ok().map(|()| Cow::Owned(position))
+        self.poses.get(index)?.as_ref().map(Cow::Borrowed)
     }
 
     /// The first position that exists, or 0.
@@ -190,18 +173,16 @@ impl Scene {
     }
 }
 
-/// Storage for a position in which no link has a place yet.
-fn nowhere(linkage: &Linkage) -> Position {
-    let mut position = linkage.position();
-    position.bodies.iter_mut().skip(1).for_each(|body| body.x = f64::NAN);
-    position
-}
-
-/// The first group with a link that has no place.
-fn first_without_place(linkage: &Linkage, position: &Position) -> usize {
-    let placed = |link: &usize| position.bodies[*link].x.is_finite();
+/// Solves a position: its pose, or what there is of it.
+fn solve(linkage: &Linkage, index: usize) -> (Option<Position>, Option<Broken>) {
+    let mut pose = linkage.position();
+    pose.bodies.iter_mut().skip(1).for_each(|body| body.x = f64::NAN);
+    let Err(error) = linkage.solve_index(index, Order::Second, &mut pose) else { return (Some(pose), None) };
+    let placed = |link: &usize| pose.bodies[*link].x.is_finite();
     let groups = &linkage.structure.groups;
-    groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(groups.len())
+    let group = groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(error.group);
+    let why = failure(linkage, index, &error);
+    (None, Some(Broken { why, pose, group: group.min(error.group) }))
 }
 
 /// Why a position does not exist, the most important first: what, by how much, where.
@@ -214,75 +195,6 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
     let gap = format!("{:.4}", 1e3 * gap_m);
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     format!("no assembly: misses by {gap} mm in position {index}, {coordinate}; {group}")
-}
-
-/// Closely spaced positions, for drawings of the whole cycle.
-fn fine_positions(linkage: &Linkage) -> Vec<Option<Position>> {
-    let input = &linkage.mechanism.input;
-    let (from, to) = match input.range {
-        Range::Cycle(cycle) => (input.from, input.from + input.direction.sign() * cycle),
-        Range::To(to) => (input.from, to),
-    };
-    (0..=PATH_POINTS)
-        .map(|i| {
-            let mut position = linkage.position();
-            let coordinate = from + (to - from) * i as f64 / PATH_POINTS as f64;
-            linkage.solve(coordinate, Order::Place, &mut position).is_ok().then_some(position)
-        })
-        .collect()
-}
-
-fn paths(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<Vec<[f64; 2]>> {
-    let points = &linkage.mechanism.points;
-    (0..points.len())
-        .map(|id| {
-            if points[id].places.iter().any(|place| place.link == GROUND) {
-                return Vec::new();
-            }
-            fine.iter()
-                .map(|p| p.as_ref().map_or([f64::NAN; 2], |p| linkage.point_motion(id, p).pf0))
-                .collect()
-        })
-        .collect()
-}
-
-fn strokes(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<[f64; 2]> {
-    (0..linkage.mechanism.slides.len())
-        .map(|id| {
-            let displacements = fine.iter().flatten().map(|position| linkage.slide_motion(id, position).pf0);
-            displacements.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s), h.max(s)])
-        })
-        .collect()
-}
-
-fn bounds(
-    linkage: &Linkage,
-    fine: &[Option<Position>],
-    paths: &[Vec<[f64; 2]>],
-    strokes: &[[f64; 2]],
-    broken: &[Option<(Position, usize)>],
-) -> Bounds {
-    let mut bounds = Bounds::EMPTY;
-    for (position, _) in broken.iter().flatten() {
-        let places = linkage.mechanism.points.iter().flat_map(|point| &point.places);
-        let at = places.map(|place| position.bodies[place.link].point(place.at));
-        at.filter(|at| at[0].is_finite()).for_each(|at| bounds.add(at));
-    }
-    for point in &linkage.mechanism.points {
-        point.places.iter().filter(|place| place.link == GROUND).for_each(|place| bounds.add(place.at));
-    }
-    paths.iter().flatten().for_each(|at| bounds.add(*at));
-    for (slide, &[low, high]) in linkage.mechanism.slides.iter().zip(strokes) {
-        for position in fine.iter().flatten().step_by(8) {
-            let body = &position.bodies[slide.on];
-            let (s, c) = slide.angle.sin_cos();
-            let (through, along) = (body.point(slide.through), body.turned([c, s]));
-            for d in [low, high] {
-                bounds.add([through[0] + d * along[0], through[1] + d * along[1]]);
-            }
-        }
-    }
-    bounds
 }
 
 impl Scene {

@@ -68,7 +68,7 @@ fn event(state: &mut State, dice: &mut Dice) {
 /// What holds in every state.
 fn check(state: &State) {
     assert!(state.position < state.positions());
-    assert!((0.0..1.0).contains(&state.phase));
+    assert!((0.0..1.0).contains(&state.part_way()));
     let Some(scene) = &state.scene else { return };
     assert!(state.chosen.transfer < scene.transfers.len().max(1));
     assert!(state.chosen.group < scene.linkage.structure.groups.len().max(1));

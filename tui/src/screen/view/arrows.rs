@@ -79,7 +79,7 @@ fn most(scene: &Scene, order: usize) -> f64 {
 
 /// Length, m, of an arrow of size 1; equal in all positions, so that lengths can be compared.
 fn length(scene: &Scene, order: usize) -> Option<f64> {
-    let [width, height] = scene.bounds.size();
+    let [width, height] = scene.outline.bounds.size();
     let size = width.min(height).max(FLAT * width.max(height));
     let most = most(scene, order);
     (most > 0.0).then(|| LONGEST * size / most)

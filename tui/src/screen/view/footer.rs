@@ -58,8 +58,8 @@ pub(super) fn calculating(state: &State, running: &Running) -> String {
 /// Why this position, or else another one, can't be assembled.
 fn failure(state: &State) -> Option<String> {
     let scene = state.scene.as_ref()?;
-    let here = scene.failures.get(state.position)?;
-    here.clone().or_else(|| scene.failures.iter().flatten().next().cloned())
+    let here = scene.broken.get(state.position)?.as_ref();
+    here.or_else(|| scene.broken.iter().flatten().next()).map(|broken| broken.why.clone())
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.

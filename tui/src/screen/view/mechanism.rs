@@ -13,8 +13,8 @@ use crate::screen::state::{Owner, Probe, Scene, State, Traces, View};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
-/// Part of a path that a trail shows.
-const TRAIL: f64 = 0.25;
+/// A trail shows a path divided by this number.
+const TRAIL: usize = 4;
 /// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
@@ -45,9 +45,9 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     let position = state.position;
     let mut items = traces(state, scene);
     if let Some(compared) = &state.compared {
-        items.extend(ghost(&compared.scene, state.at()));
+        items.extend(ghost(state, &compared.scene));
     }
-    match scene.pose(state.at()) {
+    match scene.pose(position, state.part_way()) {
         Some(pose) => {
             let hidden = not_joined(state, scene);
             items.extend(Drawing { hidden: &hidden, ..drawing(scene, marked) }.items(&pose));
@@ -70,20 +70,24 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
 /// A mechanism in its first position, for a list of mechanisms.
 pub(super) fn still(scene: &Scene) -> Figure {
     let drawing = drawing(scene, &[]);
-    let pose = scene.pose(scene.first_position() as f64);
+    let pose = scene.pose(scene.first_position(), 0.0);
     let mut items = paths(scene, |_| true);
     items.extend(pose.map_or_else(|| drawing.ground(), |pose| drawing.items(&pose)));
     Figure::of(plane(scene, items))
 }
 
 fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
-    let frame =
-        Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+    let frame = Frame::Plane {
+        bounds: scene.outline.bounds,
+        unit: "mm".into(),
+        factor: 1e3,
+        scale: ("l", "m".into()),
+    };
     Panel { title: String::new(), frame, items }
 }
 
 fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
-    Drawing { linkage: &scene.linkage, strokes: &scene.strokes, marked, hidden: &[] }
+    Drawing { linkage: &scene.linkage, strokes: &scene.outline.strokes, marked, hidden: &[] }
 }
 
 /// The links of the groups that are not joined yet, while the structure is put together.
@@ -95,10 +99,10 @@ fn not_joined(state: &State, scene: &Scene) -> Vec<usize> {
 /// A position that can't be assembled: what has a place, and the gap of the first group that has none.
 fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
     let drawing = drawing(scene, marked);
-    let Some(Some((pose, group))) = scene.broken.get(position) else { return drawing.ground() };
-    let hidden = links_from(scene, *group);
-    let mut items = Drawing { hidden: &hidden, ..drawing }.items(pose);
-    items.extend(drawing.gap(pose, *group));
+    let Some(Some(broken)) = scene.broken.get(position) else { return drawing.ground() };
+    let hidden = links_from(scene, broken.group);
+    let mut items = Drawing { hidden: &hidden, ..drawing }.items(&broken.pose);
+    items.extend(drawing.gap(&broken.pose, broken.group));
     items
 }
 
@@ -109,8 +113,8 @@ fn links_from(scene: &Scene, group: usize) -> Vec<usize> {
 }
 
 /// The links of another mechanism in the same place of the motion, as faint lines.
-fn ghost(scene: &Scene, at: f64) -> Vec<Item> {
-    let Some(pose) = scene.pose(at) else { return Vec::new() };
+fn ghost(state: &State, scene: &Scene) -> Vec<Item> {
+    let Some(pose) = scene.pose(state.position, state.part_way()) else { return Vec::new() };
     let faint = |item| match item {
         Item::Line { points, .. } => Some(Item::line(points, Stroke::Dashed, Ink::Dim)),
         Item::Area { mut outline, .. } => {
@@ -149,14 +153,14 @@ fn traces(state: &State, scene: &Scene) -> Vec<Item> {
         Traces::Chosen => paths(scene, |id| chosen == Some(&Owner::Point(id))),
         Traces::None => Vec::new(),
         Traces::Trail => {
-            let moving = scene.paths.iter().filter(|path| !path.is_empty());
+            let moving = scene.outline.paths.iter().filter(|path| !path.is_empty());
             moving.map(|path| Item::line(trail(state, scene, path), Stroke::Dotted, Ink::Velocity)).collect()
         }
     }
 }
 
 fn paths(scene: &Scene, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
-    let paths = scene.paths.iter().enumerate().filter(|(id, path)| !path.is_empty() && wanted(*id));
+    let paths = scene.outline.paths.iter().enumerate().filter(|(id, path)| !path.is_empty() && wanted(*id));
     paths.map(|(_, path)| Item::line(path.as_slice(), Stroke::Dotted, Ink::Trace)).collect()
 }
 
@@ -167,7 +171,7 @@ fn trail(state: &State, scene: &Scene, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let positions = (state.positions() - usize::from(!scene.closed())).max(1);
     let now = (state.at() / positions as f64 * steps as f64).floor();
     let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
-    let back = (0..=(steps as f64 * TRAIL) as usize).rev();
+    let back = (0..=steps / TRAIL).rev();
     let points = back.filter_map(|back| match now.checked_sub(back) {
         None if scene.closed() => path.get((now + steps - back) % steps),
         at => path.get(at?),

@@ -26,8 +26,8 @@ pub(super) fn draw(
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(plain).collect();
     lines.push(plain(String::new()));
-    if let Some(Some(failure)) = scene.failures.get(state.position) {
-        let rows = wrapped(failure, usize::from(area.width.max(8)) - 2);
+    if let Some(Some(broken)) = scene.broken.get(state.position) {
+        let rows = wrapped(&broken.why, usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
     } else {
         match &state.probe {
@@ -81,7 +81,7 @@ fn input(state: &State, scene: &Scene) -> Vec<String> {
 
 /// The moved point: its place on the link and in the plane, size and length of its path, radius of curvature.
 fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> {
-    let Some(pose) = scene.pose(state.at()) else { return Vec::new() };
+    let Some(pose) = scene.pose(state.position, state.part_way()) else { return Vec::new() };
     let linkage = &scene.linkage;
     let motion = linkage.place_motion(Place { link: probe.link, at: probe.at }, &pose);
     let path = probe.path(scene);

@@ -67,7 +67,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
     };
     let mut lines = vec![(false, format!("input link {input} on {pair}"))];
     if let Some(joined) = state.joined {
-        let with = (1..=joined).map(|group| format!(", with group {group}")).collect::<String>();
+        let with = (1..=joined).map(|group| format!(", with group {group}")).collect::<Vec<_>>().concat();
         let next = state.keys.first("join");
         lines.push((false, format!("drawn: input link{with} ({next}: next)")));
     }

@@ -1,0 +1,81 @@
+//! What there is to show in a view.
+
+use super::State;
+use super::kinds::{Part, View};
+use super::series::Series;
+
+impl State {
+    /// Whether a view has something to show.
+    pub(crate) fn has(&self, view: View) -> bool {
+        let found = self.found();
+        match view {
+            View::Forces => found.is_some_and(|found| !found.reactions.is_empty()),
+            View::Plans => found.is_some(),
+            View::Motion => {
+                found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
+            }
+            View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
+            View::Checks => found.is_some_and(|found| !found.analysis.checks.is_empty()),
+            _ => self.scene.is_some(),
+        }
+    }
+
+    /// The part of a view that is shown: the chosen one if there is something to show in it.
+    pub(crate) fn part(&self, view: View) -> Part {
+        let parts = self.available_parts(view);
+        let chosen = self.parts.get(&view).filter(|part| parts.contains(part));
+        chosen.or(parts.first()).copied().unwrap_or(Part::Overview)
+    }
+
+    /// The parts of a view in which there is something to show.
+    pub(crate) fn available_parts(&self, view: View) -> Vec<Part> {
+        let found = self.found();
+        let reaction = found.and_then(|found| found.reactions.get(self.chosen.reaction));
+        let regime = found.is_some_and(|found| found.analysis.dynamics.is_some());
+        let has = |part: &Part| match (view, part) {
+            // The balancing load has one number, no direction.
+            (View::Forces, Part::Hodograph) => reaction.is_some_and(|reaction| reaction.series.len() == 3),
+            (View::Motion, Part::Course) => {
+                regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
+            }
+            (View::Motion, Part::Iteration) => regime,
+            _ => true,
+        };
+        view.parts().iter().copied().filter(has).collect()
+    }
+
+    /// The quantity that the view is about: what the keys to the greatest and least value mean.
+    pub(crate) fn main_series(&self) -> Option<&Series> {
+        let scene = self.scene.as_ref()?;
+        let of_found = |index: usize| scene.found.as_ref()?.series.get(index);
+        let transfer = || scene.series.get(scene.transfers.get(self.chosen.transfer)?.orders[0]);
+        match self.view {
+            View::Table => scene.column(self.chosen.column),
+            View::Forces => {
+                let reaction = self.found()?.reactions.get(self.chosen.reaction)?;
+                of_found(*reaction.series.last()?)
+            }
+            View::Motion => {
+                let motion = &self.found()?.motion;
+                of_found(*motion.get(self.chosen.motion % motion.len().max(1))?)
+            }
+            View::Curves => self.picked.last().and_then(|short| scene.named(short)).or_else(transfer),
+            _ => transfer(),
+        }
+    }
+
+    /// The positions in the order of the table's rows.
+    pub(crate) fn order(&self) -> Vec<usize> {
+        let Some(scene) = &self.scene else { return Vec::new() };
+        let mut order: Vec<usize> = (0..scene.positions()).collect();
+        if let Some((column, up)) = self.sorted
+            && let Some(series) = scene.column(column)
+        {
+            order.sort_by(|a, b| series.at(*a).total_cmp(&series.at(*b)));
+            if !up {
+                order.reverse();
+            }
+        }
+        order
+    }
+}
