@@ -153,12 +153,9 @@ fn limits(context: &Context<'_>) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(words.get("model")), Block::Text(words.get("model-text"))];
     let notes = context.state.found().map(|found| found.analysis.notes.as_slice()).unwrap_or_default();
     blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(note))));
-    let failures = context.state.scene.as_ref().map(|scene| scene.failures.as_slice()).unwrap_or_default();
-    let failed: Vec<String> = failures
-        .iter()
-        .enumerate()
-        .filter_map(|(position, failure)| failure.as_ref().map(|_| position.to_string()))
-        .collect();
+    let poses = context.state.scene.as_ref().map(|scene| scene.poses.as_slice()).unwrap_or_default();
+    let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
+    let failed: Vec<String> = missing.map(|(position, _)| position.to_string()).collect();
     if !failed.is_empty() {
         blocks.push(Block::Text(words.with("no-position", &[("positions", failed.join(", "))])));
     }

@@ -100,9 +100,13 @@ fn assembly(context: &Context<'_>) -> Vec<Block> {
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
     let mut panel = |title: String, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
-        let drawing = Drawing { linkage, strokes: &scene.strokes, marked, hidden: &hidden };
-        let frame =
-            Frame::Plane { bounds: scene.bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+        let drawing = Drawing { linkage, strokes: &scene.outline.strokes, marked, hidden: &hidden };
+        let frame = Frame::Plane {
+            bounds: scene.outline.bounds,
+            unit: "mm".into(),
+            factor: 1e3,
+            scale: ("l", "m".into()),
+        };
         Panel { title, frame, items: drawing.items(pose) }
     };
     let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.clone());
