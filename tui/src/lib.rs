@@ -11,5 +11,6 @@ mod files;
 mod locale;
 mod note;
 mod progress;
+mod working;
 
 use assur_figure::number;

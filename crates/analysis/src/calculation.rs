@@ -2,7 +2,8 @@
 
 use std::sync::OnceLock;
 
-use assur_force::{AnalyzerPlugin, Loads, State};
+use assur_dynamics::equation;
+use assur_force::{AnalyzerPlugin, Loads, Side, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
@@ -125,6 +126,35 @@ impl Calculation {
     /// State of the input at the coordinate of a position: as prescribed, or in the steady regime.
     pub fn state(&self, coordinate: f64) -> State {
         self.motion.state(&self.linkage.mechanism, coordinate)
+    }
+}
+
+impl Calculation {
+    /// A sample of a transient motion by its number, and how many there are.
+    pub fn sample(&self, number: usize) -> (Option<State>, usize) {
+        match &self.motion {
+            InputMotion::Transient(found) => {
+                (found.instants.get(number).map(|instant| instant.state), found.instants.len())
+            }
+            _ => (None, 0),
+        }
+    }
+
+    /// Moment of the drive on the input link (N m; force, N), and moment of inertia (mass) of flywheel and rotor reduced to it,
+    /// in a state of a motion that follows from its equation; `None` where the motion is prescribed, or held by the loads.
+    pub fn drive_in(&self, state: &State) -> Option<[f64; 2]> {
+        match &self.motion {
+            InputMotion::Prescribed => None,
+            _ if matches!(state.side, Side::Held { .. }) => None,
+            InputMotion::Transient(_) => {
+                let motion = equation(&self.linkage, self.loads.as_ref()?).ok()?;
+                Some([motion.drive().torque(state), motion.drive().inertia])
+            }
+            InputMotion::Steady(found) => {
+                let regime = &found.regime;
+                Some([regime.state(state.coordinate).drive, regime.drive_inertia])
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The conventions of a working.
 
-use crate::Work;
+use crate::{Place, Work};
 
 const CONVENTIONS: [&str; 9] = [
     "Axes: x to the right, y up, fixed to the ground. Angles in rad, counter-clockwise positive, from the x axis; those of \
@@ -34,10 +34,14 @@ const SHARES: &str = "In a joint B of more than two links, Rx_B_s_t_r is the sha
 
 impl Work<'_> {
     /// Writes the first section: signs, symbols, assumptions.
-    pub(crate) fn conventions(&mut self, index: usize, forces: bool) {
+    pub(crate) fn conventions(&mut self, place: Place, forces: bool) {
         let mechanism = &self.linkage.mechanism;
         let title = if mechanism.title.is_empty() { "Working" } else { mechanism.title.as_str() };
-        self.sheet.section(&format!("{title}: working of position {index}"));
+        let what = match place {
+            Place::Position(index) => format!("position {index}"),
+            Place::Sample(number) => format!("sample {number}, time {} s", self.state.time),
+        };
+        self.sheet.section(&format!("{title}: working of {what}"));
         self.sheet.note(format!("Structure: {}", self.linkage.structure.formula));
         self.sheet.section("Conventions and assumptions");
         for words in CONVENTIONS {

@@ -24,6 +24,7 @@ impl Work<'_> {
         let drive = self.input_reactions();
         if elsewhere.is_none() {
             self.virtual_power();
+            self.drive_check(if self.linkage.angular() { "M_bal" } else { "F_bal" });
         }
         Ok(Some(elsewhere.unwrap_or(drive).value()))
     }

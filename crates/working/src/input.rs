@@ -3,16 +3,16 @@
 use assur_mechanism::{GROUND, InputPair, Range};
 use assur_worksheet::{Expr, Pose};
 
-use crate::Work;
+use crate::{Place, Work};
 
 impl Work<'_> {
     /// Writes the coordinate and the motion of the input link.
-    pub(crate) fn input(&mut self, index: usize) {
+    pub(crate) fn input(&mut self, place: Place) {
         let input = &self.linkage.mechanism.input;
         let link = input.link;
         let name = self.sheet.body_name(link).to_owned();
         self.sheet.section(&format!("Input link {name}"));
-        let q = self.coordinate(index);
+        let q = self.coordinate(place);
         match input.pair {
             InputPair::Pin(point) => {
                 self.sheet.work("q_deg", &(&q * Expr::number(180.0) / Expr::pi()), "deg");
@@ -27,9 +27,12 @@ impl Work<'_> {
         self.points_of(&[link]);
     }
 
-    fn coordinate(&mut self, index: usize) -> Expr {
+    fn coordinate(&mut self, place: Place) -> Expr {
         let input = &self.linkage.mechanism.input;
         let unit = if self.linkage.angular() { "rad" } else { "m" };
+        let Place::Position(index) = place else {
+            return self.sheet.given("q", self.state.coordinate, unit, "coordinate of the sample");
+        };
         let from = self.sheet.given("q_0", input.from, unit, "coordinate of position 0");
         let number = |sheet: &mut assur_worksheet::Sheet, name: &str, value: usize, what: &str| {
             sheet.given(name, value as f64, "", what)

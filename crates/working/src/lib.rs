@@ -7,6 +7,7 @@
 
 mod chain;
 mod conventions;
+mod equation;
 mod forces;
 mod general;
 mod input;
@@ -52,11 +53,45 @@ pub enum WorkingError {
     Registry(#[from] WorkingRegistryError),
 }
 
+/// What is worked.
+#[derive(Debug, Clone, Copy)]
+pub struct Task<'a> {
+    /// The compiled mechanism.
+    pub linkage: &'a Linkage,
+    /// Its loads; `None`: positions and transfer functions only.
+    pub loads: Option<&'a Loads>,
+    /// The state of the input.
+    pub state: State,
+    /// Which position it is.
+    pub place: Place,
+    /// What drives the input where its acceleration follows from the equation of motion.
+    pub drive: Option<Drive>,
+}
+
+/// Which position is worked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A position of the scene, by its number.
+    Position(usize),
+    /// A sample of a motion, by its number.
+    Sample(usize),
+}
+
+/// The drive of the input link in a state, reduced to it; positive along the coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// Its moment, N m (force, N).
+    pub moment: f64,
+    /// Moment of inertia of flywheel and rotor, kg m² (mass, kg).
+    pub inertia: f64,
+}
+
 /// Data that all parts of a working use.
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) bodies: &'a [Body<f64>],
     pub(crate) state: State,
+    pub(crate) drive: Option<Drive>,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,
     /// Whether kinds may write their own equations; otherwise the general linear system is used for all.
@@ -64,39 +99,34 @@ pub(crate) struct Work<'a> {
 }
 
 impl Working {
-    /// Writes the working of position `index` of a scene; with `loads` also its forces, at the speed and acceleration
-    /// of `state`.
+    /// Writes the working of a position; with loads also its equation of motion, where the input has a drive, and its forces.
     ///
     /// # Errors
     ///
     /// [`WorkingError`] if the position does not exist or can't be assembled.
-    pub fn of(
-        linkage: &Linkage,
-        loads: Option<&Loads>,
-        state: State,
-        index: usize,
-    ) -> Result<Self, WorkingError> {
-        Self::by(linkage, loads, state, index, true)
+    pub fn of(task: &Task<'_>) -> Result<Self, WorkingError> {
+        Self::by(task, true)
     }
 
-    pub(crate) fn by(
-        linkage: &Linkage,
-        loads: Option<&Loads>,
-        state: State,
-        index: usize,
-        own: bool,
-    ) -> Result<Self, WorkingError> {
-        let count = linkage.mechanism.input.positions;
-        if index >= count {
-            return Err(WorkingError::Index { index, last: count.saturating_sub(1) });
-        }
+    pub(crate) fn by(task: &Task<'_>, own: bool) -> Result<Self, WorkingError> {
+        let Task { linkage, loads, state, place, drive } = *task;
         let mut position = linkage.position();
-        linkage.solve_index(index, Order::Second, &mut position)?;
+        match place {
+            Place::Position(index) => {
+                let count = linkage.mechanism.input.positions;
+                if index >= count {
+                    return Err(WorkingError::Index { index, last: count.saturating_sub(1) });
+                }
+                linkage.solve_index(index, Order::Second, &mut position)?;
+            }
+            Place::Sample(_) => linkage.solve(state.coordinate, Order::Second, &mut position)?,
+        }
         let units = if linkage.angular() { Units::ANGULAR } else { Units::LINEAR };
         let sheet = Sheet::new(names::of(linkage), units);
-        let mut work = Work { linkage, bodies: &position.bodies, state, sheet, general: Vec::new(), own };
-        work.conventions(index, loads.is_some());
-        work.input(index);
+        let mut work =
+            Work { linkage, bodies: &position.bodies, state, drive, sheet, general: Vec::new(), own };
+        work.conventions(place, loads.is_some());
+        work.input(place);
         for group in 0..linkage.structure.groups.len() {
             work.group(group)?;
         }

@@ -26,9 +26,18 @@ impl Work<'_> {
         if (self.state.speed, self.state.acceleration) != (0.0, 0.0) {
             let (w, e) = self.rate_units();
             self.sheet.given("w", self.state.speed, w, "speed of the input, dq/dt");
-            self.sheet.given("e", self.state.acceleration, e, "its acceleration, dw/dt");
+            if self.drive.is_none() {
+                self.sheet.given("e", self.state.acceleration, e, "its acceleration, dw/dt");
+            }
         }
+        let mut drive = self.drive;
         for (cause, link, wrench) in each {
+            if let (Cause::Inertia(_), Some(found)) = (cause, drive) {
+                // Inertia loads come last and need the acceleration.
+                self.equation_of_motion(found);
+                self.sheet.section("Inertia loads");
+                drive = None;
+            }
             self.sheet.note(format!("{}:", cause.name(&self.linkage.mechanism)));
             match cause {
                 Cause::Weight(link) => self.weight(link),
@@ -38,6 +47,10 @@ impl Work<'_> {
                 Cause::Spring(id) => self.spring(id),
                 Cause::Contact(id) => self.contact(id, &wrench),
             }
+        }
+        // Massless links have no inertia loads.
+        if let Some(found) = drive {
+            self.equation_of_motion(found);
         }
     }
 
@@ -49,7 +62,7 @@ impl Work<'_> {
         self.sheet.load(link, Load { force: Some((force, at)), moment: Expr::zero(), applied: true });
     }
 
-    fn mass(&mut self, link: LinkId) -> Expr {
+    pub(crate) fn mass(&mut self, link: LinkId) -> Expr {
         let found = &self.linkage.mechanism.links[link];
         let name = format!("m_{}", self.sheet.tag(link));
         if found.mass == 0.0 { Expr::zero() } else { self.sheet.given(&name, found.mass, "kg", "mass") }
@@ -79,7 +92,7 @@ impl Work<'_> {
         let at = self.sheet.point(link, center);
         let tag = self.sheet.tag(link);
         let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
-        let e = if self.state.acceleration == 0.0 {
+        let e = if self.drive.is_none() && self.state.acceleration == 0.0 {
             Expr::zero()
         } else {
             self.sheet.find("e").unwrap_or_else(Expr::zero)

@@ -4,11 +4,12 @@ use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion;
 
-use crate::Working;
+use crate::{Place, Task, Working};
 
 mod evaluate;
 mod fixtures;
 mod general;
+mod motion;
 mod random;
 mod text;
 
@@ -22,7 +23,7 @@ pub(crate) fn compiled(mechanism: assur_mechanism::Mechanism) -> (Linkage, Optio
 
 pub(crate) fn worked(linkage: &Linkage, loads: Option<&Loads>, index: usize) -> Working {
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
-    Working::of(linkage, loads, state, index).unwrap()
+    Working::of(&Task { linkage, loads, state, place: Place::Position(index), drive: None }).unwrap()
 }
 
 /// Every reaction and the balancing load are those of the independent analyzer.

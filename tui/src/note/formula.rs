@@ -2,7 +2,7 @@
 
 use assur_force::{Loads, State as Instant};
 use assur_mechanism::Motion;
-use assur_working::Working;
+use assur_working::{Place, Task, Working};
 use assur_worksheet::{Entry, Line};
 
 use super::Context;
@@ -34,7 +34,14 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
     let forces = !found && (mechanism.motion.is_some() || mechanism.has_loads()) && linkage.range.is_some();
     let loads = if forces { Loads::compile(linkage).ok() } else { None };
     let state = Instant::prescribed(mechanism, mechanism.input.coordinate(position));
-    let working = Working::of(linkage, loads.as_ref(), state, position).map_err(|error| error.to_string())?;
+    let working = Working::of(&Task {
+        linkage,
+        loads: loads.as_ref(),
+        state,
+        place: Place::Position(position),
+        drive: None,
+    });
+    let working = working.map_err(|error| error.to_string())?;
     let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
     // The first section repeats title and structure.
     for section in working.sections.iter().skip(1) {

@@ -6,7 +6,7 @@ use assur_testkit::specimen::Recipe;
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
 use super::{compiled, forces_agree};
-use crate::Working;
+use crate::{Place, Task, Working};
 
 fn generally(
     linkage: &assur_kinematics::Linkage,
@@ -14,7 +14,7 @@ fn generally(
     index: usize,
 ) -> Working {
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
-    Working::by(linkage, loads, state, index, false).unwrap()
+    Working::by(&Task { linkage, loads, state, place: Place::Position(index), drive: None }, false).unwrap()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 use super::evaluate::{equations, printed};
 use super::fixtures::scene;
 use super::{compiled, worked};
-use crate::{Working, WorkingError};
+use crate::{Place, Task, Working, WorkingError};
 
 fn value(text: &str, name: &str) -> f64 {
     let all = equations(text);
@@ -43,7 +43,9 @@ fn without_loads_and_motion_there_are_no_forces() {
 #[test]
 fn a_position_that_does_not_exist() {
     let (linkage, loads) = compiled(scene("slider-crank"));
-    let error = Working::of(&linkage, loads.as_ref(), assur_force::State::default(), 24).unwrap_err();
+    let (state, place) = (assur_force::State::default(), Place::Position(24));
+    let error = Working::of(&Task { linkage: &linkage, loads: loads.as_ref(), state, place, drive: None })
+        .unwrap_err();
     assert_eq!(error, WorkingError::Index { index: 24, last: 23 });
     assert_eq!(error.to_string(), "there is no position 24: the scene has positions 0 to 23");
 }

@@ -6,8 +6,8 @@ use std::sync::{Arc, OnceLock};
 use assur_analysis::Calculation;
 use assur_diagram::{DiagramError, Sheet};
 use assur_force::Construction;
-use assur_mechanism::Motion;
-use assur_working::Working;
+
+use crate::working;
 
 /// The plans of one position.
 #[derive(Debug)]
@@ -29,17 +29,9 @@ impl Plans {
 
     /// Every equation of the position with its numbers, or why there are none.
     pub(crate) fn working(&self) -> &str {
-        self.working.get_or_init(|| {
-            let calculation = &self.calculation;
-            let mechanism = &calculation.linkage.mechanism;
-            // In a motion from an initial state, or where none is found, forces don't belong to the positions.
-            let timeless = !matches!(mechanism.motion, Some(Motion::Transient { .. }));
-            let loads = calculation.loads.as_ref().filter(|_| timeless && calculation.no_motion.is_none());
-            let state = calculation.state(mechanism.input.coordinate(self.position));
-            match Working::of(&calculation.linkage, loads, state, self.position) {
-                Ok(working) => working.text(),
-                Err(error) => error.to_string(),
-            }
+        self.working.get_or_init(|| match working::of_position(&self.calculation, self.position) {
+            Ok(working) => working.text(),
+            Err(error) => error.to_string(),
         })
     }
 }
