@@ -10,9 +10,13 @@ use crate::{Drive, Place, Task, Working};
 
 #[test]
 fn the_acceleration_follows_from_the_reduction() {
-    for (name, speed) in
-        [("shaper-drive", 6.2), ("run-up", 40.0), ("flywheel", 3.0), ("slider-crank", -30.0), ("stephenson3", 5.0)]
-    {
+    for (name, speed) in [
+        ("shaper-drive", 6.2),
+        ("run-up", 40.0),
+        ("flywheel", 3.0),
+        ("slider-crank", -30.0),
+        ("stephenson3", 5.0),
+    ] {
         let linkage = Linkage::compile(scene(name)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
         let drive = Drive { moment: 75.0, inertia: 2.5 };
