@@ -119,7 +119,8 @@ pub(crate) struct StabilityArgs {
 pub(crate) struct ExplainArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Write the working of this position instead: every equation with its numbers, to follow by hand
+    /// Write the working of this position instead (of a transient motion: of this sample): every equation with its numbers, to
+    /// follow by hand
     #[arg(long, value_name = "N")]
     pub(crate) position: Option<usize>,
 }

@@ -22,7 +22,7 @@ pub(crate) struct DrawArgs {
           value_parser = PossibleValuesParser::new(still::views()))]
     view: String,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
-    /// (forces); overview, course, iteration (motion); overview, curves, energy-mass, inertia (drive)
+    /// (forces); overview, course, iteration (motion); overview, curves, energy-mass, inertia, reduction (drive)
     #[arg(long, value_name = "NAME")]
     part: Option<String>,
     /// Quantity, pair or link that is shown, found as by `/` in the terminal UI

@@ -82,7 +82,14 @@ impl View {
             Forces => &[Part::Overview, Part::Causes, Part::Curves, Part::Hodograph],
             Plans => &[Part::Forces, Part::Velocities, Part::Accelerations, Part::Construction],
             Motion => &[Part::Overview, Part::Course, Part::Iteration],
-            Drive => &[Part::Overview, Part::Curves, Part::Places, Part::EnergyMass, Part::Inertia],
+            Drive => &[
+                Part::Overview,
+                Part::Curves,
+                Part::Places,
+                Part::EnergyMass,
+                Part::Inertia,
+                Part::Reduction,
+            ],
             _ => &[],
         }
     }
@@ -109,6 +116,8 @@ pub(crate) enum Part {
     EnergyMass,
     /// The shares of the reduced inertia.
     Inertia,
+    /// The link of reduction with its force.
+    Reduction,
     /// Force polygons.
     Forces,
     /// The plan of velocities.
@@ -132,6 +141,7 @@ impl Part {
             Self::Places => "places",
             Self::EnergyMass => "energy-mass",
             Self::Inertia => "inertia",
+            Self::Reduction => "reduction",
             Self::Forces => "forces",
             Self::Velocities => "velocities",
             Self::Accelerations => "accelerations",

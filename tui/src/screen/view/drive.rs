@@ -29,7 +29,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let heading = unevenness(dynamics, angular) + flywheel.as_deref().unwrap_or_default();
     put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
-        Part::Curves | Part::EnergyMass | Part::Inertia => {
+        Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
             paint(state, &figure(state, scene, 1), area, buffer)
         }
         Part::Places => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
@@ -65,6 +65,7 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match state.part(View::Drive) {
         Part::EnergyMass => vec![energy::energy_mass(&dynamics.energy_mass)],
+        Part::Reduction => energy::reduction(state, scene, found, dynamics).into_iter().collect(),
         Part::Inertia => vec![energy::shares(state, scene, found, dynamics)],
         _ => {
             let moments = regime::moments(state, scene, &dynamics.regime);

@@ -2,9 +2,12 @@
 //! and speed were found.
 
 use assur_analysis::results::{Column, Dynamics, EnergyMass, Owner, Quantity, RegimeReport};
-use assur_figure::{Axis, Frame, Ink, Item, Panel, Sign, Stroke};
+use assur_figure::{Axis, Bounds, Frame, Ink, Item, Panel, Sign, Stroke};
+
+use assur_mechanism::InputPair;
 
 use super::plots;
+use crate::number::digits;
 use crate::screen::state::{Found, Scene, State};
 
 /// The energy-mass diagram with its two tangents.
@@ -53,6 +56,42 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         cursor: Some(plots::coordinate(scene, state.at())),
     };
     Panel { title: format!("reduced inertia: {}", names.join("  ")), frame, items }
+}
+
+/// The link of reduction (E fig. 1c): the input link with the reduced force and mass at its point.
+pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Option<Panel> {
+    let (mechanism, table) = (&scene.linkage.mechanism, &found.analysis.positions);
+    let (point, row) = (dynamics.reduction_point.as_ref()?, table.row_of(state.position)?);
+    let at = |name: &str, order| {
+        let column = Column::vector(Quantity::Transfer(order), Owner::Point(mechanism.point(name)?));
+        let [x, y] = column.map(|column| table.get(row, column));
+        Some([x?, y?])
+    };
+    let (tip, along) = (at(&point.name, 0)?, at(&point.name, 1)?);
+    let pin = match mechanism.input.pair {
+        InputPair::Pin(pin) => at(&mechanism.points[pin].name, 0)?,
+        InputPair::Slide(_) => tip,
+    };
+    let moment = table.schema().find(Column::of(Quantity::ReducedMoment, Owner::Input))?;
+    let force = table.at(row, moment)? / point.radius;
+    let inertia = table.get(row, Column::of(Quantity::ReducedInertia, Owner::Input))?;
+    let most =
+        table.each(moment).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())) / point.radius;
+    // The greatest force of the cycle is as long as the radius.
+    let length = if most > 0.0 { force / most } else { 0.0 };
+    let to = [0, 1].map(|axis| tip[axis] + length * along[axis]);
+    let around = [0, 1].map(|axis| [-1.0, 1.0].map(|side| pin[axis] + 1.5 * side * point.radius));
+    let bounds = Bounds::around([[around[0][0], around[1][0]], [around[0][1], around[1][1]]].into_iter());
+    let mass = inertia / (point.radius * point.radius);
+    let items = vec![
+        Item::line(vec![pin, tip], Stroke::Solid, Ink::First),
+        Item::sign(pin, Sign::Plus, Ink::Title),
+        Item::Arrow { from: tip, to, stroke: Stroke::Solid, ink: Ink::Second },
+        Item::name(tip, point.name.clone(), Ink::Title),
+    ];
+    let title = format!("reduced to {}: F {} N, m {} kg", point.name, digits(force, 5), digits(mass, 5));
+    let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l".into(), "m".into()) };
+    Some(Panel { title, frame, items })
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
