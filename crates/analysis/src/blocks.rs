@@ -93,8 +93,8 @@ impl<'a> Blocks<'a> {
         let count = total.div_ceil(self.rows);
         if count <= 1 {
             // No threads are started for little work.
-            let only = (0..count).map(|number| work(number, self.block(&mut self.filler(), number)));
-            return Ok(only.map(take).collect());
+            let mut only = (0..count).map(|number| work(number, self.block(&mut self.filler(), number)));
+            return Ok(only.try_for_each(take));
         }
         let together = BLOCKS * rayon::current_num_threads();
         let calculated = |first: usize| -> Vec<T> {

@@ -22,12 +22,15 @@ impl Calculation {
             return Ok(Checks::none());
         }
         let checked = Checked::of(self, coverage, watch)?;
-        let (mut all, residuals) = self.position_checks(&checked, watch)?;
-        match &self.motion {
-            InputMotion::Prescribed => {}
-            InputMotion::Transient(motion) => all.extend(self.transient_checks(motion, &checked)),
-            InputMotion::Steady(motion) => all.extend(self.steady_checks(motion, &checked)),
-        }
+        let mut of_motion = Vec::new();
+        let (mut all, residuals) = match &self.motion {
+            InputMotion::Prescribed => self.position_checks(&checked, watch),
+            motion => rayon::in_place_scope(|scope| {
+                scope.spawn(|_| of_motion = self.motion_checks(motion, &checked));
+                self.position_checks(&checked, watch)
+            }),
+        }?;
+        all.append(&mut of_motion);
         let [of_positions, of_trajectory] = self.residual_tables(&residuals, checked.trajectory.is_some());
         Ok(Checks { all, of_positions, of_trajectory })
     }
@@ -47,6 +50,14 @@ impl Calculation {
         };
         let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
+    }
+
+    fn motion_checks(&self, motion: &InputMotion, checked: &Checked<'_>) -> Vec<Check> {
+        match motion {
+            InputMotion::Prescribed => Vec::new(),
+            InputMotion::Transient(found) => self.transient_checks(found, checked),
+            InputMotion::Steady(found) => self.steady_checks(found, checked),
+        }
     }
 
     fn is_regular(&self, state: &State) -> bool {

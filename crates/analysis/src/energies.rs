@@ -119,9 +119,9 @@ impl Calculation {
                 moments(start + step * f64::from(i), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
-            for part in 0..2 {
-                works[part] += simpson(step, nodes.iter().map(|moments| moments[part]));
-                changes[part] += change(nodes.iter().map(|moments| moments[part]));
+            for (part, (work, changed)) in works.iter_mut().zip(&mut changes).enumerate() {
+                *work += simpson(step, nodes.iter().map(|moments| moments[part]));
+                *changed += change(nodes.iter().map(|moments| moments[part]));
             }
             start = end;
         }

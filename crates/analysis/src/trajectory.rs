@@ -79,7 +79,9 @@ impl Calculation {
             step(watch, Progress::Samples { done: first, total: instants.len() })?;
             let eight = std::array::from_fn(|lane| instants[(first + lane).min(instants.len() - 1)]);
             let obstacles = filler.add(first, &eight, instants.len() - first, &mut table);
-            obstacles.iter().for_each(|(_, obstacle)| without.add(obstacle));
+            for (_, obstacle) in &obstacles {
+                without.add(obstacle);
+            }
         }
         Angles::new(table.schema()).follow(&self.linkage, &mut table);
         table.join(&self.energies());

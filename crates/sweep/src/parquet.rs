@@ -95,7 +95,7 @@ pub fn join(
 ) -> Result<(), ParquetError> {
     let mut file = Written::new(&columns(&sweep.columns), Vec::new(), out)?;
     for part in parts {
-        file.append(part?)?;
+        file.append(&part?)?;
     }
     file.finish().map(drop)
 }

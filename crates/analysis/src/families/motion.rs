@@ -63,7 +63,7 @@ pub(super) const POINTS: Family = Family {
     columns: |calculation, schema| points(calculation, schema, 2),
     fill: |rows, cells| {
         for motion in &rows.motions.points {
-            [motion.pf0, motion.pf1, motion.pf2].into_iter().for_each(|vector| cells.all(vector));
+            cells.all([motion.pf0, motion.pf1, motion.pf2].into_iter().flatten());
         }
     },
 };

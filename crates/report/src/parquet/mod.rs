@@ -197,7 +197,7 @@ impl<W: Write + Send> File<W> {
     /// # Errors
     ///
     /// [`ParquetError`] if the file can't be read, or the writer fails.
-    pub fn append(&mut self, part: fs::File) -> Result<(), ParquetError> {
+    pub fn append(&mut self, part: &fs::File) -> Result<(), ParquetError> {
         let reader = SerializedFileReader::new(part.try_clone()?)?;
         for old in reader.metadata().row_groups() {
             let mut group = self.file.next_row_group()?;
@@ -210,7 +210,7 @@ impl<W: Write + Send> File<W> {
                     column_index: None,
                     offset_index: None,
                 };
-                group.append_column(&part, close)?;
+                group.append_column(part, close)?;
             }
             group.close()?;
         }

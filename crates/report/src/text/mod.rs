@@ -70,7 +70,9 @@ pub fn report(
     }
     page.section("Results");
     let (long, short): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| one.value.len() > LONG);
-    long.iter().for_each(|one| page.paragraph(&format!("{}: {}", one.what, one.value)));
+    for one in long {
+        page.paragraph(&format!("{}: {}", one.what, one.value));
+    }
     let rows = short.into_iter().map(|one| vec![one.what, one.value, one.unit.to_owned(), one.at]);
     page.rows(&["result", "value", "unit", "at"], &rows.collect::<Vec<_>>());
     structure::write(&source, &mut page);
