@@ -21,6 +21,7 @@
 //! ```
 
 mod analysis;
+mod column;
 mod cycle;
 mod dynamics;
 mod motion;
@@ -36,6 +37,7 @@ pub use analysis::{Analysis, Failure, InputReport};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};
+pub use column::{Base, Column, Owner, Part, Quantity, Unit};
 pub use cycle::{Cycle, PositionPlans};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
@@ -44,7 +46,7 @@ pub use dynamics::{
 pub use motion::{Energy, Integration};
 pub use named::Named;
 pub use residual::{Checks, Residual};
-pub use schema::{Base, Column, Owner, Part, Quantity, Schema, Section, Unit};
+pub use schema::{Schema, Section};
 pub use structure::{GroupReport, StructureReport};
 pub use survey::Survey;
 pub use table::{Cells, Mask, Table};
