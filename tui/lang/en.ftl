@@ -150,3 +150,5 @@ coordinate-deg = coordinate, deg
 coordinate-mm = coordinate, mm
 inertia-loads = Inertia loads of the links at their centers of mass, { $place }
 shares-drawn = Reduced moment of inertia of the links over the cycle, link upon link; flywheel and rotor add the constant { $shaft } kg·m²
+link-of-reduction = The link of reduction with the reduced force F and the reduced mass m at point { $point }
+loads-drawn = Loads over the cycle: a force along its direction, a moment counter-clockwise, a spring by its tension

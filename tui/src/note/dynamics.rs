@@ -1,11 +1,12 @@
 //! Dynamics: the regime, its iteration, motor and flywheel.
 
-use assur_analysis::results::{Column, Dynamics, Owner, Quantity, RegimeReport, Trial};
-use assur_figure::{Axis, Figure, Frame, Ink, Item, Kind, Panel, Point, Stroke};
+use assur_analysis::results::{Dynamics, RegimeReport, Trial};
+use assur_figure::{Axis, Figure, Ink, Item, Kind, Panel, Stroke};
 
-use super::Context;
+use super::curves::plot;
 use super::document::Block;
 use super::words::Words;
+use super::{Context, energy};
 use crate::number::{digits, trimmed};
 use crate::screen::state::{Part, View};
 
@@ -14,10 +15,6 @@ const DIGITS: usize = 6;
 /// Page of two curves, and of one, mm.
 const CURVES: [f64; 2] = [160.0, 120.0];
 const CURVE: [f64; 2] = [160.0, 80.0];
-/// A share of this part of the greatest reduced inertia is not seen.
-const LEAST_SHARE: f64 = 5e-3;
-/// Page of the energy-mass diagram, mm.
-const DIAGRAM: [f64; 2] = [130.0, 110.0];
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
@@ -44,8 +41,7 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         state.parts.insert(View::Motion, Part::Course);
     });
     blocks.extend(moments.map(|(figure, _)| Block::picture(figure, CURVES, words.get("speed-and-moments"))));
-    blocks.extend(shares(context));
-    blocks.extend(energy_mass(words, &dynamics.regime));
+    blocks.extend(energy::blocks(context, &dynamics));
     blocks.extend(iteration(words, &dynamics));
     // The second panel repeats the moments.
     let drive = context.figure(View::Drive, position, |_| {}).filter(|(figure, _)| figure.panels.len() > 1);
@@ -123,13 +119,6 @@ fn iteration(words: &Words, dynamics: &Dynamics) -> Vec<Block> {
     blocks
 }
 
-/// A curve of points over an axis.
-fn plot(title: String, x: Axis, curves: Vec<(Vec<Point>, Stroke, Ink)>) -> Panel {
-    let y = Axis::around("", curves.iter().flat_map(|(points, ..)| points).map(|at| at[1]), 0.0);
-    let items = curves.into_iter().map(|(points, stroke, ink)| Item::line(points, stroke, ink)).collect();
-    Panel { title, frame: Frame::Axes { x, y, cursor: None }, items }
-}
-
 /// Flywheel and unevenness over the trials (S fig. 10).
 fn trials_drawn(words: &Words, regime: &RegimeReport) -> Option<Block> {
     let trials = &regime.trials;
@@ -148,67 +137,4 @@ fn trials_drawn(words: &Words, regime: &RegimeReport) -> Option<Block> {
     ];
     let figure = Figure { panels, columns: 1, ..Figure::default() };
     Some(Block::picture(figure, CURVE, words.get("trials-drawn")))
-}
-
-/// The energy-mass diagram of Wittenbauer: kinetic energy over reduced inertia of the links, with the two lines
-/// T = J w²/2 of the greatest and the least speed, which touch it.
-fn energy_mass(words: &Words, regime: &RegimeReport) -> Option<Block> {
-    let rows = &regime.course;
-    let first = rows.first()?;
-    let energy = |inertia: f64, speed: f64| 0.5 * (regime.shaft_inertia + inertia) * speed * speed;
-    let start = energy(first.inertia, first.speed);
-    let diagram: Vec<Point> =
-        rows.iter().map(|row| [row.inertia, energy(row.inertia, row.speed) - start]).collect();
-    let speeds = || rows.iter().map(|row| row.speed.abs());
-    let (least, most) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
-    let x = Axis::around(words.get("links-inertia"), diagram.iter().map(|at| at[0]), 0.0);
-    let line = |speed: f64| x.range.map(|inertia| [inertia, energy(inertia, speed) - start]).to_vec();
-    let lines = vec![
-        (line(most), Stroke::Chain, Ink::Third),
-        (line(least), Stroke::Dashed, Ink::Second),
-        (diagram, Stroke::Solid, Ink::First),
-    ];
-    let panel = plot(words.get("energy-change"), x, lines);
-    Some(Block::picture(Figure::of(panel), DIAGRAM, words.get("energy-mass")))
-}
-
-/// The reduced inertia of the links over the cycle, one upon the other; shares too small to be seen are left out.
-fn shares(context: &Context<'_>) -> Option<Block> {
-    let (words, found) = (context.words, context.state.found()?);
-    let table = &found.analysis.positions;
-    let column = |column: Column| -> Option<Vec<f64>> { table.each(table.schema().find(column)?).collect() };
-    let mut q = column(Column::COORDINATE)?;
-    let factor = if found.analysis.input.angular { 180.0 / std::f64::consts::PI } else { 1e3 };
-    q.iter_mut().for_each(|q| *q *= factor);
-    let whole = column(Column::of(Quantity::ReducedInertia, Owner::Input))?;
-    let greatest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-    let mut sum = vec![0.0; q.len()];
-    let (mut curves, mut names) = (Vec::new(), Vec::new());
-    for owner in table.schema().owners(Quantity::ReducedInertia) {
-        let Owner::Link(link) = owner else { continue };
-        let share = column(Column::of(Quantity::ReducedInertia, owner))?;
-        if greatest(&share) < LEAST_SHARE * greatest(&whole) {
-            continue;
-        }
-        let most = (0..share.len()).max_by(|one, other| share[*one].total_cmp(&share[*other]))?;
-        names.push(Item::name(
-            [q[most], sum[most] + 0.5 * share[most]],
-            table.schema().link(link),
-            Ink::Link(link),
-        ));
-        sum.iter_mut().zip(&share).for_each(|(sum, share)| *sum += share);
-        let points = q.iter().zip(&sum).map(|(q, sum)| [*q, *sum]).collect();
-        curves.push((points, Stroke::Solid, Ink::Link(link)));
-    }
-    let kind = if found.analysis.input.angular { Kind::Degrees } else { Kind::Linear };
-    let label = if found.analysis.input.angular { "coordinate-deg" } else { "coordinate-mm" };
-    let x = Axis { kind, ..Axis::around(words.get(label), q, 0.0) };
-    let mut panel = plot(words.get("links-inertia"), x, curves);
-    panel.items.extend(names);
-    if let Frame::Axes { y, .. } = &mut panel.frame {
-        y.range[0] = 0.0;
-    }
-    let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |dynamics| dynamics.regime.shaft_inertia);
-    let values = [("shaft", words.number(&trimmed(shaft, DIGITS)))];
-    Some(Block::picture(Figure::of(panel), CURVE, words.with("shares-drawn", &values)))
 }

@@ -1,9 +1,11 @@
 //! Forces: polygons of every group with their vectors, reactions, the balancing load.
 
-use assur_analysis::results::{Column, Owner, Quantity};
+use assur_analysis::results::{Base, Column, Owner, Quantity};
+use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_mechanism::{LinkId, PairId};
 
 use super::Context;
+use super::curves::plot;
 use super::document::Block;
 use super::kinematics::{cells, printed, vector};
 use crate::screen::state::{Part, View, greatest};
@@ -12,6 +14,8 @@ use crate::screen::view::plans;
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 80.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
+/// Loads in one figure.
+const MOST_LOADS: usize = 4;
 /// A force this small beside the greatest one of the position is rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -25,6 +29,7 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let values = [("analyzer", found.analyzer.clone())];
     let mut blocks =
         vec![Block::Heading(words.get("forces")), Block::Text(words.with("forces-text", &values))];
+    blocks.extend(loads(context));
     for &position in context.positions {
         blocks.extend(inertia_loads(context, position));
     }
@@ -34,6 +39,24 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     }
     blocks.extend(curves(context));
     blocks
+}
+
+/// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
+fn loads(context: &Context<'_>) -> Option<Block> {
+    let (words, schema) = (context.words, context.state.found()?.analysis.positions.schema());
+    let owners = schema.owners(Quantity::Load).into_iter();
+    let of = |owner| {
+        let column = Column::of(Quantity::Load, owner);
+        let points = context.cycle(column).filter(|points| points.iter().any(|at| at[1] != points[0][1]))?;
+        let unit = if schema.unit(column).base == Base::NewtonMeter { "N m" } else { "N" };
+        let title = format!("{}, {}", words.name(&schema.name(owner)), words.unit(unit));
+        let axis = context.coordinate_axis(std::slice::from_ref(&points));
+        Some(plot(title, axis, vec![(points, Stroke::Solid, Ink::First)]))
+    };
+    let panels: Vec<Panel> = owners.filter_map(of).take(MOST_LOADS).collect();
+    let figure = Figure { panels, columns: 1, ..Figure::default() };
+    let size = [CURVE[0], 25.0 + 35.0 * figure.rows() as f64];
+    (!figure.panels.is_empty()).then(|| Block::picture(figure, size, words.get("loads-drawn")))
 }
 
 /// Principal vectors and principal moments of the inertia loads in a position.

@@ -12,7 +12,8 @@ use super::words::Words;
 /// Functions of the working.
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "atan2", "asin", "acos", "abs", "sign", "sqrt"];
 /// Greek letters and their names in the working.
-const GREEK: [(&str, &str); 7] = [
+const GREEK: [(&str, &str); 8] = [
+    ("w", "ω"),
     ("phi", "φ"),
     ("alpha", "α"),
     ("beta", "β"),

@@ -3,8 +3,10 @@
 //! [`write`] collects blocks (`document`) from the state of a scene, in the words of a language (`words`), and writes
 //! them in a form (`html`, `markdown`, `typst`). Its figures are those of the views; its numbers are those of the results.
 
+mod curves;
 mod document;
 mod dynamics;
+mod energy;
 mod forces;
 mod formula;
 mod html;
