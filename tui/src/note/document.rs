@@ -116,7 +116,12 @@ impl Context<'_> {
 fn still(panel: &mut assur_figure::Panel) {
     let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
     *cursor = None;
-    if let (false, Some((name, _))) = (y.label.is_empty(), panel.title.split_once("  ")) {
-        panel.title = format!("{name}, {}", y.label);
+    if y.label.is_empty() {
+        return;
     }
+    // `PF0  103.988 mm`
+    panel.title = match panel.title.split_once("  ") {
+        Some((name, value)) if value.ends_with(&y.label) => format!("{name}, {}", y.label),
+        _ => format!("{}, {}", panel.title, y.label),
+    };
 }

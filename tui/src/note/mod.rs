@@ -6,7 +6,6 @@
 mod curves;
 mod document;
 mod dynamics;
-mod energy;
 mod forces;
 mod formula;
 mod html;

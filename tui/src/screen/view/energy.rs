@@ -2,7 +2,7 @@
 //! and speed were found.
 
 use assur_analysis::results::{Column, Dynamics, EnergyMass, Owner, Quantity, RegimeReport};
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Panel, Sign, Stroke};
+use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
 
 use assur_mechanism::InputPair;
 
@@ -98,7 +98,10 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
 pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     let numbered =
         |values: Vec<f64>| values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]).collect();
-    let x = |label: &str, count: usize| Axis::around(label, [1.0, count.max(2) as f64], 0.0);
+    let x = |label: &str, count: usize| Axis {
+        kind: Kind::Whole,
+        ..Axis::around(label, [1.0, count.max(2) as f64], 0.0)
+    };
     let turns = &regime.iteration;
     let speeds = vec![
         ("start", numbered(turns.iter().map(|turn| turn.speed_start).collect())),
