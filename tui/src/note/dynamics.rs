@@ -142,7 +142,7 @@ fn link_of_reduction(context: &Context<'_>, dynamics: &Dynamics) -> Option<Block
     let linkage = &scene.linkage;
     let input = linkage.mechanism.input.link;
     let hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
-    let drawing = Drawing { linkage, strokes: &scene.strokes, marked: &[], hidden: &hidden };
+    let drawing = Drawing { linkage, strokes: &scene.outline.strokes, marked: &[], hidden: &hidden };
     let id = linkage.mechanism.point(&point.name)?;
     let table = &found.analysis.positions;
     let panel = |position: &usize| {

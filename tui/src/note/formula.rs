@@ -1,8 +1,5 @@
 //! The working of a position as equations.
 
-use assur_force::{Loads, State as Instant};
-use assur_mechanism::Motion;
-use assur_working::{Place, Task, Working};
 use assur_worksheet::{Entry, Line};
 
 use super::Context;
@@ -26,28 +23,17 @@ const GREEK: [(&str, &str); 8] = [
 /// The equations of the first chosen position.
 pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
     let words = context.words;
-    let (Some(scene), Some(&position)) = (&context.state.scene, context.positions.first()) else {
+    let (Some(found), Some(&position)) = (context.state.found(), context.positions.first()) else {
         return Ok(Vec::new());
     };
-    let linkage = &scene.linkage;
-    let mechanism = &linkage.mechanism;
-    let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
-    let forces = !found && (mechanism.motion.is_some() || mechanism.has_loads()) && linkage.range.is_some();
-    let loads = if forces { Loads::compile(linkage).ok() } else { None };
-    let state = Instant::prescribed(mechanism, mechanism.input.coordinate(position));
-    let working = Working::of(&Task {
-        linkage,
-        loads: loads.as_ref(),
-        state,
-        place: Place::Position(position),
-        drive: None,
-    });
-    let working = working.map_err(|error| error.to_string())?;
+    let working = found.plans.at(position).equations().map_err(|error| error.to_string())?;
     let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
     // The first section repeats title and structure.
     for section in working.sections.iter().skip(1) {
         blocks.push(Block::Subheading(words.phrase(&section.title)));
         blocks.extend(section.entries.iter().map(|entry| match entry {
+            // An equation without numbers.
+            Entry::Note(text) if text.starts_with('(') => Block::Equation(symbols(words, text)),
             Entry::Note(text) => Block::Text(remark(words, text)),
             Entry::Given { name, result, unit, .. } => {
                 let mut terms = symbols(words, name);

@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use assur_analysis::Calculation;
 use assur_diagram::{DiagramError, Sheet};
 use assur_force::Construction;
+use assur_working::{Working, WorkingError};
 
 use crate::working;
 
@@ -27,9 +28,18 @@ impl Plans {
         self.constructions.iter().map(|construction| construction.steps.len()).sum()
     }
 
-    /// Every equation of the position with its numbers, or why there are none.
+    /// Every equation of the position with its numbers.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none.
+    pub(crate) fn equations(&self) -> Result<Working, WorkingError> {
+        working::of_position(&self.calculation, self.position)
+    }
+
+    /// The equations as text, or why there are none.
     pub(crate) fn working(&self) -> &str {
-        self.working.get_or_init(|| match working::of_position(&self.calculation, self.position) {
+        self.working.get_or_init(|| match self.equations() {
             Ok(working) => working.text(),
             Err(error) => error.to_string(),
         })
