@@ -148,5 +148,5 @@ coordinate-deg = coordinate, deg
 coordinate-mm = coordinate, mm
 inertia-loads = Inertia loads of the links at their centers of mass, { $place }
 shares-drawn = Reduced moment of inertia over the cycle, each share upon those before
-link-of-reduction = The link of reduction with the reduced force F and the reduced mass m at point { $point }
+link-of-reduction = The link of reduction with the reduced force F and the reduced mass m: { $place }
 loads-drawn = Loads over the cycle: a force along its direction, a moment counter-clockwise, a spring by its tension

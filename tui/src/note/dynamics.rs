@@ -1,9 +1,7 @@
 //! Dynamics: the regime, its iteration, motor and flywheel.
 
-use assur_analysis::results::{Column, Dynamics, Owner, Quantity};
-use assur_figure::mechanism::Drawing;
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Stroke};
-use assur_mechanism::LinkId;
+use assur_analysis::results::Dynamics;
+use assur_figure::{Item, Panel};
 
 use super::Context;
 use super::document::Block;
@@ -11,15 +9,11 @@ use super::words::Words;
 use crate::number::{digits, trimmed};
 use crate::screen::state::{Part, View};
 
-/// Digits of a result and of a row of an iteration, and of a number in a figure.
+/// Digits of a result, and of a row of an iteration.
 const DIGITS: usize = 6;
-const FIGURE_DIGITS: usize = 4;
 /// Page of the energy-mass diagram, and of the link of reduction, mm.
 const DIAGRAM: [f64; 2] = [130.0, 110.0];
 const LINK: [f64; 2] = [165.0, 75.0];
-/// Length of the arrow of the reduced force, and how far from its point the ground is drawn, in radii of the point.
-const ARROW: f64 = 0.8;
-const NEAR: f64 = 1.5;
 /// Page of two curves, and of one, mm.
 const CURVES: [f64; 2] = [160.0, 120.0];
 const CURVE: [f64; 2] = [160.0, 80.0];
@@ -49,7 +43,13 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
         state.parts.insert(View::Motion, Part::Course);
     });
     blocks.extend(moments.map(|(figure, _)| Block::picture(figure, CURVES, words.get("speed-and-moments"))));
-    blocks.extend(link_of_reduction(context, &dynamics));
+    let reduction = context.beside(View::Drive, |state| {
+        state.parts.insert(View::Drive, Part::Reduction);
+    });
+    let values = [("place", context.places())];
+    blocks.extend(
+        reduction.map(|figure| Block::picture(figure, LINK, words.with("link-of-reduction", &values))),
+    );
     for (view, part, size, id) in [
         (View::Drive, Part::Inertia, CURVE, "shares-drawn"),
         (View::Drive, Part::EnergyMass, DIAGRAM, "energy-mass"),
@@ -132,46 +132,4 @@ fn iteration(words: &Words, dynamics: &Dynamics) -> Vec<Block> {
         blocks.push(Block::table(words, id, head, rows));
     }
     blocks
-}
-
-/// The input link alone in the chosen positions, with the reduced force at its point of reduction and the reduced mass
-/// there (E fig. 1c).
-fn link_of_reduction(context: &Context<'_>, dynamics: &Dynamics) -> Option<Block> {
-    let (scene, found, point) =
-        (context.state.scene.as_ref()?, context.state.found()?, dynamics.reduction_point.as_ref()?);
-    let linkage = &scene.linkage;
-    let input = linkage.mechanism.input.link;
-    let hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
-    let drawing = Drawing { linkage, strokes: &scene.outline.strokes, marked: &[], hidden: &hidden };
-    let id = linkage.mechanism.point(&point.name)?;
-    let table = &found.analysis.positions;
-    let panel = |position: &usize| {
-        let (pose, row) = (scene.poses.get(*position)?.as_ref()?, table.row_of(*position)?);
-        let of = |quantity| table.get(row, Column::of(quantity, Owner::Input));
-        let (force, mass) = (
-            of(Quantity::ReducedMoment)? / point.radius,
-            of(Quantity::ReducedInertia)? / point.radius.powi(2),
-        );
-        let motion = linkage.point_motion(id, pose);
-        let to = [0, 1].map(|axis| motion.pf0[axis] + ARROW * force.signum() * motion.pf1[axis]);
-        let mut items = drawing.items(pose);
-        items.push(Item::Arrow { from: motion.pf0, to, stroke: Stroke::Solid, ink: Ink::Second });
-        items.push(Item::name(to, "F", Ink::Title));
-        // The rest of the ground is far away.
-        let near = |at: &Point| (at[0] - motion.pf0[0]).hypot(at[1] - motion.pf0[1]) <= NEAR * point.radius;
-        items.retain(|item| item.points().iter().all(near));
-        let bounds = Bounds::around(items.iter().flat_map(Item::points));
-        let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
-        let [force, mass] = [force.abs(), mass].map(|value| digits(value, FIGURE_DIGITS));
-        Some(Panel {
-            title: format!("{}: F = {force} N, m = {mass} kg", context.coordinate(*position)),
-            frame,
-            items,
-        })
-    };
-    let panels: Vec<Panel> = context.positions.iter().filter_map(panel).collect();
-    let columns = panels.len().clamp(1, 2);
-    let caption = context.words.with("link-of-reduction", &[("point", point.name.clone())]);
-    let figure = Figure { panels, columns, ..Figure::default() };
-    (!figure.panels.is_empty()).then(|| Block::picture(figure, LINK, caption))
 }

@@ -70,7 +70,8 @@ impl Context<'_> {
         for &position in self.positions {
             let Some((mut figure, _)) = self.figure(shown, position, &set) else { continue };
             let place = self.place(position);
-            figure.panels.iter_mut().for_each(|panel| panel.title.clone_from(&place));
+            let bare = figure.panels.iter_mut().filter(|panel| panel.title.is_empty());
+            bare.for_each(|panel| panel.title.clone_from(&place));
             match &mut whole {
                 Some(whole) => whole.panels.extend(figure.panels),
                 None => whole = Some(figure),
