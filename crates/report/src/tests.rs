@@ -169,8 +169,8 @@ fn parquet_reads_back_over_groups() {
     let analysis = analysis(1.5);
     let mut bytes = Vec::new();
     let mut writer = crate::parquet::Writer::new(&analysis, &mut bytes).unwrap();
-    // Two rows of 18 columns: a group is full after 233,017 tables.
-    let tables = 240_000;
+    // Two rows of 18 columns: a group is full after 349,526 tables.
+    let tables = 360_000;
     for _ in 0..tables {
         writer.add(&analysis.positions).unwrap();
     }

@@ -7,8 +7,9 @@ use assur_analysis::results::{Analysis, Section, Table};
 use super::{Column, File, ParquetError, Values};
 use crate::{csv, names};
 
-/// Numbers of one group of rows: 64 MB, kept until they are compressed.
-const NUMBERS: usize = 1 << 23;
+/// Numbers of one group of rows: 96 MB, kept until they are compressed. Of each column of each group a kilobyte is kept until
+/// the file ends: smaller groups take more memory in long files, larger ones in short files.
+const NUMBERS: usize = 3 << 22;
 
 /// Writes the positions of an analysis, block by block.
 pub struct Writer<W: Write + Send> {
