@@ -127,22 +127,6 @@ impl<T: Real> Body<T> {
         arm
     }
 
-    /// Sets the first derivative of the link's angle, and that of its origin such that the point with this arm has
-    /// this PF1.
-    #[inline(always)]
-    pub fn put_first(&mut self, w1: T, arm: [T; 2], pf1: [T; 2]) {
-        self.w1 = w1;
-        self.hang_first(arm, pf1);
-    }
-
-    /// Sets the second derivative of the link's angle, and that of its origin such that the point with this arm has
-    /// this PF2.
-    #[inline(always)]
-    pub fn put_second(&mut self, w2: T, arm: [T; 2], pf2: [T; 2]) {
-        self.w2 = w2;
-        self.hang_second(arm, pf2);
-    }
-
     /// Sets the origin such that the point with this arm is at this place.
     #[inline(always)]
     pub fn hang_place(&mut self, arm: [T; 2], pf0: [T; 2]) {

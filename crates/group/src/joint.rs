@@ -1,10 +1,15 @@
 //! The pairs of a group in the number type of its kernel: their motion, and how their reactions are stored and passed
 //! to the outer bodies.
+//!
+//! Where the other body is the ground, its motion is not calculated: it is zero.
 
 use assur_number::Real;
 
 use crate::plane::{cross, direction, minus, opposite, times, vector};
 use crate::{Body, BuildError, PairGeometry, SeenPair, Wrench};
+
+/// The first of all bodies, [`Body::ground`]: it never moves.
+const GROUND: usize = 0;
 
 /// A pin between a link of the group and another body.
 #[derive(Debug, Clone, Copy)]
@@ -19,6 +24,8 @@ pub struct PinJoint<T> {
     pub at: [T; 2],
     /// Whether the scene names the other body first; the stored reaction then acts on that body.
     pub turned: bool,
+    /// Whether the other body is the ground.
+    is_fixed: bool,
 }
 
 impl<T: Real> PinJoint<T> {
@@ -31,7 +38,8 @@ impl<T: Real> PinJoint<T> {
         let SeenPair { pair, turned } = *seen;
         match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => {
-                Ok(Self { id: pair.id, body: pair.b, own: vector(at_a), at: vector(at_b), turned })
+                let (own, at) = (vector(at_a), vector(at_b));
+                Ok(Self { id: pair.id, body: pair.b, own, at, turned, is_fixed: pair.b == GROUND })
             }
             PairGeometry::Slide { .. } => {
                 Err(BuildError::new(format!("pair {} is a slide, not a pin", pair.id)))
@@ -42,12 +50,15 @@ impl<T: Real> PinJoint<T> {
     /// Position of the pin as a point of the other body, m.
     #[inline(always)]
     pub fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
-        bodies[self.body].point(self.at)
+        if self.is_fixed { self.at } else { bodies[self.body].point(self.at) }
     }
 
     /// PF1 and PF2 of the pin at this position, as a point of the other body.
     #[inline(always)]
     pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
+        if self.is_fixed {
+            return [[T::ZERO; 2]; 2];
+        }
         let body = &bodies[self.body];
         body.motion(minus(place, body.origin()))
     }
@@ -70,7 +81,8 @@ impl<T: Real> PinJoint<T> {
         reactions: &mut [Wrench<T>],
     ) {
         self.store(force, reactions);
-        loads[self.body].add_at(bodies[self.body].arm(self.at), opposite(force), T::ZERO);
+        let arm = if self.is_fixed { self.at } else { bodies[self.body].arm(self.at) };
+        loads[self.body].add_at(arm, opposite(force), T::ZERO);
     }
 }
 
@@ -99,6 +111,8 @@ pub struct SlideJoint<T> {
     pub turn: [T; 2],
     /// Whether the scene has the guide on the link of the group; the stored reaction then acts on the other body.
     pub turned: bool,
+    /// Whether the other body is the ground.
+    is_fixed: bool,
 }
 
 impl<T: Real> SlideJoint<T> {
@@ -126,7 +140,30 @@ impl<T: Real> SlideJoint<T> {
             tilt,
             turn: times(along, tilt),
             turned,
+            is_fixed: pair.b == GROUND,
         })
+    }
+
+    /// Unit vector along the line.
+    #[inline(always)]
+    pub fn guide(&self, bodies: &[Body<T>]) -> [T; 2] {
+        self.carried(bodies, self.along)
+    }
+
+    /// A direction of the other body, given in its frame.
+    #[inline(always)]
+    pub fn carried(&self, bodies: &[Body<T>], direction: [T; 2]) -> [T; 2] {
+        if self.is_fixed { direction } else { bodies[self.body].turned(direction) }
+    }
+
+    /// PF1 and PF2 of the point of the other body that is at a place.
+    #[inline(always)]
+    pub fn under(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
+        if self.is_fixed {
+            return [[T::ZERO; 2]; 2];
+        }
+        let body = &bodies[self.body];
+        body.motion(minus(place, body.origin()))
     }
 
     /// Coordinates of a point of the link relative to `own`: along the line and to the left of it, m. The point is

@@ -10,6 +10,7 @@
 //!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
+mod anchor;
 mod body;
 mod builders;
 mod closed;
@@ -26,6 +27,7 @@ pub mod plane;
 mod registry;
 mod wrench;
 
+pub use anchor::Anchor;
 pub use assur_plugin::RegistryError;
 pub use body::Body;
 pub use builders::{Builders, GroupKind, Number};

@@ -14,6 +14,11 @@ pub fn direction<T: Real>(angle: f64) -> [T; 2] {
     [c, s]
 }
 
+/// Whether a vector is zero, in all lanes.
+pub fn is_zero<T: Real>(a: [T; 2]) -> bool {
+    a.into_iter().all(|component| component.abs().greatest() == 0.0)
+}
+
 /// a + b.
 #[inline(always)]
 pub fn plus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {

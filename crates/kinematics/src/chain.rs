@@ -1,6 +1,6 @@
 //! The compiled chain: input link and groups as flat data.
 
-use assur_group::{AssurGroup, Body, GroupError, Number, Order, kernel_of};
+use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order, kernel_of};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_number::{Formula, Real};
 use assur_structure::Structure;
@@ -16,8 +16,8 @@ pub enum Input<T> {
         link: usize,
         /// The pin in the ground's frame, m.
         ground: [T; 2],
-        /// The pin in the link's frame, m.
-        own: [T; 2],
+        /// The pin on the link.
+        own: Anchor<T>,
     },
     /// Sliding on the ground; the coordinate is the displacement of its slide.
     Slider {
@@ -172,9 +172,9 @@ impl<T: Real> Formula for SetInput<'_, T> {
                 let (s, c) = coordinate.sin_cos();
                 let body = &mut bodies[link];
                 // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
-                let arm = body.put([c, s], own, ground);
-                (body.w1, body.x1, body.y1) = (T::ONE, T::ZERO + arm[1], T::ZERO - arm[0]);
-                (body.w2, body.x2, body.y2) = (T::ZERO, T::ZERO + arm[0], T::ZERO + arm[1]);
+                let arm = own.put(body, [c, s], ground);
+                own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
+                own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
             }
             Input::Slider { link, axis, along, origin } => {
                 let body = &mut bodies[link];
@@ -191,7 +191,7 @@ fn input_of<T: Real>(mechanism: &Mechanism) -> Input<T> {
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());
-            Input::Crank { link, ground: at(assur_mechanism::GROUND), own: at(link) }
+            Input::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }
         }
         InputPair::Slide(slide) => slider_of(mechanism, slide),
     }

@@ -8,7 +8,7 @@ use crate::{Formula, Real, sine, widest};
 /// instructions (one register of AVX-512, two of AVX).
 ///
 /// Every lane gets the bits that `f64` gets by the same formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; Lanes::WIDTH]);
 

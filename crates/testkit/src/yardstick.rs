@@ -35,11 +35,11 @@ impl<'a> Contestant<'a> {
     }
 
     /// From a formula of sine and cosine, evaluated at eight coordinates with the widest instructions of the machine.
-    pub fn by_hand_in_lanes<V: 'a>(
+    pub fn by_hand_in_lanes<V: Default + 'a>(
         name: &'static str,
         formula: impl Fn([Lanes; 2]) -> V + Copy + 'a,
     ) -> Self {
-        let mut found = None;
+        let mut found = V::default();
         Self::eight_by_eight(name, move |coordinates| {
             Lanes::evaluate(ByHand { coordinates, formula, found: &mut found });
             black_box(&mut found);
@@ -79,7 +79,7 @@ struct ByHand<'a, F, V> {
     coordinates: Lanes,
     formula: F,
     /// Where the result is kept.
-    found: &'a mut Option<V>,
+    found: &'a mut V,
 }
 
 impl<V, F: Fn([Lanes; 2]) -> V> Formula for ByHand<'_, F, V> {
@@ -88,7 +88,7 @@ impl<V, F: Fn([Lanes; 2]) -> V> Formula for ByHand<'_, F, V> {
     #[inline(always)]
     fn evaluate(self) {
         let (s, c) = self.coordinates.sin_cos();
-        *self.found = Some((self.formula)([s, c]));
+        *self.found = (self.formula)([s, c]);
     }
 }
 
@@ -109,7 +109,7 @@ pub fn slider_crank<T: Real>([s, c]: [T; 2]) -> [T; 8] {
 
 /// Positions of the six-bar with a crank of 0.1 m at the origin, a rocker on (0, -0.4 m) guided by a stone on the crank pin,
 /// and a ram on y = 0.28 m moved by a stone on the rocker; derivatives by the crank's angle.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct SixBar<T> {
     /// Direction of the rocker.
     pub direction: [T; 2],

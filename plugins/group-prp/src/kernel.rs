@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{
-    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -17,6 +17,7 @@ pub struct Prp<T> {
     pub(crate) inner: PinJoint<T>,
     /// The inner pin in the frame of each link, m.
     pub(crate) pin: [[T; 2]; 2],
+    anchors: [Anchor<T>; 2],
     /// From the point of each slide to the inner pin, along and across its guide, m.
     levers: [[T; 2]; 2],
     /// Height of the inner pin's line above the origin of each body with a guide, m.
@@ -57,6 +58,7 @@ impl<T: Real> Prp<T> {
             frame: frame.clone(),
             links: [group.links[0], group.links[1]],
             slides,
+            anchors: pin.map(Anchor::new),
             inner,
             levers: [0, 1].map(|i| slides[i].lever(pin[i])),
             pin,
@@ -67,8 +69,7 @@ impl<T: Real> Prp<T> {
     /// Directions of the guides, and the sine of the angle between them.
     #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> ([[T; 2]; 2], T) {
-        let [one, two] = self.carriers(bodies);
-        let t = [one.turned(self.slides[0].along), two.turned(self.slides[1].along)];
+        let t = [self.slides[0].guide(bodies), self.slides[1].guide(bodies)];
         (t, cross(t[0], t[1]))
     }
 
@@ -97,10 +98,11 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         let inverse = T::ONE / d;
         let c = plus(one.origin(), meet(&t, b, inverse));
         GroupError::if_nan(c[0] + c[1])?;
-        let directions = [one.turned(self.slides[0].turn), two.turned(self.slides[1].turn)];
+        let [first, second] = &self.slides;
+        let directions = [first.carried(bodies, first.turn), second.carried(bodies, second.turn)];
         let arms = [
-            bodies[self.links[0]].put(directions[0], self.pin[0], c),
-            bodies[self.links[1]].put(directions[1], self.pin[1], c),
+            self.anchors[0].put(&mut bodies[self.links[0]], directions[0], c),
+            self.anchors[1].put(&mut bodies[self.links[1]], directions[1], c),
         ];
         Ok((Crossing { c, arms, t, d, inverse }, health))
     }
@@ -109,7 +111,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
     fn read(&self, bodies: &[Body<T>]) -> Crossing<T> {
         let (t, d) = self.guides(bodies);
         let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
-        let arms = [one.arm(self.pin[0]), two.arm(self.pin[1])];
+        let arms = [self.anchors[0].arm(one), self.anchors[1].arm(two)];
         Crossing { c: plus(one.origin(), arms[0]), arms, t, d, inverse: T::ONE / d }
     }
 
@@ -130,11 +132,11 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         let n = [perp(t[0]), perp(t[1])];
         let [one, two] = self.carriers(bodies);
         // The points of the bodies with the guides under C.
-        let under = [one.motion(minus(*c, one.origin())), two.motion(minus(*c, two.origin()))];
+        let under = [self.slides[0].under(bodies, *c), self.slides[1].under(bodies, *c)];
         let (turning1, turning2) = ([one.w1, two.w1], [one.w2, two.w2]);
         let c1 = meet(t, [dot(n[0], under[0][0]), dot(n[1], under[1][0])], *inverse);
         for i in 0..2 {
-            bodies[self.links[i]].put_first(turning1[i], arms[i], c1);
+            self.anchors[i].put_first(&mut bodies[self.links[i]], turning1[i], arms[i], c1);
         }
         if order < Order::Second {
             return GroupError::if_nan(c1[0] + c1[1]);
@@ -146,7 +148,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         }
         let c2 = meet(t, b, *inverse);
         for i in 0..2 {
-            bodies[self.links[i]].put_second(turning2[i], arms[i], c2);
+            self.anchors[i].put_second(&mut bodies[self.links[i]], turning2[i], arms[i], c2);
         }
         GroupError::if_nan(c2[0] + c2[1])
     }

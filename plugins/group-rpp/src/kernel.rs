@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -17,6 +17,8 @@ pub struct Rpp<T> {
     pub(crate) end: PinJoint<T>,
     pub(crate) inner: SlideJoint<T>,
     pub(crate) outer: SlideJoint<T>,
+    /// The pin on link 1, and the point of the outer slide on link 2.
+    anchors: [Anchor<T>; 2],
     /// Direction of the inner guide in the frame of the outer body with the guide.
     inner_along: [T; 2],
     /// Rotation of link 1 relative to that body.
@@ -65,6 +67,7 @@ impl<T: Real> Rpp<T> {
         Ok(Self {
             frame: frame.clone(),
             links: [group.links[0], group.links[1]],
+            anchors: [end.own, outer.own].map(Anchor::new),
             end,
             inner,
             outer,
@@ -81,8 +84,7 @@ impl<T: Real> Rpp<T> {
 
     #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        let carrier = &bodies[self.outer.body];
-        [carrier.turned(self.inner_along), carrier.turned(self.outer.along)]
+        [self.outer.carried(bodies, self.inner_along), self.outer.guide(bodies)]
     }
 }
 
@@ -106,11 +108,11 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         let along = (self.across - b * self.cosine) * self.inverse;
         let p = plus(a, plus(scaled(along, t[1]), scaled(b, perp(t[1]))));
         GroupError::if_nan(p[0] + p[1])?;
-        let directions = [carrier.turned(self.turn), carrier.turned(self.outer.turn)];
+        let directions = [self.outer.carried(bodies, self.turn), self.outer.carried(bodies, self.outer.turn)];
         let [one, two] = self.links;
         let arms = [
-            bodies[one].put(directions[0], self.end.own, a),
-            bodies[two].put(directions[1], self.outer.own, p),
+            self.anchors[0].put(&mut bodies[one], directions[0], a),
+            self.anchors[1].put(&mut bodies[two], directions[1], p),
         ];
         Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
     }
@@ -118,7 +120,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     #[inline(always)]
     fn read(&self, bodies: &[Body<T>]) -> Lines<T> {
         let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
-        let arms = [one.arm(self.end.own), two.arm(self.outer.own)];
+        let arms = [self.anchors[0].arm(one), self.anchors[1].arm(two)];
         let points = [plus(one.origin(), arms[0]), plus(two.origin(), arms[1])];
         Lines { points, arms, t: self.guides(bodies) }
     }
@@ -141,10 +143,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         let (turning1, turning2) = (carrier.w1, carrier.w2);
         let [a1, a2] = self.end.motion(bodies, points[0]);
         // The points of the carrier under A and P.
-        let [under_a, under_p] = [
-            carrier.motion(minus(points[0], carrier.origin())),
-            carrier.motion(minus(points[1], carrier.origin())),
-        ];
+        let [under_a, under_p] = [self.outer.under(bodies, points[0]), self.outer.under(bodies, points[1])];
         // Seen from the carrier, A moves with `v`, and P along the outer guide such that both keep their distance
         // across the inner guide.
         let n = scaled(self.inverse, perp(t[0]));
@@ -152,8 +151,8 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         let relative = scaled(dot(n, v), t[1]);
         let p1 = plus(under_p[0], relative);
         let [one, two] = self.links;
-        bodies[one].put_first(turning1, arms[0], a1);
-        bodies[two].put_first(turning1, arms[1], p1);
+        self.anchors[0].put_first(&mut bodies[one], turning1, arms[0], a1);
+        self.anchors[1].put_first(&mut bodies[two], turning1, arms[1], p1);
         if order < Order::Second {
             return GroupError::if_nan(p1[0] + p1[1]);
         }
@@ -161,8 +160,8 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         let a = minus(minus(a2, under_a[1]), scaled(coriolis, perp(v)));
         let turning = plus(under_p[1], scaled(coriolis, perp(relative)));
         let p2 = plus(turning, scaled(dot(n, a), t[1]));
-        bodies[one].put_second(turning2, arms[0], a2);
-        bodies[two].put_second(turning2, arms[1], p2);
+        self.anchors[0].put_second(&mut bodies[one], turning2, arms[0], a2);
+        self.anchors[1].put_second(&mut bodies[two], turning2, arms[1], p2);
         GroupError::if_nan(p2[0] + p2[1])
     }
 

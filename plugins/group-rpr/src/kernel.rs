@@ -2,8 +2,8 @@
 
 use assur_group::plane::{cross, direction, dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint, SlideJoint,
-    Wrench,
+    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint,
+    SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -23,6 +23,8 @@ pub struct Rpr<T> {
     pub(crate) links: [usize; 2],
     pub(crate) ends: [PinJoint<T>; 2],
     pub(crate) inner: SlideJoint<T>,
+    /// The outer pins on the links.
+    anchors: [Anchor<T>; 2],
     /// From the outer pin of the sliding link to its point on the guide, in the directions of the guide, m.
     reach: [T; 2],
     /// Offset of the outer pins across the guide, m.
@@ -66,6 +68,7 @@ impl<T: Real> Rpr<T> {
         Ok(Self {
             frame: frame.clone(),
             links: [group.links[0], group.links[1]],
+            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
             ends,
             inner,
             reach,
@@ -129,8 +132,8 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         let t = scaled(per_square, times(d, [s, -self.e]));
         let [slider, guide] = self.links;
         let arms = [
-            bodies[slider].put(times(t, self.inner.tilt), self.ends[0].own, pins[0]),
-            bodies[guide].put(times(t, mirrored(self.inner.along)), self.ends[1].own, pins[1]),
+            self.anchors[0].put(&mut bodies[slider], times(t, self.inner.tilt), pins[0]),
+            self.anchors[1].put(&mut bodies[guide], times(t, mirrored(self.inner.along)), pins[1]),
         ];
         Ok((Triangle { pins, arms, t, inverse, condition: square * per_whole, health }, health))
     }
@@ -140,7 +143,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         let [slider, guide] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let pins = self.pins(bodies);
         let t = guide.turned(self.inner.along);
-        let arms = [slider.arm(self.ends[0].own), guide.arm(self.ends[1].own)];
+        let arms = [self.anchors[0].arm(slider), self.anchors[1].arm(guide)];
         let s = dot(t, minus(pins[0], pins[1]));
         let square = s * s + self.e * self.e;
         let whole = square + self.scale;
@@ -167,7 +170,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         let d1 = minus(outer[0][0], outer[1][0]);
         let w = dot(n, d1) * inverse;
         for i in 0..2 {
-            bodies[self.links[i]].put_first(w, arms[i], outer[i][0]);
+            self.anchors[i].put_first(&mut bodies[self.links[i]], w, arms[i], outer[i][0]);
         }
         if order < Order::Second {
             return GroupError::if_nan(w);
@@ -177,7 +180,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         let turning = w * (dot(t, d1).twice() + self.e * w);
         let e = (dot(n, d2) - turning) * inverse;
         for i in 0..2 {
-            bodies[self.links[i]].put_second(e, arms[i], outer[i][1]);
+            self.anchors[i].put_second(&mut bodies[self.links[i]], e, arms[i], outer[i][1]);
         }
         GroupError::if_nan(e)
     }

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
 
@@ -20,6 +20,8 @@ pub struct Rrp<T> {
     pub(crate) end: PinJoint<T>,
     pub(crate) inner: PinJoint<T>,
     pub(crate) slide: SlideJoint<T>,
+    /// The outer pin on the rod, and the inner one on the sliding link.
+    anchors: [Anchor<T>; 2],
     /// From the point of the slide to the inner pin, along and across the guide, m.
     lever: [T; 2],
     /// From the outer to the inner pin, in the frame of the rod, m.
@@ -79,6 +81,7 @@ impl<T: Real> Rrp<T> {
         Ok(Self {
             frame: frame.clone(),
             links: [group.links[0], group.links[1]],
+            anchors: [end.own, inner.at].map(Anchor::new),
             end,
             inner,
             lever: slide.lever(inner.at),
@@ -96,7 +99,7 @@ impl<T: Real> Rrp<T> {
     /// Directions along and across the guide.
     #[inline(always)]
     fn guide(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        let t = bodies[self.slide.body].turned(self.slide.along);
+        let t = self.slide.guide(bodies);
         [t, perp(t)]
     }
 
@@ -140,11 +143,11 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let inverse = sigma * (T::ONE / square);
         let r = plus(scaled(delta, n), scaled(sigma, t));
         let c = plus(a, r);
-        let direction = carrier.turned(self.slide.turn);
+        let direction = self.slide.carried(bodies, self.slide.turn);
         let [rod, slider] = self.links;
         let arms = [
-            bodies[rod].put(times(r, self.unrod), self.end.own, a),
-            bodies[slider].put(direction, self.inner.at, c),
+            self.anchors[0].put(&mut bodies[rod], times(r, self.unrod), a),
+            self.anchors[1].put(&mut bodies[slider], direction, c),
         ];
         Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse }, health))
     }
@@ -155,7 +158,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let [rod, slider] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let a = self.end.place(bodies);
         let r = rod.arm(self.rod);
-        let arms = [rod.arm(self.end.own), slider.arm(self.inner.at)];
+        let arms = [self.anchors[0].arm(rod), self.anchors[1].arm(slider)];
         let sigma = dot(t, r);
         let inverse = T::ONE / sigma;
         Triangle { pins: [a, plus(a, r)], arms, t, n, r, delta: dot(n, r), sigma, inverse }
@@ -178,13 +181,13 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let [rod, slider] = self.links;
         let carrier = &bodies[self.slide.body];
         let [a1, a2] = self.end.motion(bodies, pins[0]);
-        let [v, under] = carrier.motion(minus(pins[1], carrier.origin()));
+        let [v, under] = self.slide.under(bodies, pins[1]);
         let (turning1, turning2) = (carrier.w1, carrier.w2);
         let relative = minus(v, a1);
         let w = dot(*n, relative) * *inverse;
         let c1 = plus(a1, scaled(w, perp(*r)));
-        bodies[rod].put_first(w, arms[0], a1);
-        bodies[slider].put_first(turning1, arms[1], c1);
+        self.anchors[0].put_first(&mut bodies[rod], w, arms[0], a1);
+        self.anchors[1].put_first(&mut bodies[slider], turning1, arms[1], c1);
         if order < Order::Second {
             return GroupError::if_nan(w);
         }
@@ -194,8 +197,8 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let carried = dot(*n, minus(under, a2)) - turning1.twice() * sliding;
         let e = (carried + square * *delta) * *inverse;
         let c2 = minus(plus(a2, scaled(e, perp(*r))), scaled(square, *r));
-        bodies[rod].put_second(e, arms[0], a2);
-        bodies[slider].put_second(turning2, arms[1], c2);
+        self.anchors[0].put_second(&mut bodies[rod], e, arms[0], a2);
+        self.anchors[1].put_second(&mut bodies[slider], turning2, arms[1], c2);
         GroupError::if_nan(e)
     }
 

@@ -90,9 +90,12 @@ fn an_upright_rod_is_placed_but_not_differentiated() {
     assert!(close(bodies[3].s, -1.0) && close(bodies[2].x, 0.0));
     assert!(matches!(group.derive(&mut bodies, Order::First), Err(GroupError::Singular { .. })));
     // The same guide on a body that is turned by a right angle is far from singular.
-    bodies[0].c = FRAC_PI_2.cos();
-    bodies[0].s = 1.0;
-    assert!(close(group.place(&mut bodies, 0).unwrap(), 1.0));
+    let mut frame = frame(5.0);
+    frame.outer[0].b = 4;
+    let turned = Body { c: FRAC_PI_2.cos(), s: 1.0, ..Body::ground() };
+    let [ground, end, ..] = bodies;
+    let mut bodies = [ground, end, ground, ground, turned];
+    assert!(close(Closed(Rrp::new(&frame).unwrap()).place(&mut bodies, 0).unwrap(), 1.0));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The closed forms of type 1.
 
 use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
-use assur_group::{Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, Wrench};
+use assur_group::{Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, Wrench};
 use assur_number::Real;
 
 use crate::PATTERN;
@@ -17,6 +17,8 @@ pub struct Rrr<T> {
     /// Outer pins of link 1 and link 2.
     pub(crate) ends: [PinJoint<T>; 2],
     pub(crate) inner: PinJoint<T>,
+    /// The outer pins on the links.
+    anchors: [Anchor<T>; 2],
     /// From the outer to the inner pin of each link, in its frame, m.
     rods: [[T; 2]; 2],
     /// Factor that turns this vector, rotated into the ground's frame, into the direction of the link: mirrored
@@ -76,6 +78,7 @@ impl<T: Real> Rrr<T> {
         Ok(Self {
             frame: frame.clone(),
             links: [group.links[0], group.links[1]],
+            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
             ends,
             inner,
             rods,
@@ -154,7 +157,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let mut arms = [[T::ZERO; 2]; 2];
         for i in 0..2 {
             let direction = times(r[i], self.unrods[i]);
-            arms[i] = bodies[self.links[i]].put(direction, self.ends[i].own, pins[i]);
+            arms[i] = self.anchors[i].put(&mut bodies[self.links[i]], direction, pins[i]);
         }
         Ok((Triangle { pins, arms, r, d: root, inverse: inverse_root }, health))
     }
@@ -163,7 +166,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     fn read(&self, bodies: &[Body<T>]) -> Triangle<T> {
         let [one, two] = [&bodies[self.links[0]], &bodies[self.links[1]]];
         let r = [one.arm(self.rods[0]), two.arm(self.rods[1])];
-        let arms = [one.arm(self.ends[0].own), two.arm(self.ends[1].own)];
+        let arms = [self.anchors[0].arm(one), self.anchors[1].arm(two)];
         let d = cross(r[0], r[1]);
         Triangle { pins: self.pins(bodies), arms, r, d, inverse: T::ONE / d }
     }
@@ -186,7 +189,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let v = minus(outer[1][0], outer[0][0]);
         let w = [dot(v, r[1]) * inverse, dot(v, r[0]) * inverse];
         for i in 0..2 {
-            bodies[self.links[i]].put_first(w[i], arms[i], outer[i][0]);
+            self.anchors[i].put_first(&mut bodies[self.links[i]], w[i], arms[i], outer[i][0]);
         }
         if order < Order::Second {
             return GroupError::if_nan(w[0] + w[1]);
@@ -195,7 +198,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let a = plus(minus(outer[1][1], outer[0][1]), centripetal);
         let e = [dot(a, r[1]) * inverse, dot(a, r[0]) * inverse];
         for i in 0..2 {
-            bodies[self.links[i]].put_second(e[i], arms[i], outer[i][1]);
+            self.anchors[i].put_second(&mut bodies[self.links[i]], e[i], arms[i], outer[i][1]);
         }
         GroupError::if_nan(e[0] + e[1])
     }

@@ -47,7 +47,8 @@ fn triangle_3_4_5() {
 fn derivatives_of_triangle_3_4_5() {
     let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
     let mut bodies = bodies();
-    bodies[0].x1 = 1.0;
+    // Relative to B, A moves along x.
+    bodies[1].x1 = -1.0;
     group.solve(&mut bodies, 0, Order::Second).unwrap();
     // C' = (0.36, 0.48): the part of A' along link 1, because link 2 moves C across itself.
     assert!(close(bodies[2].w1, 0.8 / 3.0) && close(bodies[3].w1, -0.6 / 4.0));

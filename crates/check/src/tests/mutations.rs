@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, State};
-use assur_group::{Order, Wrench};
+use assur_group::{Anchor, Order, Wrench};
 use assur_kinematics::{Input, Linkage, Position};
 use assur_mechanism::{Direction, Mechanism, Value};
 
@@ -243,7 +243,7 @@ fn a_slip_in_the_input_is_caught() {
     for slip in [
         (|input| {
             if let Input::Crank { own, .. } = input {
-                own[0] += 1e-6;
+                *own = Anchor::new([1e-6, 0.0]);
             }
         }) as fn(&mut Input<f64>),
         |input| {

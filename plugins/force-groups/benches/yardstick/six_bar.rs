@@ -65,7 +65,7 @@ const G: f64 = 9.81;
 const CUTTING: f64 = 1500.0;
 
 /// Reactions of the six-bar; each acts on the link named.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Found<T> {
     /// Force on the crank at O.
     pub(crate) on_crank: [T; 2],

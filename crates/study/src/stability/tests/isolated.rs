@@ -40,7 +40,7 @@ impl Side {
     }
 }
 
-/// A dyad on bodies 0 and 1, its links being 2 and 3.
+/// A dyad on the moving bodies 4 and 1, its links being 2 and 3.
 #[derive(Debug, Clone)]
 pub(crate) struct Isolated {
     pub(crate) frame: GroupFrame,
@@ -56,7 +56,7 @@ impl Isolated {
         let ([first, second], [inner]) = (&dyad.outer[..], &dyad.inner[..]) else { return None };
         let moved = |pair: &Pair, id, a, b| Pair { id, a, b, ..*pair };
         let (first, inner, second) =
-            (moved(&first.pair, 0, 2, 0), moved(&inner.pair, 1, 2, 3), moved(&second.pair, 2, 3, 1));
+            (moved(&first.pair, 0, 2, 4), moved(&inner.pair, 1, 2, 3), moved(&second.pair, 2, 3, 1));
         let scale = group.frame.scale;
         let frame = GroupFrame { links: vec![2, 3], inner: vec![inner], outer: vec![first, second], scale };
         let dyad = group.plugin.pattern.find(&frame)?;
@@ -131,13 +131,13 @@ impl Isolated {
     }
 
     /// Frame (of type 5 changed) and bodies at a distance from a side.
-    pub(crate) fn posed(&self, side: Side, distance: f64) -> Option<(GroupFrame, [Body<f64>; 4])> {
+    pub(crate) fn posed(&self, side: Side, distance: f64) -> Option<(GroupFrame, [Body<f64>; 5])> {
         let mut frame = self.frame.clone();
         let size = self.size;
-        let mut bodies = [Body::<f64>::ground(); 4];
-        moving(&mut bodies[0], 0.4, size, [0.31, -0.17, 0.23, 0.13, 0.29, -0.19]);
+        let mut bodies = [Body::<f64>::ground(); 5];
+        moving(&mut bodies[4], 0.4, size, [0.31, -0.17, 0.23, 0.13, 0.29, -0.19]);
         moving(&mut bodies[1], 1.1, size, [-0.21, 0.27, -0.15, 0.22, -0.11, 0.16]);
-        (bodies[0].x, bodies[0].y) = (0.3 * size, -0.2 * size);
+        (bodies[4].x, bodies[4].y) = (0.3 * size, -0.2 * size);
         let near = Dd::from_f64(distance);
         match side {
             Side::Stretched | Side::Folded => {
@@ -163,19 +163,19 @@ impl Isolated {
     }
 
     /// Moves body 1 such that the outer pins are this far apart.
-    fn apart(&self, bodies: &mut [Body<f64>; 4], distance: Dd) -> Option<()> {
+    fn apart(&self, bodies: &mut [Body<f64>; 5], distance: Dd) -> Option<()> {
         let (first, second) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.outer[1])?);
-        let a = lifted(&bodies[0]).point(vector(first.at));
+        let a = lifted(&bodies[4]).point(vector(first.at));
         let b = plus(a, scaled(distance, direction(0.7)));
         put(&mut bodies[1], &second, b);
         Some(())
     }
 
     /// Moves body 1 such that the inner pin runs at this height over the outer pin.
-    fn across(&self, bodies: &mut [Body<f64>; 4], wanted: Dd) -> Option<()> {
+    fn across(&self, bodies: &mut [Body<f64>; 5], wanted: Dd) -> Option<()> {
         let (first, inner) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.inner[0])?);
         let slide = slide_of(&self.dyad.outer[1])?;
-        let a = lifted(&bodies[0]).point(vector(first.at));
+        let a = lifted(&bodies[4]).point(vector(first.at));
         let along = direction::<Dd>(slide.along_angle);
         let offset = times(direction::<Dd>(slide.tilt_angle), minus(vector(inner.at), vector(slide.own)))[1];
         let height = dot(perp(along), vector(slide.through)) + offset;
@@ -187,7 +187,7 @@ impl Isolated {
     }
 
     /// Turns guides to this angle: body 1 for type 4, the inner guide itself for type 5.
-    fn parallel(&self, frame: &mut GroupFrame, bodies: &mut [Body<f64>; 4], near: Dd) -> Option<()> {
+    fn parallel(&self, frame: &mut GroupFrame, bodies: &mut [Body<f64>; 5], near: Dd) -> Option<()> {
         let outer = slide_of(&self.dyad.outer[1])?;
         if let Some(first) = slide_of(&self.dyad.outer[0]) {
             let turn =

@@ -14,7 +14,7 @@ use crate::stability::row::{DISTANCES, FACTOR, Row, Subject, accept_without_digi
 const LINKS: [usize; 2] = [2, 3];
 
 /// The bodies that the group is joined to.
-const JOINED: [usize; 2] = [0, 1];
+const JOINED: [usize; 2] = [4, 1];
 
 /// Of the linear system of two links.
 const EQUATIONS: f64 = 6.0;
@@ -33,7 +33,7 @@ struct Place<'a> {
     words: String,
     distance: f64,
     frame: &'a GroupFrame,
-    bodies: [Body<f64>; 4],
+    bodies: [Body<f64>; 5],
     powers: [i32; 2],
     disparity: f64,
     size: f64,
@@ -89,8 +89,8 @@ fn floor(order: usize) -> f64 {
 }
 
 /// Loads on the two links.
-fn loads(size: f64) -> [Wrench<f64>; 4] {
-    let mut loads = [Wrench::ZERO; 4];
+fn loads(size: f64) -> [Wrench<f64>; 5] {
+    let mut loads = [Wrench::ZERO; 5];
     loads[2] = Wrench { fx: 1.0, fy: -0.7, m: 0.3 * size };
     loads[3] = Wrench { fx: -0.4, fy: 0.9, m: -0.2 * size };
     loads
