@@ -33,6 +33,7 @@ pub(crate) enum Event {
 
 /// Runs until the user leaves; `config`: where its configuration is kept.
 pub(crate) fn run(mut state: State, mouse: bool, config: Option<&Path>) -> io::Result<()> {
+    let start = (state.look, state.panels.clone());
     let (sender, events) = channel();
     listen_to_signals(sender.clone())?;
     let mut screen = Screen::take(mouse)?;
@@ -42,7 +43,7 @@ pub(crate) fn run(mut state: State, mouse: bool, config: Option<&Path>) -> io::R
     loop {
         for wish in std::mem::take(&mut state.wishes) {
             if matches!(wish, Wish::Keep) {
-                config::keep(&mut state, config);
+                config::keep(&mut state, config, &start);
             } else {
                 grant(wish, &mut state, &mut screen, &sender)?;
             }

@@ -64,6 +64,7 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
             (if last { command.run } else { act::close })(state);
         }
         Some(command) if command.name == "help" && state.help.is_some() => state.help = None,
+        None if key.code == KeyCode::Esc => act::close(state),
         Some(command) => {
             state.fault = None;
             (command.run)(state);

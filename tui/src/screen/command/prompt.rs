@@ -9,6 +9,8 @@ use crate::screen::state::{Key, Prompt, PromptKind, State, round};
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(mut prompt) = state.prompt.take() else { return };
     match key.code {
+        // Also where another key closes.
+        KeyCode::Esc => return,
         KeyCode::Enter => {
             state.message = None;
             match prompt.kind {

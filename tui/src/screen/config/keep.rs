@@ -7,15 +7,24 @@ use super::default::settings;
 use crate::files;
 use crate::screen::state::{Look, Panels, Role, State};
 
-/// Writes it to the configuration file, and says so.
-pub(crate) fn keep(state: &mut State, file: Option<&Path>) {
+/// Writes what has changed since the start to the configuration file, and says so. What the terminal or its locale asks for is
+/// no change.
+pub(crate) fn keep(state: &mut State, file: Option<&Path>, (look, panels): &(Look, Panels)) {
     let Some(path) = file else {
         let text = "there is no place for a configuration: neither XDG_CONFIG_HOME nor HOME is set";
         return state.say(Role::Bad, text);
     };
+    let before = settings(*look, panels);
+    let now = settings(state.look, &state.panels).into_iter().zip(before);
+    let changed: Vec<_> =
+        now.filter(|(now, before)| now.2 != before.2).map(|((_, name, value), _)| (name, value)).collect();
+    if changed.is_empty() {
+        return state
+            .say(Role::Plain, "nothing that is kept has changed: theme, marker, ascii, fps, cell, panels");
+    }
     let old =
         if path.exists() { files::read(path).map_err(|error| error.to_string()) } else { Ok(String::new()) };
-    let written = old.and_then(|old| kept(&old, state.look, &state.panels)).and_then(|text| {
+    let written = old.and_then(|old| kept(&old, &changed)).and_then(|text| {
         let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
         folder.map_err(|error| error.to_string())?;
         files::write(path, text.as_bytes()).map_err(|error| error.to_string())
@@ -31,24 +40,28 @@ pub(crate) fn keep(state: &mut State, file: Option<&Path>) {
 /// # Errors
 ///
 /// What the user may do instead, if the text can't be changed so that it is read again.
-pub(super) fn kept(text: &str, look: Look, panels: &Panels) -> Result<String, String> {
+pub(super) fn kept(text: &str, changed: &[(&str, String)]) -> Result<String, String> {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    for (_, name, value) in settings(look, panels) {
+    for (name, value) in changed {
         let line = format!("{name} = {value}");
         // A setting stands before the first table.
         let tables = lines.iter().position(|line| line.trim_start().starts_with('[')).unwrap_or(lines.len());
-        let is_setting = |line: &String| line.split_once('=').is_some_and(|(key, _)| key.trim() == name);
+        let is_setting = |line: &String| line.split_once('=').is_some_and(|(key, _)| key.trim() == *name);
         match lines[..tables].iter().position(is_setting) {
             Some(at) => lines[at] = line,
             None => lines.insert(0, line),
         }
     }
     let text = lines.join("\n") + "\n";
-    match Config::read("config.toml", &text) {
-        Ok(config) if config.look == look => Ok(text),
-        _ => {
-            Err("the configuration has a form that can't be changed here; `assur config` prints one that can"
-                .into())
-        }
+    let config = Config::read("config.toml", &text).ok();
+    let read = config.map(|config| settings(config.look, &config.panels));
+    let is_read = |(name, value): &(&str, String)| {
+        read.iter().flatten().any(|(_, known, read)| known == name && read == value)
+    };
+    if changed.iter().all(is_read) {
+        Ok(text)
+    } else {
+        Err("the configuration has a form that can't be changed here; `assur config` prints one that can"
+            .into())
     }
 }
