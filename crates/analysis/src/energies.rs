@@ -162,9 +162,9 @@ fn over_time(nodes: &[Acting], jumps: &[[Acting; 2]]) -> (Works, [f64; 2]) {
         let mut from = pair[0];
         for [before, after] in inside.chain([&[pair[2]; 2]]) {
             let way = before.coordinate - from.coordinate;
-            for part in 0..2 {
+            for (part, work) in works.iter_mut().enumerate() {
                 let acting = if way < 0.0 { 1 - part } else { part };
-                works[part] += 0.5 * way * (from.moments[acting] + before.moments[acting]);
+                *work += 0.5 * way * (from.moments[acting] + before.moments[acting]);
             }
             from = *after;
         }

@@ -107,7 +107,8 @@ impl<'a, const N: usize> Course<'a, N> {
         let range = values[best] - least;
         let mut found = (coordinate(best), values[best]);
         if range <= CONSTANT * values[best].abs().max(least.abs()) {
-            return Ok(found);
+            // The samples are shifted against the first position.
+            return Ok((self.cycle.linkage.mechanism.input.from, values[best]));
         }
         let last = values.len() - 1;
         let mut position = self.cycle.linkage.position();

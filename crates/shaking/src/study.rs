@@ -36,26 +36,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     let coordinate = |i: usize| input.from + input.sign() * period * i as f64 / SAMPLES as f64;
     let samples = (0..SAMPLES).map(|i| sampler.at(coordinate(i))).collect::<Result<Vec<_>, _>>()?;
     let carriers = sampler.carriers.clone();
-    let mut balances = Vec::new();
-    let mut products = Vec::new();
-    // On the input link alone, then on all links that turn about the ground.
-    let mut counts = vec![1, carriers.len()];
-    counts.dedup();
-    for count in counts.into_iter().filter(|count| (1..=carriers.len()).contains(count)) {
-        for criterion in [Criterion::LeastSquares, Criterion::LeastMaximum] {
-            let found = counterweights(&samples, count, criterion);
-            balances.push(Balanced {
-                criterion,
-                counterweights: found
-                    .iter()
-                    .zip(&carriers)
-                    .map(|(p, carrier)| described(linkage, carrier, *p))
-                    .collect(),
-                after: size(&samples, &carriers, &found),
-            });
-            products.push(found);
-        }
-    }
+    let (balances, products) = balances(linkage, &samples, &carriers).into_iter().unzip::<_, _, _, Vec<_>>();
     let mut positions = Vec::with_capacity(input.positions);
     for index in 0..input.positions {
         let sample = sampler.at(input.coordinate(index))?;
@@ -77,6 +58,24 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
         balances,
         positions,
     })
+}
+
+/// The counterweights by each criterion, with their products of mass and place: on the input link alone, then on all links
+/// that turn about the ground.
+fn balances(linkage: &Linkage, samples: &[Sample], carriers: &[Carrier]) -> Vec<(Balanced, Vec<[f64; 2]>)> {
+    let mut counts = vec![1, carriers.len()];
+    counts.dedup();
+    let mut all = Vec::new();
+    for count in counts.into_iter().filter(|count| (1..=carriers.len()).contains(count)) {
+        for criterion in [Criterion::LeastSquares, Criterion::LeastMaximum] {
+            let found = counterweights(samples, count, criterion);
+            let each = found.iter().zip(carriers);
+            let counterweights =
+                each.map(|(product, carrier)| described(linkage, carrier, *product)).collect();
+            all.push((Balanced { criterion, counterweights, after: size(samples, carriers, &found) }, found));
+        }
+    }
+    all
 }
 
 /// Force and moment of a sample with counterweights.

@@ -117,8 +117,8 @@ fn converge(
             let stalled = energy.iter().any(|t| *t <= 2.0 * FLOOR * start);
             return if stalled { Err(Failure { stalled }) } else { Ok((moments, lu)) };
         }
-        for j in 1..=S {
-            moments[j] = moment(j, energy);
+        for (j, found) in moments.iter_mut().enumerate().skip(1) {
+            *found = moment(j, energy);
         }
     }
     Err(Failure { stalled: energy.iter().any(|t| *t < NEARLY_AT_REST * start) })

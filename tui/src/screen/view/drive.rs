@@ -30,7 +30,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
         Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
-            paint(state, &figure(state, scene, 1), area, buffer)
+            paint(state, &figure(state, scene, 1), area, buffer);
         }
         Part::Places => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
         _ => {

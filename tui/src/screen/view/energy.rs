@@ -90,7 +90,7 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
         Item::name(tip, point.name.clone(), Ink::Title),
     ];
     let title = format!("reduced to {}: F {} N, m {} kg", point.name, digits(force, 5), digits(mass, 5));
-    let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l".into(), "m".into()) };
+    let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
     Some(Panel { title, frame, items })
 }
 
