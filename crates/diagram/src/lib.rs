@@ -5,7 +5,7 @@
 //! * [`construction_plans`]: the construction of a force analyzer (longitudinal reactions, Zhukovsky's lever).
 //! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
 //! * [`enveloping`]: the straight line that an arc envelopes.
-//! * [`sheet`]: all plans of one position; [`text()`] and [`sheet_text`] write tables.
+//! * [`sheet`]: all plans of one position.
 //!
 //! SI units. Knows no terminal, no file and no concrete method.
 
@@ -21,7 +21,6 @@ mod polygon;
 mod sheet;
 mod sign;
 mod split;
-mod text;
 
 pub use construction::construction_plans;
 pub use cycle::{Extreme, Hodograph, Sizes};
@@ -34,7 +33,6 @@ pub use polygon::{NamedLoad, force_polygons, named_loads};
 pub use sheet::{Sheet, constructions, sheet};
 pub use sign::{SignChange, Solver, sign_changes};
 pub use split::{Share, Split, split};
-pub use text::{sheet_text, text};
 
 #[cfg(test)]
 mod tests;

@@ -206,8 +206,9 @@ pub struct Statistics {
     /// above, stiffness limits the steps of an explicit method.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
-    /// Estimated error of the motion: [`Trajectory::deviation`] from a run at a tenth of the tolerance. For a method with a fixed step: from the motion by a method that controls its
-    /// error. `None` for a method without discretization error in time, and if the other run failed. If it is far above
+    /// Estimated error of the motion: [`Trajectory::deviation`] from a run at a tenth of the tolerance; for a method with a
+    /// fixed step, from the motion by a method that controls its error. `None` for a method without discretization error in
+    /// time, and if the other run failed. If it is far above
     /// the tolerance, the motion is too sensitive for it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,

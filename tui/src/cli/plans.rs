@@ -4,7 +4,6 @@ use std::ops::RangeInclusive;
 
 use assur_analysis::results::{Analysis, PositionPlans};
 use assur_analysis::{Calculation, MOST_KEPT};
-use assur_diagram::sheet_text;
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -138,7 +137,8 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
         };
         let heading = format!("Plans of position {} ({} {coordinate})", plans.index, analysis.input.link);
         let rule = "-".repeat(heading.chars().count());
-        text += &style.text(&format!("\n{heading}\n{rule}\n{}", sheet_text(&plans.sheet)));
+        text += &style
+            .text(&format!("\n{heading}\n{rule}\n{}", assur_report::text::plans(&plans.sheet, style.ascii)));
     }
     text
 }

@@ -9,10 +9,15 @@ const ROUNDING: f64 = 1e-13;
 /// Formats the values of one column with one number of decimals: as many as its largest needs for six significant
 /// digits, so that small values are seen to be small. `None` is a dash. `kind`: the largest number of this unit nearby.
 pub(super) fn column(values: &[Option<f64>], kind: f64) -> Vec<String> {
-    let clean = |value: f64| if value.abs() <= ROUNDING * kind { 0.0 } else { value };
+    let clean = |value: f64| if is_rounding(value, kind) { 0.0 } else { value };
     let values: Vec<_> = values.iter().map(|value| value.map(clean)).collect();
     let largest = values.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     values.iter().map(|value| value.map_or_else(|| "-".to_owned(), |value| beside(value, largest))).collect()
+}
+
+/// Whether a number is rounding compared with the greatest of its kind.
+pub(super) fn is_rounding(value: f64, greatest: f64) -> bool {
+    value.abs() <= ROUNDING * greatest
 }
 
 /// One value with six significant digits.

@@ -2,6 +2,9 @@
 
 use super::layout::{columns, wrap};
 use super::number::{column, short, single};
+use super::plans::plans;
+use assur_all as _;
+use assur_diagram::{Plan, PlanVector, Sheet, VectorKind};
 
 #[test]
 fn a_column_has_the_digits_of_its_largest_value() {
@@ -88,4 +91,56 @@ fn a_sample_of_the_positions_is_named() {
     let text = super::checks(&rows, false);
     let below: Vec<_> = text.lines().skip(6).collect();
     assert_eq!(below, ["checked in 360 of 1,000,000: closure, PF1", "checked in 360 of 1,200: loads"]);
+}
+
+/// The plans of the press, whose velocities are replaced by two vectors.
+fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
+    let mechanism = assur_scene::read("press", assur_fixtures::scene("press")).unwrap();
+    let calculation =
+        assur_analysis::Calculation::of(mechanism, &Default::default(), &mut assur_analysis::unwatched)
+            .unwrap();
+    let sheet = calculation.sheet(3).unwrap();
+    let item = |(name, end): (&str, [f64; 2])| PlanVector {
+        name: name.to_owned(),
+        kind: VectorKind::Load,
+        start: [0.0; 2],
+        end,
+        size: end[0].hypot(end[1]),
+        unit: "N".to_owned(),
+        note: "load on `arm`".to_owned(),
+    };
+    let items = ["one", "other"].into_iter().zip(vectors).map(item).collect();
+    let velocities =
+        Plan { title: "Two".to_owned(), unit: "N".to_owned(), scale: 0.2, items, ..sheet.velocities };
+    Sheet { velocities, ..sheet }
+}
+
+#[test]
+fn plans_are_tables_with_directions_that_rounding_does_not_change() {
+    let text = plans(&sheet_of([[1.0, -1e-17], [-1.0, -0.0]]), true);
+    let two = &text[..text.find("Plan of accelerations").unwrap()];
+    assert!(two.starts_with("Two\nunit N, 1 mm = 0.2 N; residual "), "{two}");
+    assert!(two.contains(" 0.0000 ") && two.contains(" 180.0000 ") && !two.contains("-180"), "{two}");
+    assert!(two.contains("1.00000") && two.contains("load on `arm`"), "{two}");
+    let text = plans(&sheet_of([[0.0, -20.0], [0.0, 20.0]]), true);
+    assert!(
+        text.contains(" 20.0000 ") && text.contains(" -90.0000 ") && text.contains(" 90.0000 "),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_plans_of_a_position_have_every_table() {
+    let text = plans(&sheet_of([[1.0, 0.0], [0.0, 1.0]]), true);
+    assert!(text.is_ascii());
+    for title in [
+        "Plan of accelerations\n",
+        "Instant centers (m)\n",
+        "Force polygon of group 1 (RRP rod, slider)\n",
+        "Longitudinal reactions: pole of `rod`, balancing force at A: force polygon\n",
+        "Zhukovsky's lever",
+        "Reactions by cause (N)",
+    ] {
+        assert!(text.contains(title), "{title}\n{text}");
+    }
 }
