@@ -38,7 +38,9 @@ impl Mechanism {
             [mass, inertia].into_iter().chain(center).for_each(&mut *visit);
         }
         for Point { name: _, places } in points {
-            places.iter_mut().for_each(|place| in_place(place, visit));
+            for place in places {
+                in_place(place, visit);
+            }
         }
         for Slide { name: _, link: _, on: _, point, through, angle, tilt } in slides {
             point.iter_mut().chain(through).chain([angle, tilt]).for_each(&mut *visit);
@@ -46,16 +48,36 @@ impl Mechanism {
         in_input(input, visit);
         assembly.iter_mut().flat_map(|(_, at)| at).for_each(&mut *visit);
         gravity.iter_mut().flatten().for_each(&mut *visit);
-        forces.iter_mut().for_each(|force| in_force(force, visit));
-        moments.iter_mut().for_each(|moment| in_moment(moment, visit));
-        springs.iter_mut().for_each(|spring| in_spring(spring, visit));
-        contacts.iter_mut().for_each(|contact| in_contact(contact, visit));
+        in_loads((forces, moments), (springs, contacts), visit);
         if let Some(Balance::Force { at, angle }) = balance {
             in_place(at, visit);
             visit(angle);
         }
-        motion.iter_mut().for_each(|motion| in_motion(motion, visit));
-        drive.iter_mut().for_each(|drive| in_drive(drive, visit));
+        if let Some(motion) = motion {
+            in_motion(motion, visit);
+        }
+        if let Some(drive) = drive {
+            in_drive(drive, visit);
+        }
+    }
+}
+
+fn in_loads(
+    (forces, moments): (&mut [Force], &mut [Moment]),
+    (springs, contacts): (&mut [Spring], &mut [Contact]),
+    visit: &mut impl FnMut(&mut f64),
+) {
+    for force in forces {
+        in_force(force, visit);
+    }
+    for moment in moments {
+        in_moment(moment, visit);
+    }
+    for spring in springs {
+        in_spring(spring, visit);
+    }
+    for contact in contacts {
+        in_contact(contact, visit);
     }
 }
 
@@ -75,7 +97,9 @@ fn in_moment(Moment { name: _, link: _, value, brake }: &mut Moment, visit: &mut
 
 fn in_spring(spring: &mut Spring, visit: &mut impl FnMut(&mut f64)) {
     let Spring { name: _, ends, stiffness, length, damping } = spring;
-    ends.iter_mut().for_each(|end| in_place(end, visit));
+    for end in ends {
+        in_place(end, visit);
+    }
     [stiffness, length, damping].into_iter().for_each(visit);
 }
 
@@ -83,7 +107,9 @@ fn in_contact(contact: &mut Contact, visit: &mut impl FnMut(&mut f64)) {
     let Contact { name: _, center, radius, angle, force, friction, during: _ } = contact;
     in_place(center, visit);
     [radius, friction].into_iter().for_each(&mut *visit);
-    [angle, force].into_iter().for_each(|value| in_value(value, visit));
+    for value in [angle, force] {
+        in_value(value, visit);
+    }
 }
 
 fn in_place(Place { link: _, at }: &mut Place, visit: &mut impl FnMut(&mut f64)) {

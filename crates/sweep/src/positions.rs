@@ -83,7 +83,9 @@ impl<'a, 'w> Positions<'a, 'w> {
             let mut solved = block;
             if !holds_all {
                 failures = self.solve(&block, &mut blocks[position]);
-                failures.iter().for_each(|(lane, ..)| solved.valid[*lane] = false);
+                for (lane, ..) in &failures {
+                    solved.valid[*lane] = false;
+                }
                 all_solved &= failures.is_empty();
                 self.health(&solved, &blocks[position]);
                 self.places(&solved, &blocks[position]);
