@@ -16,7 +16,9 @@ enum Answer {
 use Answer::{Message, Numbers};
 
 const ANSWERS: &[(&str, Answer)] = &[
+    ("andrews-undriven", Numbers(nothing_drives)),
     ("b-turned", Numbers(any)),
+    ("balance-on-the-loaded-link", Numbers(any)),
     ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
     ("check-stroke-transient", Numbers(any)),
@@ -36,7 +38,10 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_work2", Message(&["until"])),
     ("check_work_prp", Message(&["creeps to rest without end"])),
     ("check_work_r122", Message(&["creeps to rest without end"])),
+    ("cycle-not-whole", Message(&["does not repeat", "whole turns"])),
+    ("direction-of-a-short-link", Numbers(any)),
     ("duplicate_keys", Message(&["name"])),
+    ("far-from-the-origin", Numbers(any)),
     ("hang_49fcf9055d", Message(&["too large"])),
     ("hang_eab2dafae2", Message(&["until"])),
     ("hang_gravity", Message(&["too small"])),
@@ -52,6 +57,8 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("notfinite_d5676d46f3", Message(&["inertia"])),
     ("notfinite_d6e81b9875", Message(&["too large"])),
     ("raw_work_r122", Message(&["creeps to rest without end"])),
+    ("rests-on-a-jump", Numbers(any)),
+    ("stiff-motor-without-load", Numbers(any)),
     ("rests-for-good", Message(&["rests there for good"])),
     // By hand: 1 m up to 2 s, 3 m more from 5 s to 8 s.
     (

@@ -1,9 +1,10 @@
 //! The checks of the numbers.
 
-use assur_check::{Check, Chosen, Coverage, Residuals, Subject, methods};
-use assur_dynamics::{Steady, Transient, section_margin};
-use assur_force::{Kinetostatics, Loads, Side, State, tolerance};
-use assur_group::{Body, Order};
+use assur_check::{Check, Chosen, Coverage, InputLoad, Residuals, Subject, methods};
+use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
+use assur_force::State;
+use assur_group::Order;
+use assur_kinematics::Linkage;
 use assur_mechanism::{Motion, Solve, Torque};
 
 use crate::progress::{Stopped, Watch};
@@ -26,7 +27,7 @@ impl Calculation {
         let (mut all, residuals) = match &self.motion {
             InputMotion::Prescribed => self.position_checks(&checked, watch),
             motion => rayon::in_place_scope(|scope| {
-                scope.spawn(|_| of_motion = self.motion_checks(motion, &checked));
+                scope.spawn(|_| of_motion = self.motion_checks(motion));
                 self.position_checks(&checked, watch)
             }),
         }?;
@@ -40,23 +41,25 @@ impl Calculation {
         checked: &Checked<'_>,
         watch: &mut Watch<'_>,
     ) -> Result<(Vec<Check>, Residuals), Stopped> {
+        let drive = self.input_load();
         let subject = Subject {
             linkage: &self.linkage,
             loads: self.loads.as_ref().filter(|_| self.plan.forces && self.no_motion.is_none()),
             positions: checked.positions.clone(),
             states: checked.states.clone(),
             state: &|number| checked.state(number),
+            drive: drive.as_deref(),
             methods: methods(&self.linkage, self.analyzer.map(|plugin| plugin.name)),
         };
         let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
     }
 
-    fn motion_checks(&self, motion: &InputMotion, checked: &Checked<'_>) -> Vec<Check> {
+    fn motion_checks(&self, motion: &InputMotion) -> Vec<Check> {
         match motion {
             InputMotion::Prescribed => Vec::new(),
-            InputMotion::Transient(found) => self.transient_checks(found, checked),
-            InputMotion::Steady(found) => self.steady_checks(found, checked),
+            InputMotion::Transient(found) => self.transient_checks(found),
+            InputMotion::Steady(found) => self.steady_checks(found),
         }
     }
 
@@ -66,60 +69,32 @@ impl Calculation {
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
-    /// S stage 10: the load at the input from the force analysis against that of drive and flywheel. `least`: a moment
-    /// (force) below which nothing is resolved.
-    fn drive_check(
-        &self,
-        checked: &Checked<'_>,
-        given: impl Fn(&State) -> f64,
-        least: f64,
-        limit: f64,
-        reason: &'static str,
-    ) -> Option<Check> {
+    /// The load on the input by the motion that was found; `None` where it is prescribed.
+    fn input_load(&self) -> Option<Box<dyn Fn(&State) -> InputLoad + Sync + '_>> {
         let loads = self.loads.as_ref()?;
-        if self.linkage.mechanism.balance.is_some() {
-            return None;
-        }
-        let (linkage, carrying) = (&self.linkage, &self.plan.groups_carrying);
-        let mut forces = Kinetostatics::new(linkage, loads, self.analyzer?.instance, carrying);
-        let mut position = linkage.position();
-        let mut compared = false;
-        let (mut worst, mut at, mut largest) = ([0.0_f64; 2], None, least);
-        let mut phase = loads.phase();
-        for (index, state) in checked.states.iter().filter_map(|index| Some((index, checked.state(index)?))) {
-            let state = &state;
-            if linkage.solve(state.coordinate, Order::Second, &mut position).is_err()
-                || forces.solve(state, &position).is_err()
-            {
-                continue;
+        match &self.motion {
+            InputMotion::Prescribed => None,
+            InputMotion::Transient(_) => {
+                let machine = assur_dynamics::equation(&self.linkage, loads).ok()?;
+                let drive = *machine.drive();
+                Some(Box::new(move |state: &State| {
+                    input_load(&drive, state, drive.torque(state), f64::EPSILON)
+                }))
             }
-            let (balancing, bodies) = (forces.reactions.balancing, &position.bodies);
-            // In a steady turn without loads all terms vanish; the rounding is that of J w².
-            let inertia = loads.reduced(state, bodies).inertia;
-            let steady = inertia * state.speed * state.speed / self.linkage.coordinate_unit();
-            largest = largest.max(balancing.abs() + terms(loads, state, bodies)).max(steady);
-            // On a steep line the load is known only as well as the coordinate.
-            loads.enter(state, &mut phase);
-            let rounding = tolerance(state.coordinate, self.linkage.mechanism.input.period());
-            let [before, after] = [-rounding, rounding].map(|shift| {
-                let beside = State { coordinate: state.coordinate + shift, ..*state };
-                loads.reduced_in_phase(&phase, &beside, bodies).moment
-            });
-            let (miss, unsure) = ((balancing - given(state)).abs(), (after - before).abs());
-            compared = true;
-            // A residual that is NaN must show, and a comparison with it would hide it.
-            if miss - unsure > worst[0] - worst[1] || miss.is_nan() {
-                (worst, at) = ([miss, unsure], Some(index));
+            InputMotion::Steady(found) => {
+                let regime = &found.regime;
+                let accuracy = MOMENTS_OF_REGIME * greatest_moment(&self.linkage, regime);
+                let of_speed = regime.effort.residual + f64::EPSILON;
+                Some(Box::new(move |state: &State| {
+                    let driving = regime.state(state.coordinate).drive;
+                    let load = input_load(&regime.drive(), state, driving, of_speed);
+                    InputLoad { error: load.error + accuracy, ..load }
+                }))
             }
         }
-        compared.then_some(())?;
-        let scale = if largest > 0.0 { largest } else { 1.0 };
-        let [residual, limit] = [worst[0] / scale, limit + worst[1] / scale];
-        let check = Check::of("drive against force analysis", residual, limit, "input link", reason);
-        Some(Check { at, sample: checked.states.share(), ..check })
     }
 
-    fn transient_checks(&self, found: &Transient, checked: &Checked<'_>) -> Vec<Check> {
+    fn transient_checks(&self, found: &Transient) -> Vec<Check> {
         let mut rows = Vec::new();
         let tolerance = match self.linkage.mechanism.motion {
             Some(Motion::Transient { tolerance, .. }) => tolerance,
@@ -133,29 +108,13 @@ impl Calculation {
             let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding + steps;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
-        let Some(Ok(machine)) =
-            self.loads.as_ref().map(|loads| assur_dynamics::equation(&self.linkage, loads))
-        else {
-            return rows;
-        };
-        let given =
-            |state: &State| machine.drive().torque(state) - machine.drive().inertia * state.acceleration;
-        let reason = "the acceleration follows from the same moments: rounding, magnified by the condition of the groups";
-        rows.extend(self.drive_check(checked, given, 0.0, 1e-9, reason));
         rows.extend(self.work_check(found));
         rows
     }
 
-    fn steady_checks(&self, found: &Steady, checked: &Checked<'_>) -> Vec<Check> {
+    fn steady_checks(&self, found: &Steady) -> Vec<Check> {
         let regime = &found.regime;
         let mut rows = Vec::new();
-        let reason = "the equation of motion is met between the nodes to 2e-13 of the energy; its acceleration to some more";
-        let given =
-            |state: &State| regime.state(state.coordinate).drive - regime.drive_inertia * state.acceleration;
-        // Moments come from the kinetic energy over the cycle: work and energy are equal.
-        let start = regime.state(self.linkage.mechanism.input.from);
-        let least = 0.5 * (start.inertia + regime.drive_inertia) * start.speed * start.speed;
-        rows.extend(self.drive_check(checked, given, least, 1e-8, reason));
         rows.extend(self.cycle_check(found));
         let reason = "the cycle closes to the rounding of its energy";
         // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
@@ -231,17 +190,33 @@ impl<'a> Checked<'a> {
     }
 }
 
-/// Sum of the sizes of the virtual powers of all loads per speed of the input, which may cancel in their sum.
-fn terms(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> f64 {
-    let mut sum = 0.0;
-    loads.by_cause(state, bodies, &mut |_, link, load| {
-        let body = &bodies[link];
-        sum += (load.fx * body.x1).abs() + (load.fy * body.y1).abs() + (load.m * body.w1).abs();
-    });
-    if matches!(state.side, Side::Held { .. }) {
-        // Each load is a mean of its values on both sides, which may cancel as well.
-        let side = |upper| loads.reduced(&State { side: Side::Held { upper }, ..*state }, bodies).moment;
-        sum += f64::abs(side(0.0)) + f64::abs(side(1.0));
+/// What a drive puts on the input in a state: its moment less that of its inertia. `of_speed`: relative accuracy of the
+/// speed, on which a stiff drive depends strongly.
+fn input_load(drive: &InputDrive, state: &State, moment: f64, of_speed: f64) -> InputLoad {
+    let of_inertia = drive.inertia * state.acceleration;
+    let faster = State { speed: state.speed * (1.0 + of_speed), ..*state };
+    let rounding = 4.0 * f64::EPSILON * (moment.abs() + of_inertia.abs());
+    InputLoad {
+        value: moment - of_inertia,
+        error: (drive.torque(&faster) - drive.torque(state)).abs() + rounding,
     }
-    sum
+}
+
+/// Relative accuracy of moments of a regime: its equation of motion is met between the nodes to 2e-13 of the energy, and its
+/// acceleration, of which they consist, to some more.
+const MOMENTS_OF_REGIME: f64 = 1e-8;
+
+/// The greatest moment of drive, loads and inertia over the cycle of a regime.
+fn greatest_moment(linkage: &Linkage, regime: &Regime) -> f64 {
+    /// A moment changes little between so many places.
+    const PLACES: u8 = 64;
+    let (input, unit) = (&linkage.mechanism.input, linkage.coordinate_unit());
+    let step = input.sign() * input.period().unwrap_or(0.0) / f64::from(PLACES);
+    let of = |place: u8| {
+        let at = regime.state(input.from + f64::from(place) * step);
+        let inertia = at.inertia + regime.drive_inertia;
+        let centrifugal = inertia * at.speed * at.speed / unit;
+        at.drive.abs() + at.load.abs() + (inertia * at.acceleration).abs() + centrifugal
+    };
+    (0..PLACES).map(of).fold(0.0, f64::max)
 }

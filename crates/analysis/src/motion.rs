@@ -188,6 +188,7 @@ pub(crate) fn is_usage(error: &DynamicsError) -> bool {
         error,
         D::NoMotion { .. }
             | D::NoCycle
+            | D::NotRepeating { .. }
             | D::OverTime
             | D::SteadyOnly { .. }
             | D::Rated(_)

@@ -84,7 +84,7 @@ fn set_motion(mechanism: &mut Mechanism, kind: &str) {
             let flywheel_on = FlywheelPlace::Crank;
             mechanism.drive =
                 Some(Drive { torque: Torque::Balance, ratio, efficiency: 1.0, flywheel, flywheel_on });
-            Some(Motion::Steady { mean_speed: 20.0, unevenness: None })
+            Some(Motion::Steady { mean_speed: 10.0 * speed, unevenness: None })
         }
         _ => None,
     };
@@ -125,13 +125,15 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         "contact" => {
             let force = over(Over::Coordinate, &[[0.0, 40.0], [2.0, 90.0]]);
-            let (center, radius, friction, during) = (at, 0.02, 0.15, Some([0.5, 4.5]));
+            let (center, radius, friction, during) = (at, 0.02, 0.15, Some([-2.0, 4.0]));
             let angle = Value::Constant(0.6);
             mechanism.contacts.push(Contact { name, center, radius, angle, force, friction, during });
         }
         "brake" => {
             let brake = Some(Brake { radius: 0.05, friction: 0.3 });
-            mechanism.moments.push(Moment { brake, ..moment(Value::Constant(60.0)) });
+            // The link that is placed last may slide and never turn.
+            let link = mechanism.input.link;
+            mechanism.moments.push(Moment { brake, link, ..moment(Value::Constant(60.0)) });
         }
         "force by a formula" => {
             let formula = Formula::read("70 + 20*sin(3*q) + 15*step(q - 1) - 4*w").expect("a formula");

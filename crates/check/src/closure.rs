@@ -1,6 +1,7 @@
 //! Closure: at every pair both bodies have the same place, PF1 and PF2.
 
 use assur_group::{Body, Pair, PairGeometry};
+use assur_kinematics::Linkage;
 
 use crate::check::Collector;
 use crate::elements::place_motion;
@@ -13,17 +14,26 @@ const ROUNDINGS: f64 = 64.0;
 const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
 const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term in the mechanism (a slow \
                       group carries the rounding of the fast one that drives it, and a short distance that of the \
-                      coordinates whose difference it is), across a change point those of the interpolation's nodes";
+                      coordinates whose difference it is; the direction of a link that of its joints over their distance), across a change \
+                      point those of the interpolation's nodes";
 
 /// Closure error of a pair: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
 
 /// The closure errors of the positions that were added.
-pub(crate) struct Closure([Collector; 3]);
+pub(crate) struct Closure {
+    collectors: [Collector; 3],
+    /// By link: how far the joints of the mechanism are from the origins, over the least distance of two joints of the
+    /// link, from whose places its direction follows; at least 1.
+    spreads: Vec<f64>,
+}
 
 impl Closure {
-    pub(crate) fn new() -> Self {
-        Self(NAMES.map(|name| Collector::new(name, REASON)))
+    pub(crate) fn new(subject: &Subject<'_>) -> Self {
+        let structure = &subject.linkage.structure;
+        let far = subject.reach() * structure.scale;
+        let spreads = (0..structure.links).map(|link| (far / span(subject.linkage, link)).max(1.0)).collect();
+        Self { collectors: NAMES.map(|name| Collector::new(name, REASON)), spreads }
     }
 
     pub(crate) fn add(&mut self, subject: &Subject<'_>, one: &Solved) {
@@ -36,7 +46,7 @@ impl Closure {
                 let size = sizes[order];
                 let limit = ROUNDINGS * f64::EPSILON * size * lost[order];
                 let unit = subject.unit(order, true);
-                self.0[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
+                self.collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
                 });
             }
@@ -47,16 +57,30 @@ impl Closure {
         for (id, body) in bodies.iter().enumerate().skip(1) {
             // The direction of a link is a unit vector.
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
-            let limit = ROUNDINGS * f64::EPSILON * turned;
-            self.0[0].offer(one.index, off, limit, || {
+            let limit = ROUNDINGS * f64::EPSILON * turned * self.spreads[id];
+            self.collectors[0].offer(one.index, off, limit, || {
                 format!("direction of link {}", linkage.mechanism.links[id].name)
             });
         }
     }
 
     pub(crate) fn collectors(self) -> impl Iterator<Item = Collector> {
-        self.0.into_iter()
+        self.collectors.into_iter()
     }
+}
+
+/// The least distance of two joints of a link that do not coincide, m; infinite where there are none.
+fn span(linkage: &Linkage, link: usize) -> f64 {
+    let of = |pair: &Pair| {
+        let (a, b) = match pair.geometry {
+            PairGeometry::Pin { at_a, at_b } => (at_a, at_b),
+            PairGeometry::Slide { point, through, .. } => (point, through),
+        };
+        [(pair.a, a), (pair.b, b)].into_iter().find(|(body, _)| *body == link).map(|(_, at)| at)
+    };
+    let places: Vec<_> = linkage.structure.pairs.iter().filter_map(|named| of(&named.pair)).collect();
+    let distances = places.iter().flat_map(|a| places.iter().map(|b| (a[0] - b[0]).hypot(a[1] - b[1])));
+    distances.filter(|distance| *distance > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {

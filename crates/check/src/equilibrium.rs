@@ -15,12 +15,13 @@ pub(crate) fn collectors() -> [Collector; 3] {
     [
         Collector::new(
             "equilibrium of links",
-            "forces and moments on each link, from named reactions and written-out loads; limit: 64 rounding units of what \
-             is summed and of the largest reaction, by the sum of 1/determinant over the groups",
+            "forces and moments on each link, from named reactions and written-out loads, relative to the largest sum of what \
+             acts on a link; limit: 64 rounding units by the sum of 1/determinant over the groups and the distance from the \
+             origin in sizes of the mechanism",
         ),
         Collector::new(
             "forces of joints",
-            "the forces of each pin or slide on its links sum to zero; limit: 64 rounding units of them",
+            "the forces of each pin or slide on its links sum to zero; limit: 64 rounding units of the largest sum",
         ),
         Collector::new(
             "slides push across",
@@ -44,25 +45,26 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     }
     let largest = largest(&case.reactions.pairs, scale);
     let total = largest + sums.all.iter().map(|sum| sum.size).fold(0.0, f64::max);
+    let total = total.max(f64::MIN_POSITIVE);
+    // Rounding of the largest load reaches every reaction.
+    let rounding = ROUNDINGS * f64::EPSILON;
+    let limit = rounding * one.condition;
     let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {
-        let limit = ROUNDINGS * f64::EPSILON * (sum.size + largest) * one.condition;
         let name = || format!("link {}", linkage.mechanism.links[link].name);
-        links.offer(one.index, off(sum), limit / total, name);
+        links.offer(one.index, off(sum), limit, name);
     }
-    let unit = largest.max(f64::MIN_POSITIVE);
-    let limit = ROUNDINGS * f64::EPSILON;
     for joint in &case.joints {
         let name = || joint_name(linkage, joint.joint);
         let sum = joint.forces.iter().fold([0.0; 2], |sum, (_, f)| [sum[0] + f[0], sum[1] + f[1]]);
-        joints.offer(one.index, sum[0].hypot(sum[1]) / unit, limit, name);
+        joints.offer(one.index, sum[0].hypot(sum[1]) / total, rounding, name);
         if let PairId::Slide(id) = joint.joint {
             let slide = &linkage.mechanism.slides[id];
             let (s, c) = slide.angle.sin_cos();
             let along = one.position.bodies[slide.on].turned([c, s]);
             let force = joint.forces.first().map_or([f64::NAN; 2], |(_, force)| *force);
             let off = (force[0] * along[0] + force[1] * along[1]).abs();
-            guides.offer(one.index, off / unit, limit * one.condition, name);
+            guides.offer(one.index, off / total, limit, name);
         }
     }
     let groups = linkage.structure.groups.iter();

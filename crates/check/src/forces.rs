@@ -22,7 +22,7 @@ pub(crate) struct Forces<'a> {
     written: Collector,
     balance: [Collector; 3],
     agreement: Collector,
-    powers: [Collector; 3],
+    powers: [Collector; 4],
     residuals: Vec<ForceResiduals>,
 }
 
@@ -47,6 +47,11 @@ impl<'a> Forces<'a> {
         let (subject, loads) = (self.subject, self.loads);
         let Some(one) = &subject.solve(index, state.coordinate) else { return };
         let given = given(loads, state, &one.position.bodies);
+        let is_finite = |load: &Wrench<f64>| load.fx.is_finite() && load.fy.is_finite() && load.m.is_finite();
+        if !given.values().all(is_finite) {
+            // Such a position has no forces to check.
+            return;
+        }
         let items = &self.writer.items(&given, state, &one.position.bodies);
         if items.values().all(|item| item.size == 0.0) {
             return;
@@ -59,8 +64,10 @@ impl<'a> Forces<'a> {
         let Some((full, reactions)) = full.and_then(|i| Some((i, answers[i].as_ref()?))) else {
             let [links, joints, guides] = &mut self.balance;
             let guides = Some(guides).filter(|_| !subject.linkage.mechanism.slides.is_empty());
+            let [_, lagrange, powers, drive] = &mut self.powers;
+            let drive = Some(drive).filter(|_| subject.drive.is_some());
             let all =
-                [links, joints, &mut self.agreement].into_iter().chain(&mut self.powers[1..]).chain(guides);
+                [links, joints, &mut self.agreement, lagrange, powers].into_iter().chain(guides).chain(drive);
             all.for_each(|collector| collector.leave_out(index, NO_ANSWER));
             return;
         };

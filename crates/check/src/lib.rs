@@ -37,7 +37,7 @@ pub use coverage::{Chosen, Coverage, SAMPLE};
 pub use notable::Notable;
 pub use residuals::{ForceResiduals, Residuals};
 pub use run::checks;
-pub use subject::{Subject, methods};
+pub use subject::{InputLoad, Subject, methods};
 
 #[cfg(test)]
 mod tests;

@@ -1,15 +1,19 @@
-//! Power: the equation of motion as a sum over every load (S stage 8, "Pogr1"), and virtual power against the balancing
-//! load of the force analysis (S stage 10).
+//! Power: the equation of motion as a sum over every load (S stage 8, "Pogr1"), and virtual power and the drive against the
+//! balancing load of the force analysis (S stage 10).
 
-use assur_force::{Cause, UnitBalance, power};
+use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
 use assur_mechanism::PairId;
 
 use crate::case::{Case, ROUNDINGS};
 use crate::check::Collector;
 use crate::kinetics;
 
-/// The checks of the reduced quantities, of the equation of motion, and of virtual power.
-pub(crate) fn collectors() -> [Collector; 3] {
+/// Why the drive is not compared there.
+const ON_A_JUMP: &str =
+    "at rest on a jump over the coordinate, where the load may have any value between both";
+
+/// The checks of the reduced quantities, of the equation of motion, of virtual power, and of the drive.
+pub(crate) fn collectors() -> [Collector; 4] {
     [
         Collector::new(
             "reduced quantities",
@@ -24,11 +28,17 @@ pub(crate) fn collectors() -> [Collector; 3] {
             "virtual power",
             "power of all loads and inertia loads against that of the balancing load; limit as for Lagrange-d'Alembert",
         ),
+        Collector::new(
+            "drive against force analysis",
+            "balancing load against the load of drive and flywheel in the motion that was found; limit as for \
+             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime 1e-8 of the greatest \
+             moments",
+        ),
     ]
 }
 
 /// Compares one state; returns the residuals of the equation of motion and of virtual power.
-pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collector; 3]) -> [f64; 2] {
+pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [Collector; 4]) -> [f64; 2] {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;
@@ -57,7 +67,41 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever]: &mut [Collect
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     let of_powers = (balancing + sum).abs() / total;
     lever.offer(one.index, of_powers, limit, || "all loads".to_owned());
+    if let Some(given) = case.subject.drive.map(|given| given(state)) {
+        let total = total.max(given.value.abs());
+        let off = (balancing - given.value).abs() / total;
+        match uncertain(case, limit * total) {
+            Some(uncertain) => {
+                let limit = limit + (given.error + uncertain) / total;
+                drive.offer(one.index, off, limit, || "input link".to_owned());
+            }
+            None => drive.leave_out(one.index, ON_A_JUMP),
+        }
+    }
     [of_motion, of_powers]
+}
+
+/// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the
+/// rounding of the coordinate, and where the motion is held by the rounding of the values on both sides, whose mean it is.
+/// `None` at rest on a jump over the coordinate, which is more than `rounding`.
+fn uncertain(case: &Case<'_>, rounding: f64) -> Option<f64> {
+    let (state, loads, bodies) = (case.state, case.loads, &case.one.position.bodies);
+    let mut phase = loads.phase();
+    loads.enter(state, &mut phase);
+    let period = case.subject.linkage.mechanism.input.period();
+    let states = [-1.0, 1.0].map(|side| {
+        let coordinate = state.coordinate + side * tolerance(state.coordinate, period);
+        State { coordinate, ..*state }
+    });
+    let difference = |[before, after]: [f64; 2]| (after - before).abs();
+    let gained = difference(states.map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment));
+    let across = difference(states.map(|at| loads.reduced(&at, bodies).moment));
+    if state.speed == 0.0 && across > 2.0 * gained + rounding {
+        return None;
+    }
+    let side = |upper| loads.reduced(&State { side: Side::Held { upper }, ..*state }, bodies).moment.abs();
+    let sides = if matches!(state.side, Side::Held { .. }) { side(0.0) + side(1.0) } else { 0.0 };
+    Some(gained + ROUNDINGS * f64::EPSILON * sides)
 }
 
 /// Power that the joints transfer from one link to another: the sum is zero but for rounding.

@@ -34,6 +34,7 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
         positions: all.clone(),
         states: all,
         state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+        drive: None,
         methods: methods(linkage, None),
     };
     let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
@@ -56,7 +57,7 @@ impl Subject<'_> {
             flow
         };
         let transfer = Work {
-            new: || (Closure::new(), TestPf::new(self)),
+            new: || (Closure::new(self), TestPf::new(self)),
             add: |(closure, test_pf): &mut (Closure, TestPf<'_>), index| {
                 if let Some(one) = self.solve(index, self.linkage.mechanism.input.coordinate(index)) {
                     closure.add(self, &one);

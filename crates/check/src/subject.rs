@@ -1,7 +1,7 @@
 //! What is checked: a linkage, and where there are loads the states and methods.
 
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
-use assur_group::Order;
+use assur_group::{Order, PairGeometry};
 use assur_kinematics::{Interpolation, Linkage, Position};
 
 use crate::Chosen;
@@ -19,8 +19,20 @@ pub struct Subject<'a> {
     pub states: Chosen,
     /// The state of such a number; `None` where forces are not determined.
     pub state: &'a (dyn Fn(usize) -> Option<State> + Sync),
+    /// The load on the input in a state, by the motion that was found; `None` where the motion is prescribed, so that the
+    /// balancing load has nothing to agree with.
+    pub drive: Option<&'a (dyn Fn(&State) -> InputLoad + Sync)>,
     /// The methods. All checks use the first one that gives reactions; the others are compared with it.
     pub methods: Vec<AnalyzerPlugin>,
+}
+
+/// The load of drive, flywheel and rotor on the input in a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputLoad {
+    /// Moment, N m (force, N), positive along the coordinate.
+    pub value: f64,
+    /// How far it may be off: by rounding, and since the motion is known with a limited accuracy only, N m (N).
+    pub error: f64,
 }
 
 /// A solved position.
@@ -31,7 +43,8 @@ pub(crate) struct Solved {
     pub(crate) position: Position,
     /// The smallest determinant of a group, at least the rounding unit.
     pub(crate) health: f64,
-    /// Sum of 1/determinant over the groups, at least 1: each group adds its rounding, magnified by this factor.
+    /// Sum of 1/determinant over the groups, at least 1, times the [reach](Subject::reach): each group adds the rounding of
+    /// its places, magnified by this factor.
     pub(crate) condition: f64,
 }
 
@@ -51,8 +64,19 @@ impl Subject<'_> {
         self.linkage.solve(coordinate, Order::Second, &mut position).ok()?;
         let determinants = || position.health.iter().map(|health| health.abs().max(f64::EPSILON));
         let health = determinants().fold(1.0, f64::min);
-        let condition = determinants().map(|health| 1.0 / health).sum::<f64>().max(1.0);
+        let condition = self.reach() * determinants().map(|health| 1.0 / health).sum::<f64>().max(1.0);
         Some(Solved { index, position, health, condition })
+    }
+
+    /// How far the joints are from the origins of their links, in sizes of the mechanism, at least 1: everything follows from
+    /// differences of places, which are rounded by that distance.
+    pub(crate) fn reach(&self) -> f64 {
+        let structure = &self.linkage.structure;
+        let places = structure.pairs.iter().flat_map(|named| match named.pair.geometry {
+            PairGeometry::Pin { at_a, at_b } => [at_a, at_b],
+            PairGeometry::Slide { point, through, .. } => [point, through],
+        });
+        places.map(|at| at[0].hypot(at[1]) / structure.scale).fold(1.0, f64::max)
     }
 
     /// Unit of a transfer function of this order: a typical length (or 1 rad) per unit of the coordinate.

@@ -129,8 +129,8 @@ pub(crate) struct Comparison<'a> {
     /// The largest PF0, PF1, PF2 of anything on each link, in its unit, at least 1: what stands still on a fast link is a
     /// difference of what moves.
     sizes: Vec<[f64; 3]>,
-    /// How far the mechanism is from the origin, in its own size, at least 1: everything follows from differences of places,
-    /// which are rounded by that distance.
+    /// How far the links are from the origin, in sizes of the mechanism, at least 1: everything follows from differences of
+    /// places, which are rounded by that distance.
     distance: f64,
 }
 

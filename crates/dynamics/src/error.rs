@@ -16,6 +16,19 @@ pub enum DynamicsError {
     /// The machine has no cycle.
     #[error("a steady regime needs a cycle of the input; give `input.cycle`")]
     NoCycle,
+    /// The mechanism is not the same again after a cycle.
+    #[error(
+        "the machine does not repeat with its cycle: the reduced inertia is {:.6e} at coordinate {start:.6} and {:.6e} at {end:.6}; \
+         give `input.cycle` whole turns", inertia[0], inertia[1]
+    )]
+    NotRepeating {
+        /// Coordinate at the start of the cycle, rad or m.
+        start: f64,
+        /// Coordinate at its end.
+        end: f64,
+        /// Reduced inertia at both, kg m² (kg).
+        inertia: [f64; 2],
+    },
     /// Loads over time don't repeat with the cycle.
     #[error(
         "a load follows a table over time, which does not repeat with the cycle: there is no steady regime"
@@ -187,6 +200,7 @@ impl DynamicsError {
             Self::Integration(IntegrationError::Registry(_)) => Some(&["motion", "integrator"]),
             Self::OtherSpeed { .. } => Some(&["motion", "mean_speed"]),
             Self::NoCycle => Some(&["input"]),
+            Self::NotRepeating { .. } => Some(&["input", "cycle"]),
             Self::SteadyOnly { .. } | Self::Stalled { .. } | Self::NotTuned { .. } => Some(&["drive"]),
             Self::TooWeak { .. }
             | Self::OffSection { .. }

@@ -26,7 +26,7 @@ impl<'a> Machine<'a> {
     ///
     /// # Errors
     ///
-    /// [`MotionError::Mechanism`] if there is no such position.
+    /// [`MotionError`] if there is no such position.
     pub fn potential_energy(&mut self, coordinate: f64) -> Result<f64, MotionError> {
         self.solve(coordinate)?;
         Ok(self.loads.potential_energy(&self.position.bodies))
@@ -39,6 +39,9 @@ impl<'a> Machine<'a> {
 
     #[inline]
     fn solve(&mut self, coordinate: f64) -> Result<(), MotionError> {
+        if !coordinate.is_finite() {
+            return Err(MotionError::OutOfRange);
+        }
         // The second derivatives are for dJ/dq alone.
         let order = if self.dependence.inertia_constant { Order::First } else { Order::Second };
         self.linkage.solve(coordinate, order, &mut self.position).map_err(MotionError::mechanism)

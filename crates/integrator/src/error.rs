@@ -43,7 +43,7 @@ pub enum IntegrationError {
         step: f64,
     },
     /// The allowed number of steps is used up.
-    #[error("the motion got to {at} in {steps} steps, which is the most, the last of {step:.1e} s{}", stiffness_words(*stiffness))]
+    #[error("the motion got to {at} in {steps} steps, the most that are taken; the last one was {step:.1e} s{}", stiffness_words(*stiffness))]
     TooManySteps {
         /// Place reached.
         at: State,
@@ -116,7 +116,7 @@ impl IntegrationError {
     pub fn equation(at: &State, source: MotionError) -> Self {
         match source {
             MotionError::Mechanism(_) => Self::EndOfRange { at: *at, source },
-            MotionError::Inertia { .. } | MotionError::NotFinite { .. } => Self::Equation { at: *at, source },
+            _ => Self::Equation { at: *at, source },
         }
     }
 

@@ -77,8 +77,8 @@ impl State {
 
 impl std::fmt::Display for State {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let shown =
-            |value: f64| if value.is_finite() { format!("{value:.9}") } else { OUT_OF_RANGE.to_owned() };
+        // Nine decimals of a greater number are not known.
+        let shown = |value: f64| if value.abs() < 1e7 { format!("{value:.9}") } else { scientific(value) };
         let [time, coordinate, speed] = [self.time, self.coordinate, self.speed].map(shown);
         write!(f, "t = {time} s, q = {coordinate}, w = {speed}")
     }
@@ -225,6 +225,9 @@ pub enum MotionError {
         /// Reduced moment, N m (N).
         moment: f64,
     },
+    /// The coordinate has outgrown all numbers, or followed from one that has.
+    #[error("the coordinate is {OUT_OF_RANGE}: the motion gains speed without limit")]
+    OutOfRange,
     /// The mechanism behind the equation failed: no assembly, singular position.
     #[error("{0}")]
     Mechanism(Arc<dyn Error + Send + Sync>),

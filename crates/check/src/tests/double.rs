@@ -22,6 +22,7 @@ fn ordinary_positions_are_judged_in_double_and_agree_with_32_digits() {
             positions: Chosen::all(count),
             states: Chosen::all(0),
             state: &|_| None,
+            drive: None,
             methods: methods(&linkage, None),
         };
         let all = elements(&linkage);

@@ -1,5 +1,11 @@
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+
+use assur_force::{Loads, State};
+use assur_group::Order;
+
 use super::{checks, hold, names, scene, show};
-use crate::Check;
+use crate::{Check, Chosen, InputLoad, Subject, methods};
 
 #[test]
 fn every_fixture_holds() {
@@ -58,4 +64,36 @@ fn a_limit_of_the_size_of_what_is_compared_judges_only_what_exceeds_it() {
     assert_eq!(of(0.3, 0.96), (false, false, false));
     assert_eq!(of(1.2, 0.96), (true, false, true));
     assert_eq!(of(f64::NAN, 0.96), (true, false, true));
+}
+
+/// The equation of motion says which moment at the input the prescribed motion needs.
+#[test]
+fn a_drive_that_differs_by_a_billionth_is_caught() {
+    let linkage = scene(assur_fixtures::scene("shaper"));
+    let loads = Loads::compile(&linkage).unwrap();
+    let input = &linkage.mechanism.input;
+    let check = |factor: f64| {
+        let needed = |state: &State| {
+            let mut position = linkage.position();
+            linkage.solve(state.coordinate, Order::Second, &mut position).unwrap();
+            let found = loads.reduced(state, &position.bodies);
+            let of_inertia =
+                found.inertia * state.acceleration + 0.5 * found.inertia_derivative * state.speed.powi(2);
+            InputLoad { value: factor * (of_inertia - found.moment), error: 0.0 }
+        };
+        let subject = Subject {
+            linkage: &linkage,
+            loads: Some(&loads),
+            positions: Chosen::all(0),
+            states: Chosen::all(input.positions),
+            state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+            drive: Some(&needed),
+            methods: methods(&linkage, None),
+        };
+        let ControlFlow::Continue((all, _)) =
+            subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
+        all.into_iter().find(|check| check.name == "drive against force analysis").unwrap()
+    };
+    assert!(check(1.0).ok, "{:?}", check(1.0));
+    assert!(check(1.0 + 1e-9).failed());
 }

@@ -42,6 +42,7 @@ pub(super) fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<AnalyzerPlug
         positions: all.clone(),
         states: all,
         state: &|index| Some(states[index]),
+        drive: None,
         methods,
     };
     let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));

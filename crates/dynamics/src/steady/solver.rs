@@ -2,8 +2,9 @@
 
 use assur_integrator::Motion;
 
+use super::collocation::S;
 use super::diagram::{FlywheelTask, WorkDiagram};
-use super::path::{Cycle, Path};
+use super::path::{Cycle, Panel, Path};
 use super::regime::{Context, Regime};
 use super::report::{Effort, Iteration};
 use super::request::{CycleRequest, DriveRequest, TorqueRequest};
@@ -24,6 +25,26 @@ const ACCURACY: f64 = 2e-13;
 /// Rounds of refinement.
 const MOST_ROUNDS: usize = 12;
 
+/// Rejects a cycle after which the mechanism is another one than at its start, such as a part of a turn of a crank.
+fn check_repeats(cycle: &Cycle, panels: &[Panel]) -> Result<(), DynamicsError> {
+    /// Part of the inertia: it is known much better, and changes by much more within any cycle that is wrong.
+    const SAME: f64 = 1e-6;
+    let (Some(first), Some(last)) = (panels.first(), panels.last()) else { return Ok(()) };
+    let (start, end) = (&first.coefficients.nodes[0], &last.coefficients.nodes[S]);
+    let same = |a: f64, b: f64, size: f64| (a - b).abs() <= SAME * size;
+    let nodes = panels.iter().flat_map(|panel| &panel.coefficients.nodes);
+    let inertia = nodes.map(|node| node.inertia.abs()).fold(0.0, f64::max);
+    let slopes = [start, end].map(|at| at.slope * cycle.length);
+    if same(start.inertia, end.inertia, inertia) && same(slopes[0], slopes[1], slopes[0].abs().max(inertia)) {
+        return Ok(());
+    }
+    Err(DynamicsError::NotRepeating {
+        start: cycle.start,
+        end: cycle.coordinate(cycle.length),
+        inertia: [start.inertia, end.inertia],
+    })
+}
+
 /// Finds steady regimes of one machine over one cycle.
 #[derive(Debug)]
 pub struct RegimeSolver<'a> {
@@ -37,7 +58,8 @@ impl<'a> RegimeSolver<'a> {
     ///
     /// # Errors
     ///
-    /// [`DynamicsError::OverTime`], [`DynamicsError::NoCycle`], [`DynamicsError::Equation`] where a position fails.
+    /// [`DynamicsError::OverTime`], [`DynamicsError::NoCycle`], [`DynamicsError::NotRepeating`], [`DynamicsError::Equation`]
+    /// where a position fails.
     pub fn new(motion: &'a mut dyn Motion, request: CycleRequest) -> Result<Self, DynamicsError> {
         if motion.dependence().moment_on_time {
             return Err(DynamicsError::OverTime);
@@ -49,6 +71,7 @@ impl<'a> RegimeSolver<'a> {
         let CycleRequest { start, length, mean_speed, .. } = request;
         let mut path = Path::new(motion, Cycle { start, sense: mean_speed.signum(), length });
         let panels = path.panels(mean_speed.abs(), RESOLVE)?;
+        check_repeats(&path.cycle, &panels)?;
         let diagram = WorkDiagram::new(&panels, length, mean_speed.abs());
         Ok(Self { shooting: Shooting { path, panels, cycles: 0 }, diagram, request })
     }

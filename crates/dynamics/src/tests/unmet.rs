@@ -94,3 +94,23 @@ fn an_inertia_that_vanishes_between_the_nodes_is_refused() {
         assert!((coordinate / PI - (coordinate / PI).round()).abs() < 1e-6, "{coordinate}");
     }
 }
+
+/// A cycle of less than a turn ends in another position than it began in.
+#[test]
+fn a_cycle_after_which_the_machine_is_another_is_refused() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\nmass = 1\ncenter = \"O\"\ninertia = 0.1\n\
+        [link.rod]\npoints = { A = 0, B = 0.4 }\n[link.piston]\npoints = { B = 0 }\nmass = 1\n\
+        [[slide]]\nlink = \"piston\"\non = \"ground\"\n[input]\nlink = \"crank\"\ncycle = \"CYCLE\"\n\
+        [motion]\nkind = \"steady\"\nmean_speed = 10\n[drive]\ntorque = \"balance\"\n";
+    let found = |cycle: &str| {
+        let (linkage, loads) = compiled(&scene.replace("CYCLE", cycle));
+        steady(&linkage, &loads, None)
+    };
+    for whole in ["360 deg", "720 deg"] {
+        assert!(found(whole).is_ok(), "{whole}");
+    }
+    for part in ["100 deg", "500 deg"] {
+        let error = found(part).unwrap_err();
+        assert!(matches!(error, DynamicsError::NotRepeating { .. }), "{part}: {error}");
+    }
+}
