@@ -136,6 +136,18 @@ fn a_position_that_is_not_there_is_refused() {
 }
 
 #[test]
+fn causes_of_more_positions_than_are_kept_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("fine.toml");
+    let fine = assur_fixtures::scene("shaper").replace("positions = 48", "positions = 4097");
+    std::fs::write(&scene, fine).unwrap();
+    let output = assur(&["analyze", scene.to_str().unwrap(), "--by-cause"]);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+    let words = String::from_utf8(output.stderr).unwrap();
+    assert!(words.contains("at most 4096 positions, and the scene has 4097"), "{words}");
+}
+
+#[test]
 fn a_position_that_does_not_assemble_has_no_plans() {
     let folder = tempfile::tempdir().unwrap();
     let scene = folder.path().join("short.toml");
