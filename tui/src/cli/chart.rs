@@ -62,7 +62,7 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         style.tell("stopped: what had been measured follows");
     }
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
-        let figure = crate::screen::view::accuracy::figure(&data);
+        let figure = chart::figure(&data);
         let status = if stopped { Status::Code(INTERRUPTED) } else { Status::Done };
         let picture = crate::screen::command::picture(&figure, path, PAGE).map_err(Fault::other)?;
         return output.write(picture, status).map(|()| status);

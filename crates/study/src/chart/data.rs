@@ -40,44 +40,35 @@ impl Stage {
     /// All, in order.
     pub const ALL: [Self; 5] = [Self::Kinematics, Self::Forces, Self::Motion, Self::Flywheel, Self::Steady];
 
+    /// Name in JSON, heading, caption of the times, and unit of work.
+    fn words(self) -> [&'static str; 4] {
+        match self {
+            Self::Kinematics => ["kinematics", "Transfer functions", "one position", "position"],
+            Self::Forces => ["forces", "Forces", "one position", "position"],
+            Self::Motion => ["motion", "Motion", "one run", "run"],
+            Self::Flywheel => ["flywheel", "Flywheel", "one flywheel", "run"],
+            Self::Steady => ["steady", "Steady regime", "one regime", "run"],
+        }
+    }
+
     /// The name in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Kinematics => "kinematics",
-            Self::Forces => "forces",
-            Self::Motion => "motion",
-            Self::Flywheel => "flywheel",
-            Self::Steady => "steady",
-        }
+        self.words()[0]
     }
 
     /// A heading.
     pub fn heading(self) -> &'static str {
-        match self {
-            Self::Kinematics => "Transfer functions",
-            Self::Forces => "Forces",
-            Self::Motion => "Motion",
-            Self::Flywheel => "Flywheel",
-            Self::Steady => "Steady regime",
-        }
+        self.words()[1]
     }
 
     /// The caption of a stage's times.
     pub fn unit_words(self) -> &'static str {
-        match self {
-            Self::Kinematics | Self::Forces => "one position",
-            Self::Motion => "one run",
-            Self::Flywheel => "one flywheel",
-            Self::Steady => "one regime",
-        }
+        self.words()[2]
     }
 
     /// What one unit of work is, in JSON: one position of the mechanism, or one whole run.
     pub fn unit(self) -> &'static str {
-        match self {
-            Self::Kinematics | Self::Forces => "position",
-            Self::Motion | Self::Flywheel | Self::Steady => "run",
-        }
+        self.words()[3]
     }
 }
 

@@ -10,10 +10,10 @@
 //!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
 
 mod auto;
-mod canvas;
 mod csv;
 mod data;
 mod entry;
+mod figure;
 mod forces;
 pub(crate) mod kinematics;
 mod motion;
@@ -23,13 +23,13 @@ mod race;
 mod reaction;
 mod ruler;
 mod run;
-mod scatter;
 mod steady;
 mod text;
 pub mod units;
 mod work;
 
 pub use csv::csv;
+pub use figure::figure;
 pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
 pub use options::{Clock, Options, Progress};
 pub use run::{ChartError, chart};

@@ -2,18 +2,10 @@
 
 /// A number in few characters: `1e-6`, `3.2e-5`, `0.02`, `24`.
 pub fn short(number: f64) -> String {
-    if number == 0.0 {
-        return "0".to_owned();
+    if number == 0.0 || (1e-2..1e4).contains(&number.abs()) {
+        return ((1e3 * number).round() / 1e3).to_string();
     }
-    if (1e-2..1e4).contains(&number.abs()) {
-        return trimmed(&format!("{number:.3}"));
-    }
-    let text = format!("{number:.1e}");
-    text.replace(".0e", "e")
-}
-
-fn trimmed(text: &str) -> String {
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    format!("{number:.1e}").replace(".0e", "e")
 }
 
 /// A time with its unit, three digits: `215 ns`, `1.20 ms`.
@@ -27,20 +19,6 @@ pub fn time(seconds: f64, ascii: bool) -> String {
     };
     let digits = if value < 9.995 { 2 } else { usize::from(value < 99.95) };
     format!("{value:.digits$} {unit}")
-}
-
-/// A power of ten of seconds with its unit: `100 ns`.
-pub fn decade(exponent: i32, ascii: bool) -> String {
-    let micro = if ascii { "us" } else { "µs" };
-    let unit = exponent.div_euclid(3);
-    let name = match unit {
-        0 => "s",
-        -1 => "ms",
-        -2 => micro,
-        -3 => "ns",
-        _ => return format!("1e{exponent} s"),
-    };
-    format!("1{} {name}", "0".repeat(usize::try_from(exponent.rem_euclid(3)).unwrap_or(0)))
 }
 
 /// An error: `3.1e-9`, or `<=3.1e-9`.

@@ -153,13 +153,10 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// Columns by which the labels of the last decade extend beyond a scatter plot.
-    const BEYOND: usize = 3;
-
     /// The report in this many columns: conclusions, speed against accuracy, stability.
-    pub(crate) fn text(&self, ascii: bool, width: usize) -> String {
+    pub(crate) fn text(&self, ascii: bool, width: u16) -> String {
         let chart = match &self.chart {
-            Ok(data) => chart::text(data, ascii, width.saturating_sub(Self::BEYOND)),
+            Ok(data) => chart::text(data, ascii, width),
             Err(error) => format!("{error}\n"),
         };
         match &self.stability {

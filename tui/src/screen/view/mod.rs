@@ -1,6 +1,5 @@
 //! Views: pure functions from the state to a frame.
 
-pub(crate) mod accuracy;
 mod advice;
 mod arrows;
 mod ascii;
@@ -145,7 +144,7 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
         View::Motion => motion::figure(state, scene, usize::MAX),
         View::Drive => drive::figure(state, scene, 1),
         View::Structure => structure::figure(state, scene),
-        View::Accuracy => accuracy::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
+        View::Accuracy => assur_study::chart::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
         View::Checks | View::Table | View::Working | View::Values | View::Probe => return None,
     };
     Some(figure).filter(|figure| !figure.panels.is_empty())

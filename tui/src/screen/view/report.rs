@@ -55,11 +55,11 @@ pub(crate) fn last_line(state: &State) -> usize {
 /// The text of a view in lines of a width.
 pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     // A column stays free at each side.
-    let width = usize::from(width.max(40)) - 2;
+    let width = width.max(40) - 2;
     let text = match (view, &state.measured, state.found()) {
         (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
         (View::Working, _, Some(found)) => found.plans.at(state.position).working().to_owned(),
         _ => String::new(),
     };
-    text.lines().flat_map(|line| folded(line, width)).collect()
+    text.lines().flat_map(|line| folded(line, usize::from(width))).collect()
 }

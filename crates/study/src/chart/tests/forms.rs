@@ -2,8 +2,8 @@
 
 use super::scenes::charted;
 use crate::chart::pareto::front;
-use crate::chart::scatter::Scatter;
-use crate::chart::{ChartData, Stage, WIDTH, csv, text};
+use crate::chart::{ChartData, Stage, WIDTH, csv, figure, text};
+use assur_figure::{Frame, Item};
 use proptest::prelude::*;
 
 fn json(data: &ChartData) -> serde_json::Value {
@@ -98,16 +98,23 @@ fn who_does_a_part_of_the_work_is_not_on_the_front() {
 }
 
 #[test]
-fn a_scatter_holds_every_point() {
+fn a_figure_holds_every_point() {
     let data = charted("press");
-    let scatter = Scatter::of(&data, Stage::Kinematics).unwrap();
-    assert_eq!(scatter.marks.len(), data.of(Stage::Kinematics).filter(|row| row.point().is_some()).count());
-    for mark in &scatter.marks {
-        let ([left, right], [low, high]) = (scatter.time_decades, scatter.error_decades);
-        assert!((f64::from(left)..=f64::from(right)).contains(&mark.seconds.log10()));
-        assert!((f64::from(low)..=f64::from(high)).contains(&mark.error.log10()));
+    let panels = figure(&data).panels;
+    assert_eq!(panels.len(), 2, "kinematics and forces");
+    for (panel, stage) in panels.iter().zip([Stage::Kinematics, Stage::Forces]) {
+        let Frame::Axes { x, y, .. } = &panel.frame else { panic!("{:?}", panel.frame) };
+        let signs = panel.items.iter().filter_map(|item| match item {
+            Item::Sign { at, .. } => Some(*at),
+            _ => None,
+        });
+        let mut count = 0;
+        for at in signs {
+            assert!(x.range[0] <= at[0] && at[0] <= x.range[1] && y.range[0] <= at[1] && at[1] <= y.range[1]);
+            count += 1;
+        }
+        assert_eq!(count, data.of(stage).filter(|row| row.point().is_some()).count());
     }
-    assert_eq!(Scatter::of(&data, Stage::Motion), None);
 }
 
 #[test]
