@@ -33,12 +33,8 @@ inventory::collect!(AnalyzerPlugin);
 impl Registered for AnalyzerPlugin {
     const WHAT: &'static str = "force analyzer";
 
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn crate_name(&self) -> &'static str {
-        self.crate_name
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.name, self.crate_name)
     }
 }
 

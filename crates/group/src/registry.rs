@@ -105,12 +105,8 @@ inventory::collect!(GroupPlugin);
 impl Registered for GroupPlugin {
     const WHAT: &'static str = "group";
 
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn crate_name(&self) -> &'static str {
-        self.crate_name
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.name, self.crate_name)
     }
 }
 

@@ -88,12 +88,8 @@ inventory::collect!(IntegratorPlugin);
 impl Registered for IntegratorPlugin {
     const WHAT: &'static str = "integrator";
 
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn crate_name(&self) -> &'static str {
-        self.crate_name
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.name, self.crate_name)
     }
 }
 

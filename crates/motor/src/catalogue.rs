@@ -44,12 +44,8 @@ impl CataloguePlugin {
 impl Registered for CataloguePlugin {
     const WHAT: &'static str = "motor catalogue";
 
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn crate_name(&self) -> &'static str {
-        self.crate_name
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.name, self.crate_name)
     }
 }
 

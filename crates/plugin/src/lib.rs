@@ -9,11 +9,8 @@ pub trait Registered: Collect {
     /// The sort of entry, for messages: `force analyzer`.
     const WHAT: &'static str;
 
-    /// Its stable identifier, which users write.
-    fn name(&self) -> &'static str;
-
-    /// The crate that registers it.
-    fn crate_name(&self) -> &'static str;
+    /// Its stable identifier, which users write, and the crate that registers it.
+    fn registration(&self) -> (&'static str, &'static str);
 }
 
 /// A plugin that is missing, or registered twice.
@@ -85,23 +82,21 @@ where
     inventory::iter<P>: IntoIterator<Item = &'static P>,
 {
     let all = all::<P>()?;
-    let found = all.iter().copied().find(|plugin| plugin.name() == name);
-    let known = || all.iter().map(|plugin| plugin.name()).collect();
+    let found = all.iter().copied().find(|plugin| plugin.registration().0 == name);
+    let known = || all.iter().map(|plugin| plugin.registration().0).collect();
     found.ok_or_else(|| RegistryError::Unknown { what: P::WHAT, name: name.to_owned(), known: known() })
 }
 
 fn sorted<P: Registered>(mut all: Vec<&'static P>) -> Result<Vec<&'static P>, RegistryError> {
-    all.sort_by_key(|plugin| (plugin.name(), plugin.crate_name()));
+    all.sort_by_key(|plugin| plugin.registration());
     if all.is_empty() {
         return Err(RegistryError::Empty { what: P::WHAT });
     }
-    match all.windows(2).find(|two| two[0].name() == two[1].name()) {
-        Some(two) => Err(RegistryError::Duplicate {
-            what: P::WHAT,
-            name: two[0].name(),
-            first: two[0].crate_name(),
-            second: two[1].crate_name(),
-        }),
+    let mut twins = all.windows(2).map(|two| (two[0].registration(), two[1].registration()));
+    match twins.find(|(first, second)| first.0 == second.0) {
+        Some(((name, first), (_, second))) => {
+            Err(RegistryError::Duplicate { what: P::WHAT, name, first, second })
+        }
         None => Ok(all),
     }
 }

@@ -8,12 +8,8 @@ inventory::collect!(Tool);
 impl Registered for Tool {
     const WHAT: &'static str = "tool";
 
-    fn name(&self) -> &'static str {
-        self.0
-    }
-
-    fn crate_name(&self) -> &'static str {
-        self.1
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.0, self.1)
     }
 }
 
@@ -28,12 +24,8 @@ inventory::collect!(Nothing);
 impl Registered for Nothing {
     const WHAT: &'static str = "nothing";
 
-    fn name(&self) -> &'static str {
-        ""
-    }
-
-    fn crate_name(&self) -> &'static str {
-        ""
+    fn registration(&self) -> (&'static str, &'static str) {
+        ("", "")
     }
 }
 

@@ -16,33 +16,29 @@ impl Structure {
     ///
     /// [`StructureError`] if the mobility is not 1, or if a group has no registered kind.
     pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
-        compose(mechanism)
-    }
-}
-
-fn compose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
-    let mobility = count(mechanism);
-    let graph = counted_system(mechanism);
-    refuse_other_mobility(mechanism, &mobility, &graph)?;
-    let incidence = Incidence::of(mechanism);
-    let scale = typical_length(mechanism);
-    let mut pairs = vec![input_pair(mechanism)];
-    let mut rank = vec![usize::MAX; mechanism.links.len()];
-    (rank[GROUND], rank[mechanism.input.link]) = (0, 1);
-    let mut groups = Vec::new();
-    for part in graph.parts() {
-        let links = links_of(&graph, &part);
-        let frame = frame_of(mechanism, &incidence, links, &rank, scale, &mut pairs);
-        if frame.links.is_empty() {
-            continue;
+        let mobility = count(mechanism);
+        let graph = counted_system(mechanism);
+        refuse_other_mobility(mechanism, &mobility, &graph)?;
+        let incidence = Incidence::of(mechanism);
+        let scale = typical_length(mechanism);
+        let mut pairs = vec![input_pair(mechanism)];
+        let mut rank = vec![usize::MAX; mechanism.links.len()];
+        (rank[GROUND], rank[mechanism.input.link]) = (0, 1);
+        let mut groups = Vec::new();
+        for part in graph.parts() {
+            let links = links_of(&graph, &part);
+            let frame = frame_of(mechanism, &incidence, links, &rank, scale, &mut pairs);
+            if frame.links.is_empty() {
+                continue;
+            }
+            for &link in &frame.links {
+                rank[link] = groups.len() + 2;
+            }
+            groups.push(group_of(mechanism, frame, &pairs)?);
         }
-        for &link in &frame.links {
-            rank[link] = groups.len() + 2;
-        }
-        groups.push(group_of(mechanism, frame, &pairs)?);
+        let formula = formula(mechanism, &groups);
+        Ok(Self { mobility, pairs, groups, links: mechanism.links.len(), scale, formula })
     }
-    let formula = formula(mechanism, &groups);
-    Ok(Structure { mobility, pairs, groups, links: mechanism.links.len(), scale, formula })
 }
 
 /// Chebyshev's formula.

@@ -107,26 +107,14 @@ impl Graph {
     /// that it could displace.
     pub(crate) fn surplus(&self) -> Option<(Vec<usize>, Vec<usize>)> {
         let first = self.matched.iter().position(Option::is_none)? / 2;
-        let (mut blocks, mut nodes) = (vec![first], Vec::new());
-        let mut has_block = vec![false; self.blocks.len()];
-        let mut has_node = vec![false; self.nodes.len()];
-        has_block[first] = true;
-        let mut next = 0;
-        while next < blocks.len() {
-            for &node in &self.blocks[blocks[next]].nodes {
-                if std::mem::replace(&mut has_node[node], true) {
-                    continue;
-                }
-                nodes.push(node);
-                for block in self.held[node].iter().map(|equation| equation / 2) {
-                    if !std::mem::replace(&mut has_block[block], true) {
-                        blocks.push(block);
-                    }
-                }
-            }
-            next += 1;
-        }
+        let nodes_of = |block: usize| self.blocks[block].nodes.iter().copied();
+        let mut blocks = reached(self.blocks.len(), vec![first], |block| {
+            nodes_of(block).flat_map(|node| self.held[node].iter().map(|equation| equation / 2))
+        });
         blocks.sort_unstable();
+        let mut nodes: Vec<usize> = blocks.iter().flat_map(|&block| nodes_of(block)).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
         Some((blocks, nodes))
     }
 
@@ -138,18 +126,9 @@ impl Graph {
                 dependents[other].push(node);
             }
         }
-        let mut found: Vec<usize> = (0..self.nodes.len()).filter(|&node| self.is_free(node)).collect();
-        let mut seen: Vec<bool> = (0..self.nodes.len()).map(|node| self.is_free(node)).collect();
-        let mut next = 0;
-        while next < found.len() {
-            // A node that shares an equation with a loose node, by which it is determined, is itself loose.
-            for &node in &dependents[found[next]] {
-                if !std::mem::replace(&mut seen[node], true) {
-                    found.push(node);
-                }
-            }
-            next += 1;
-        }
+        let free = (0..self.nodes.len()).filter(|&node| self.is_free(node)).collect();
+        // A node that shares an equation with a loose node, by which it is determined, is itself loose.
+        let mut found = reached(self.nodes.len(), free, |node| dependents[node].iter().copied());
         found.sort_unstable();
         found
     }
@@ -208,6 +187,26 @@ impl Graph {
         }
         order.into_iter().map(|i| std::mem::take(&mut parts[i])).collect()
     }
+}
+
+/// The first items with everything that is reached from them over `next`; there are `count` items in all.
+fn reached<I: IntoIterator<Item = usize>>(
+    count: usize,
+    first: Vec<usize>,
+    next: impl Fn(usize) -> I,
+) -> Vec<usize> {
+    let mut seen = vec![false; count];
+    first.iter().for_each(|&item| seen[item] = true);
+    let (mut found, mut at) = (first, 0);
+    while at < found.len() {
+        for other in next(found[at]) {
+            if !std::mem::replace(&mut seen[other], true) {
+                found.push(other);
+            }
+        }
+        at += 1;
+    }
+    found
 }
 
 /// Strongly connected components: mutual reachability, by two sweeps of depth-first search (Kosaraju).

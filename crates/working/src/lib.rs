@@ -18,7 +18,7 @@ mod statics;
 use assur_force::{Loads, State};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
-use assur_worksheet::{Reaction, Section, Sheet, Units, WorkingRegistryError};
+use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Units};
 
 /// The working of one position.
 #[derive(Debug, Clone)]
@@ -50,7 +50,7 @@ pub enum WorkingError {
     Position(#[from] PositionError),
     /// Two plugins provide a working for one kind.
     #[error(transparent)]
-    Registry(#[from] WorkingRegistryError),
+    Registry(#[from] RegistryError),
 }
 
 /// What is worked.

@@ -27,11 +27,12 @@ pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};
 pub use load::{Load, Reaction};
 pub use place::{Guide, Point, Pose, Rod};
-pub use plugin::{WorkingPlugin, WorkingRegistryError, Write, plugin_for};
+pub use plugin::{WorkingPlugin, Write, plugin_for};
 pub use render::{WIDTH, text};
 pub use sheet::{Names, Sheet, Units, symbol_of};
 
 pub use assur_group::inventory;
+pub use assur_plugin::RegistryError;
 
 #[cfg(test)]
 mod tests;

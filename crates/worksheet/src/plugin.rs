@@ -1,6 +1,7 @@
 //! The registry entry by which a kind of group provides its own equations.
 
 use assur_group::{Body, BuildError, GroupFrame, inventory};
+use assur_plugin::{Registered, RegistryError};
 
 use crate::Sheet;
 
@@ -24,34 +25,23 @@ pub struct WorkingPlugin {
 
 inventory::collect!(WorkingPlugin);
 
-/// A fault of the registry: a mistake of the build, not of a scene.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("two workings are registered for group `{group}`: by {first} and {second}; remove one")]
-pub struct WorkingRegistryError {
-    /// The group.
-    pub group: String,
-    /// The first crate.
-    pub first: &'static str,
-    /// The second crate.
-    pub second: &'static str,
+impl Registered for WorkingPlugin {
+    const WHAT: &'static str = "working of group";
+
+    fn registration(&self) -> (&'static str, &'static str) {
+        (self.group, self.crate_name)
+    }
 }
 
 /// The working of a kind of group; `None` if the kind provides none.
 ///
 /// # Errors
 ///
-/// [`WorkingRegistryError`] if two workings are registered for the kind.
-pub fn plugin_for(group: &str) -> Result<Option<&'static WorkingPlugin>, WorkingRegistryError> {
-    let all = inventory::iter::<WorkingPlugin>.into_iter();
-    let mut found: Vec<_> = all.filter(|plugin| plugin.group == group).collect();
-    found.sort_by_key(|plugin| plugin.crate_name);
-    match found[..] {
-        [] => Ok(None),
-        [one] => Ok(Some(one)),
-        [one, two, ..] => Err(WorkingRegistryError {
-            group: group.to_owned(),
-            first: one.crate_name,
-            second: two.crate_name,
-        }),
+/// [`RegistryError::Duplicate`] if two workings are registered for one kind.
+pub fn plugin_for(group: &str) -> Result<Option<&'static WorkingPlugin>, RegistryError> {
+    match assur_plugin::find(group) {
+        Ok(plugin) => Ok(Some(plugin)),
+        Err(RegistryError::Empty { .. } | RegistryError::Unknown { .. }) => Ok(None),
+        Err(fault) => Err(fault),
     }
 }

@@ -98,31 +98,27 @@ impl Pole {
     }
 }
 
-/// Steps of one kind in one drawing; for each: name, start, vector, note.
-type Steps<'s, const N: usize> = [(&'s str, [f64; 2], [f64; 2], String); N];
-
-struct Draft {
-    steps: Vec<Step>,
-}
-
-impl Draft {
-    fn push<const N: usize>(&mut self, drawing: Drawing, kind: StepKind, steps: Steps<'_, N>) {
-        let unit = if matches!(kind, StepKind::Point | StepKind::Line) { "m" } else { "N" };
-        self.steps.extend(steps.map(|(name, start, vector, note)| Step {
-            name: name.to_owned(),
-            kind,
-            drawing,
-            start,
-            vector,
-            unit,
-            note,
-        }));
-    }
+/// Adds steps of one kind to a drawing; for each: name, start, vector, note.
+fn push<const N: usize>(
+    draft: &mut Vec<Step>,
+    (drawing, kind): (Drawing, StepKind),
+    steps: [(&str, [f64; 2], [f64; 2], String); N],
+) {
+    let unit = if matches!(kind, StepKind::Point | StepKind::Line) { "m" } else { "N" };
+    draft.extend(steps.map(|(name, start, vector, note)| Step {
+        name: name.to_owned(),
+        kind,
+        drawing,
+        start,
+        vector,
+        unit,
+        note,
+    }));
 }
 
 /// All steps in order.
 pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Construction {
-    let mut draft = Draft { steps: Vec::new() };
+    let mut draft = Vec::new();
     let pole = Pole::of(at);
     loads(&mut draft, scene, at);
     lines(&mut draft, scene, at, pole);
@@ -135,11 +131,11 @@ pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Constru
     let corner = pole.place(at).filter(near).unwrap_or(at.a);
     let title =
         format!("Longitudinal reactions: pole of `{}`, balancing force at {}", scene.coupler, scene.a);
-    Construction { title, corner, steps: draft.steps }
+    Construction { title, corner, steps: draft }
 }
 
 /// F and its components.
-fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
+fn loads(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting) {
     let (third, b) = (scene.third, scene.b);
     if at.known != [0.0, 0.0] {
         let (name, what) = if at.slider {
@@ -153,14 +149,14 @@ fn loads(draft: &mut Draft, scene: &Scene<'_>, at: &Setting) {
                 ),
             )
         };
-        draft.push(Drawing::Mechanism, StepKind::Load, [(name, at.b, at.known, what)]);
+        push(draft, (Drawing::Mechanism, StepKind::Load), [(name, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
     let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m remains") };
     let what = "the point at which the loads of the coupler are taken".to_owned();
-    draft.push(Drawing::Mechanism, StepKind::Point, [("K", k, [0.0; 2], what)]);
+    push(draft, (Drawing::Mechanism, StepKind::Point), [("K", k, [0.0; 2], what)]);
     let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);
-    draft.push(Drawing::Mechanism, StepKind::Load, [("F", k, at.force, what)]);
+    push(draft, (Drawing::Mechanism, StepKind::Load), [("F", k, at.force, what)]);
 }
 
 /// K: a point of action of a load, if it is on the line of F and off the line KP; and the remaining couple.
@@ -182,7 +178,7 @@ fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
     (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
 }
 
-fn lines(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, pole: Pole) {
+fn lines(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, pole: Pole) {
     let third = if at.slider { "the normal to the guide" } else { "the line of the rocker" };
     let Some(place) = pole.place(at) else {
         let (crank, length) = at.crank();
@@ -191,9 +187,9 @@ fn lines(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, pole: Pole) {
             "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
                 .to_owned();
         let second = format!("{third}; P is at infinity along it");
-        draft.push(
-            Drawing::Mechanism,
-            StepKind::Line,
+        push(
+            draft,
+            (Drawing::Mechanism, StepKind::Line),
             [("OP", at.o, along, first), ("BP", at.b, along, second)],
         );
         return;
@@ -201,13 +197,13 @@ fn lines(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, pole: Pole) {
     let first = format!("the line of the crank, {}{}", scene.o, scene.a);
     let second = format!("{third} through {}", scene.b);
     let lines = [("OP", at.o, minus(place, at.o), first), ("BP", at.b, minus(place, at.b), second)];
-    draft.push(Drawing::Mechanism, StepKind::Line, lines);
+    push(draft, (Drawing::Mechanism, StepKind::Line), lines);
     let what = format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
-    draft.push(Drawing::Mechanism, StepKind::Point, [("P", place, [0.0; 2], what)]);
+    push(draft, (Drawing::Mechanism, StepKind::Point), [("P", place, [0.0; 2], what)]);
 }
 
 /// F along KA and KP, and the balancing force.
-fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknowns, pole: Pole) {
+fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unknowns, pole: Pole) {
     let (k, couple) = point_of_action(scene, at);
     let (to_a, to_p) = (minus(at.a, k), pole.from(k, at));
     let turn = cross(to_a, to_p);
@@ -221,7 +217,7 @@ fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknow
             ("KA", k, to_a, format!("from K to {}", scene.a)),
             ("KP", k, line, "from K to the pole".to_owned()),
         ];
-        draft.push(Drawing::Mechanism, StepKind::Line, lines);
+        push(draft, (Drawing::Mechanism, StepKind::Line), lines);
     }
     let (along, _) = at.crank();
     let across = scaled(dot(part_a, perp(along)), perp(along));
@@ -233,19 +229,19 @@ fn resolution(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknow
         ("F(KA)", at.a, part_a, moved),
         ("F(KA) across", at.a, across, cancelled),
     ];
-    draft.push(Drawing::Mechanism, StepKind::Part, parts);
+    push(draft, (Drawing::Mechanism, StepKind::Part), parts);
     let rest = if couple == 0.0 { "" } else { " together with the couple of the coupler" };
     let what =
         format!("the balancing force at {}, opposite to the component across the crank{rest}", scene.a);
-    draft.push(Drawing::Mechanism, StepKind::Balancing, [("Fb", at.a, found.fb, what)]);
+    push(draft, (Drawing::Mechanism, StepKind::Balancing), [("Fb", at.a, found.fb, what)]);
 }
 
 /// F + Fb + RP = 0, RP = R1 + R3, drawn head to tail.
-fn polygon(draft: &mut Draft, at: &Setting, found: &Unknowns) {
+fn polygon(draft: &mut Vec<Step>, at: &Setting, found: &Unknowns) {
     let after = plus(at.force, found.fb);
     let last = plus(after, found.r1);
     let mut side = |kind, name, start, vector, note: &str| {
-        draft.push(Drawing::Polygon, kind, [(name, start, vector, note.to_owned())]);
+        push(draft, (Drawing::Polygon, kind), [(name, start, vector, note.to_owned())]);
     };
     side(StepKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F");
     side(StepKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force");
@@ -257,7 +253,7 @@ fn polygon(draft: &mut Draft, at: &Setting, found: &Unknowns) {
     side(StepKind::Reaction, "R3", last, found.r3, other);
 }
 
-fn reactions(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
+fn reactions(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
     let Scene { third, a, b, o, end, .. } = scene;
     let (ra, rb) = (at_a(found), at_b(at, found));
     let on_b = if at.known == [0.0, 0.0] {
@@ -283,5 +279,5 @@ fn reactions(draft: &mut Draft, scene: &Scene<'_>, at: &Setting, found: &Unknown
         ),
         (name, at.c, at_end, format!("the {kind} {end} on `{third}`")),
     ];
-    draft.push(Drawing::Mechanism, StepKind::Reaction, steps);
+    push(draft, (Drawing::Mechanism, StepKind::Reaction), steps);
 }

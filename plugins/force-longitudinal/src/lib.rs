@@ -29,7 +29,7 @@ mod setting;
 mod stable;
 
 use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
-use assur_group::Wrench;
+use assur_group::{GroupError, Wrench};
 use assur_kinematics::{Linkage, Position};
 
 use layout::Layout;
@@ -100,17 +100,21 @@ impl Longitudinal {
             .map_err(|reason| ForceError::Unsupported { analyzer: self.form.name(), reason })?;
         let setting = Setting::of(&layout, &position.bodies, loads);
         let unknowns = match self.form {
-            Form::Stable => stable::solve(&setting).map_err(|health| {
-                let group = linkage.structure.group_name(&linkage.mechanism, 0);
-                let source = assur_group::GroupError::Singular { health };
-                ForceError::Group { group, coordinate: position.coordinate, source }
-            }),
+            Form::Stable => {
+                stable::solve(&setting).map_err(|health| singular(linkage, position.coordinate, health))
+            }
             Form::Published => published::solve(&setting)
                 .map(|found| found.unknowns)
-                .map_err(|failure| failure.explain(linkage, position.coordinate)),
+                .map_err(|failure| failure.explain(linkage, &layout, position.coordinate)),
         }?;
         Ok((layout, setting, unknowns))
     }
+}
+
+/// The error of a position in which the group itself is singular.
+fn singular(linkage: &Linkage, coordinate: f64, health: f64) -> ForceError {
+    let group = linkage.structure.group_name(&linkage.mechanism, 0);
+    ForceError::Group { group, coordinate, source: GroupError::Singular { health } }
 }
 
 impl ForceAnalyzer for Longitudinal {

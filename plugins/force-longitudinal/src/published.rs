@@ -6,13 +6,13 @@
 //! the press alone.
 
 use assur_force::ForceError;
+use assur_group::LEAST_HEALTH;
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
-use assur_group::{GroupError, LEAST_HEALTH};
 use assur_kinematics::Linkage;
 
-use crate::Form;
 use crate::layout::{End, Layout};
 use crate::setting::{Setting, Unknowns};
+use crate::{Form, singular};
 
 /// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four significant digits at
 /// most.
@@ -74,31 +74,22 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
 }
 
 impl Failure {
-    pub(crate) fn explain(self, linkage: &Linkage, coordinate: f64) -> ForceError {
+    pub(crate) fn explain(self, linkage: &Linkage, layout: &Layout, coordinate: f64) -> ForceError {
         match self {
             Self::Parallel(angle) => {
-                let lines = lines(linkage);
+                let lines = lines(linkage, layout);
                 ForceError::Parallel { coordinate, lines, angle, instead: Form::Stable.name() }
             }
-            Self::Singular(health) => {
-                let group = linkage.structure.group_name(&linkage.mechanism, 0);
-                ForceError::Group { group, coordinate, source: GroupError::Singular { health } }
-            }
+            Self::Singular(health) => singular(linkage, coordinate, health),
         }
     }
 }
 
 /// The two lines that meet in the pole.
-fn lines(linkage: &Linkage) -> String {
-    let name = |link: usize| &linkage.mechanism.links[link].name;
-    match Layout::of(linkage) {
-        Ok(layout) => {
-            let (crank, third) = (name(layout.crank), name(layout.third));
-            match layout.end {
-                End::Guide(_) => format!("the crank `{crank}` and the normal to the guide of `{third}`"),
-                End::Pin(_) => format!("the crank `{crank}` and the rocker `{third}`"),
-            }
-        }
-        Err(reason) => reason,
+fn lines(linkage: &Linkage, layout: &Layout) -> String {
+    let [crank, third] = [layout.crank, layout.third].map(|link| &linkage.mechanism.links[link].name);
+    match layout.end {
+        End::Guide(_) => format!("the crank `{crank}` and the normal to the guide of `{third}`"),
+        End::Pin(_) => format!("the crank `{crank}` and the rocker `{third}`"),
     }
 }

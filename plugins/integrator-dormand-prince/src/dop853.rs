@@ -4,9 +4,7 @@ use assur_integrator::{
     Attempt, Control, Dense, Equation, MotionError, Node, Pace, Scale, State, Step, Stepper,
 };
 
-use crate::dop853_table::{
-    A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, A14, A15, A16, B, B3, C, C_DENSE, D, E5,
-};
+use crate::dop853_table::{A, A_DENSE, B, B3, C, C_DENSE, D, E5};
 use crate::stages::Stages;
 
 /// The twelve stages of the last step, the slope at its end, and the three of the dense output.
@@ -44,17 +42,9 @@ impl Stepper for Dop853 {
         let stages = &mut self.0;
         stages.begin(&step);
         let Step { equation, scale, .. } = step;
-        stages.stage(equation, C[0], &A2)?;
-        stages.stage(equation, C[1], &A3)?;
-        stages.stage(equation, C[2], &A4)?;
-        stages.stage(equation, C[3], &A5)?;
-        stages.stage(equation, C[4], &A6)?;
-        stages.stage(equation, C[5], &A7)?;
-        stages.stage(equation, C[6], &A8)?;
-        stages.stage(equation, C[7], &A9)?;
-        stages.stage(equation, C[8], &A10)?;
-        stages.stage(equation, C[9], &A11)?;
-        stages.stage(equation, C[10], &A12)?;
+        for (c, weights) in C.into_iter().zip(A) {
+            stages.stage(equation, c, weights)?;
+        }
         let end = stages.state(1.0, &B);
         Ok(Attempt { end, error: self.error(&end, &scale) })
     }
@@ -67,9 +57,9 @@ impl Stepper for Dop853 {
 
     fn dense(&mut self, equation: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         let stages = &mut self.0;
-        stages.stage(equation, C_DENSE[0], &A14)?;
-        stages.stage(equation, C_DENSE[1], &A15)?;
-        stages.stage(equation, C_DENSE[2], &A16)?;
+        for (c, weights) in C_DENSE.into_iter().zip(A_DENSE) {
+            stages.stage(equation, c, weights)?;
+        }
         let h = stages.h;
         let mut dense = Dense::cubic(from, to, h);
         for (index, weights) in D.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use assur_integrator::{Attempt, Control, Dense, Equation, MotionError, Node, Pace, State, Step, Stepper};
 
-use crate::dopri5_table::{A2, A3, A4, A5, A6, B, C, D, E};
+use crate::dopri5_table::{A, C, D, E};
 use crate::stages::Stages;
 
 /// The seven stages of the last step.
@@ -25,13 +25,11 @@ impl Stepper for Dopri5 {
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let stages = &mut self.0;
         stages.begin(&step);
-        let Step { equation, length: h, scale, .. } = step;
-        stages.stage(equation, C[0], &A2)?;
-        stages.stage(equation, C[1], &A3)?;
-        stages.stage(equation, C[2], &A4)?;
-        stages.stage(equation, C[3], &A5)?;
-        stages.stage(equation, C[4], &A6)?;
-        let end = stages.stage(equation, C[5], &B)?;
+        let Step { equation, from, length: h, scale } = step;
+        let mut end = from.state;
+        for (c, weights) in C.into_iter().zip(A) {
+            end = stages.stage(equation, c, weights)?;
+        }
         let [q, w] = stages.weighted(&E);
         Ok(Attempt { end, error: scale.norm(&end, h * q, h * w) })
     }

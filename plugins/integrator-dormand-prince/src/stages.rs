@@ -1,6 +1,6 @@
 //! Explicit stages, shared by both methods.
 
-use assur_integrator::{MotionError, State, Step};
+use assur_integrator::{Equation, MotionError, State, Step};
 
 /// A stage: its slopes, which are its speed and its acceleration.
 pub(crate) type Slope = [f64; 2];
@@ -30,7 +30,7 @@ impl<const N: usize> Stages<N> {
 
     /// Sum of the slopes with these weights; the weights end where the stages that they use end.
     #[inline]
-    pub(crate) fn weighted<const M: usize>(&self, weights: &[f64; M]) -> Slope {
+    pub(crate) fn weighted(&self, weights: &[f64]) -> Slope {
         let mut sum = [0.0; 2];
         for (weight, slope) in weights.iter().zip(&self.k) {
             sum[0] += weight * slope[0];
@@ -41,7 +41,7 @@ impl<const N: usize> Stages<N> {
 
     /// The state after the part `c` of the step, with the weighted sum of the slopes.
     #[inline]
-    pub(crate) fn state<const M: usize>(&self, c: f64, weights: &[f64; M]) -> State {
+    pub(crate) fn state(&self, c: f64, weights: &[f64]) -> State {
         let [dq, dw] = self.weighted(weights);
         State {
             time: self.from.time + c * self.h,
@@ -52,14 +52,14 @@ impl<const N: usize> Stages<N> {
 
     /// Computes the stage that follows those which `weights` uses, at the part `c` of the step.
     #[inline]
-    pub(crate) fn stage<const M: usize>(
+    pub(crate) fn stage(
         &mut self,
-        equation: &mut assur_integrator::Equation<'_>,
+        equation: &mut Equation<'_>,
         c: f64,
-        weights: &[f64; M],
+        weights: &[f64],
     ) -> Result<State, MotionError> {
         let state = self.state(c, weights);
-        self.k[M] = [state.speed, equation.acceleration(&state)?];
+        self.k[weights.len()] = [state.speed, equation.acceleration(&state)?];
         Ok(state)
     }
 }

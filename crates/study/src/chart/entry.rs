@@ -72,21 +72,6 @@ impl<'a> Entry<'a> {
         Self { row, units: 1.0, work: Some(Box::new(work)) }
     }
 
-    /// A method that solves `count` positions in a run. `solve` receives the index of a position and whether its error
-    /// is needed; `evaluations`: group solutions in one position.
-    pub(crate) fn positions(
-        row: Row,
-        count: usize,
-        evaluations: u64,
-        mut solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
-    ) -> Self {
-        let run = move |judged: bool| {
-            let errors = (0..count).map(|index| std::hint::black_box(solve(index, judged)));
-            Verdict::of_positions(evaluations, errors)
-        };
-        Self { units: count.max(1) as f64, ..Self::run(row, run) }
-    }
-
     /// A method that can't be measured.
     pub(crate) fn refused(mut row: Row, why: impl Into<String>) -> Self {
         row.reason = Some(why.into());

@@ -49,8 +49,7 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
         items.extend(exact.map(|at| Item::name(at, *method, ink)));
         items.push(Item::line(points, Stroke::Solid, ink));
     }
-    let mut front: Vec<Point> =
-        rows.iter().filter(|(row, _)| row.front).map(|(_, place)| *place).collect();
+    let mut front: Vec<Point> = rows.iter().filter(|(row, _)| row.front).map(|(_, place)| *place).collect();
     front.sort_by(|one, other| one[0].total_cmp(&other[0]));
     items.push(Item::line(front, Stroke::Chain, Ink::Text));
     let title = format!("{}: relative error over time of {}, s", stage.heading(), stage.unit_words());

@@ -124,24 +124,15 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
             row.setting.0.push((GIVES, Value::Word("balancing load only")));
         }
         entries.push(match plugin.instance.supports(linkage) {
-            Ok(()) => of_positions(loaded, row, registered(loaded, plugin)),
+            Ok(()) => loaded.work.entry(row, 1, registered(loaded, plugin)),
             Err(why) => Entry::refused(row, why),
         });
     }
     let name = all.iter().find(|plugin| plugin.by_groups).map_or("by groups", |plugin| plugin.name);
-    entries.push(of_positions(loaded, row(name, "f32"), by_groups::<f32>(loaded, Forms::Closed)?));
+    entries.push(loaded.work.entry(row(name, "f32"), 1, by_groups::<f32>(loaded, Forms::Closed)?));
     let general = by_groups::<f64>(loaded, Forms::General)?;
-    entries.push(of_positions(loaded, row("groups-general", "f64"), general));
+    entries.push(loaded.work.entry(row("groups-general", "f64"), 1, general));
     Ok(Field { reference: loaded.reference.clone(), entries })
-}
-
-fn of_positions<'a>(
-    loaded: &Loaded<'_>,
-    row: Row,
-    solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
-) -> Entry<'a> {
-    let groups = loaded.work.linkage.groups().len() as u64;
-    Entry::positions(row, loaded.positions.len(), groups, solve)
 }
 
 fn row(method: &str, number: &'static str) -> Row {

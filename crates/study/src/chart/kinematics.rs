@@ -7,7 +7,7 @@ mod lanes;
 use assur_group::{Number, Order};
 use assur_kinematics::{Chain, Linkage};
 
-use super::entry::{Entry, Field};
+use super::entry::Field;
 use super::work::Work;
 use super::{ChartError, Options, Row, Setting, Stage};
 
@@ -18,13 +18,13 @@ use general::{Places, general};
 pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a>, ChartError> {
     let number = |method: &str, name| row(method, Setting::word("number", name));
     let mut entries = vec![
-        of_positions(work, number("closed-form", "f64"), 1, own(work)),
-        of_positions(work, number("closed-form", "f32"), 1, closed::<f32>(work)?),
+        work.entry(number("closed-form", "f64"), 1, own(work)),
+        work.entry(number("closed-form", "f32"), 1, closed::<f32>(work)?),
         lanes::entry(work, number("closed-form", "f64x8")),
     ];
     for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
-        entries.push(of_positions(work, number(name, "f64"), 1, general::<f64>(work, places)?));
-        entries.push(of_positions(work, number(name, "f32"), 1, general::<f32>(work, places)?));
+        entries.push(work.entry(number(name, "f64"), 1, general::<f64>(work, places)?));
+        entries.push(work.entry(number(name, "f32"), 1, general::<f32>(work, places)?));
     }
     for stencil in Stencil::ALL {
         for step in options.decades(-1, -10) {
@@ -35,7 +35,7 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
                 Ok(if judged { work.deviation(index, &middle.bodies) } else { 0.0 })
             };
             let row = row(stencil.name, Setting::number("step", step));
-            entries.push(of_positions(work, row, points, solve));
+            entries.push(work.entry(row, points, solve));
         }
     }
     Ok(Field { reference: work.reference.clone(), entries })
@@ -43,17 +43,6 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
 
 fn row(method: &str, setting: Setting) -> Row {
     Row::new(Stage::Kinematics, method, setting)
-}
-
-/// A method over all positions, with the number of solutions of the whole mechanism in each.
-fn of_positions<'a>(
-    work: &Work<'_>,
-    row: Row,
-    times: usize,
-    solve: impl FnMut(usize, bool) -> Result<f64, String> + 'a,
-) -> Entry<'a> {
-    let solutions = work.linkage.groups().len() * times;
-    Entry::positions(row, work.coordinates.len(), solutions as u64, solve)
 }
 
 /// The program's own positions.

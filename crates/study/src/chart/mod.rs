@@ -26,11 +26,11 @@ mod run;
 mod steady;
 mod text;
 pub mod units;
-mod work;
+pub(crate) mod work;
 
 pub use csv::csv;
-pub use figure::figure;
 pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
+pub use figure::figure;
 pub use options::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
 pub use text::{WIDTH, stage_text, text};

@@ -2,12 +2,13 @@
 
 use std::fmt::Write;
 
-use assur_group::{Body, Order, derive_generally, place_by_newton};
-use assur_kinematics::{Chain, Linkage};
+use assur_group::{Body, Number, Order, derive_generally, place_by_newton};
+use assur_kinematics::{Chain, ChainError, Linkage};
 use assur_number::{Dd, Real};
 
+use super::entry::{Entry, Verdict};
 use super::ruler::{Ruler, greater};
-use super::{ChartError, Reference};
+use super::{ChartError, Reference, Row};
 
 /// Positions nearer to a change point than this, in rad or in parts of the scale, are left to the study of stability:
 /// the equations of a group are undetermined there.
@@ -67,12 +68,13 @@ impl<'a> Work<'a> {
     fn described(&self, left: usize) -> Reference {
         let mut error = 0.0;
         let mut missing = 0;
-        for truth in &self.truth {
-            match newton_from(&self.extended, self.linkage.mechanism.input.link, truth) {
-                Some(bodies) => {
-                    error = greater(error, self.ruler.deviation(truth, &bodies));
-                }
-                None => missing += 1,
+        for (q, truth) in self.coordinates.iter().zip(&self.truth) {
+            // From rounded positions, so that Newton's method has a correction to find.
+            let starts: Vec<Body<Dd>> = truth.iter().map(rounded).collect();
+            let mut bodies = starts.clone();
+            match solve_generally(self.linkage, &self.extended, *q, Some(&starts), &mut bodies) {
+                Ok(()) => error = greater(error, self.ruler.deviation(truth, &bodies)),
+                Err(_) => missing += 1,
             }
         }
         let mut how = format!(
@@ -91,14 +93,30 @@ impl<'a> Work<'a> {
         Reference { how, error: greater(error, Dd::EPSILON) }
     }
 
+    /// A method over all positions, with the number of solutions of the whole mechanism in each. `solve` receives the
+    /// index of a position and whether its error is needed.
+    pub(crate) fn entry<'e>(
+        &self,
+        row: Row,
+        times: usize,
+        mut solve: impl FnMut(usize, bool) -> Result<f64, String> + 'e,
+    ) -> Entry<'e> {
+        let (count, solutions) = (self.coordinates.len(), self.linkage.groups().len() * times);
+        let run = move |judged: bool| {
+            let errors = (0..count).map(|index| std::hint::black_box(solve(index, judged)));
+            Verdict::of_positions(solutions as u64, errors)
+        };
+        Entry { units: count as f64, ..Entry::run(row, run) }
+    }
+
     /// Largest relative deviation of bodies from those of position `index`.
     pub(crate) fn deviation<T: Real>(&self, index: usize, bodies: &[Body<T>]) -> f64 {
         self.ruler.deviation(&self.truth[index], bodies)
     }
 }
 
-/// One position by the closed forms in extended precision.
-fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>> {
+/// One position by the closed forms in extended precision; `None` where they have no finite solution.
+pub(crate) fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>> {
     let mut bodies = linkage.starting_bodies(q);
     let mut health = vec![Dd::ZERO; chain.groups.len()];
     let ways = linkage.ways.at(q);
@@ -106,15 +124,31 @@ fn closed(linkage: &Linkage, chain: &Chain<Dd>, q: f64) -> Option<Vec<Body<Dd>>>
     bodies.iter().all(|body| body.numbers().iter().all(|x| x.hi.is_finite())).then_some(bodies)
 }
 
-/// One position by Newton's method in extended precision, from rounded positions, so that it has a correction to find.
-fn newton_from(chain: &Chain<Dd>, input: usize, truth: &[Body<Dd>]) -> Option<Vec<Body<Dd>>> {
-    let mut bodies: Vec<Body<Dd>> = truth.iter().map(rounded).collect();
-    bodies[input] = truth[input];
-    for group in &chain.groups {
-        place_by_newton(group.frame(), &mut bodies).ok()?;
-        derive_generally(group.frame(), &mut bodies, Order::Second).ok()?;
+/// All bodies at a coordinate, placed by Newton's method from `starts`, if there are any, or by the closed forms; their
+/// derivatives by the general linear system.
+pub(crate) fn solve_generally<T: Number>(
+    linkage: &Linkage,
+    chain: &Chain<T>,
+    q: f64,
+    starts: Option<&[Body<T>]>,
+    bodies: &mut [Body<T>],
+) -> Result<(), ChainError> {
+    let ways = linkage.ways.at(q);
+    chain.set_input(T::from_f64(q), bodies);
+    for (group, kernel) in chain.groups.iter().enumerate() {
+        let frame = kernel.frame();
+        let placed = if let Some(starts) = starts {
+            for link in &frame.links {
+                bodies[*link] = starts[*link];
+            }
+            place_by_newton(frame, bodies)
+        } else {
+            kernel.place(bodies, usize::from(ways[group]))
+        };
+        let solved = placed.and_then(|_| derive_generally(frame, bodies, Order::Second));
+        solved.map_err(|source| ChainError { group, source })?;
     }
-    Some(bodies)
+    Ok(())
 }
 
 /// Rounds the pose to single precision, without derivatives.

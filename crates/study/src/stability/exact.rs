@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
-use assur_group::{Body, Order, Wrench};
+use assur_group::{Body, Wrench};
 use assur_kinematics::{Chain, Interpolation, Linkage};
 use assur_number::{Dd, Real};
 
 use super::compare::lifted_load;
+use crate::chart::work::closed;
 
 /// Number of nodes on each side of the interpolation across a change point, from its reach to six times as far, at the
 /// zeros of the Chebyshev polynomial in the square of the distance: enough for 30 digits of a motion that is analytic
@@ -39,7 +40,7 @@ impl<'a> Exact<'a> {
     pub(crate) fn at(&self, q: f64, loads: &[Wrench<f64>]) -> Option<Reference> {
         let bodies = match self.linkage.interpolation(q) {
             Some(across) => self.interpolated(across, q)?,
-            None => self.bodies(q)?,
+            None => closed(self.linkage, &self.chain, q)?,
         };
         let mut loads: Vec<_> = loads.iter().map(lifted_load).collect();
         let mut pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
@@ -48,14 +49,6 @@ impl<'a> Exact<'a> {
         }
         let health = self.chain.groups.iter().map(|kernel| kernel.health(&bodies).abs().to_f64()).collect();
         Some(Reference { bodies, pairs, health })
-    }
-
-    fn bodies(&self, q: f64) -> Option<Vec<Body<Dd>>> {
-        let (mut bodies, mut health) =
-            (self.linkage.starting_bodies(q), vec![Dd::ZERO; self.chain.groups.len()]);
-        let ways = self.linkage.ways.at(q);
-        self.chain.solve(Dd::from_f64(q), ways, Order::Second, &mut bodies, &mut health).ok()?;
-        Some(bodies)
     }
 
     /// All bodies at `q` near a change point, where the equations of the group have the form 0/0.
@@ -77,7 +70,7 @@ impl<'a> Exact<'a> {
                 let from_other = |at: f64| Dd::from_f64(at) - Dd::from_f64(other);
                 weight * from_other(q) / from_other(node)
             });
-            for (total, body) in sum.iter_mut().zip(&self.bodies(node)?) {
+            for (total, body) in sum.iter_mut().zip(&closed(self.linkage, &self.chain, node)?) {
                 for (total, value) in total.iter_mut().zip(body.numbers()) {
                     *total += weight * value;
                 }

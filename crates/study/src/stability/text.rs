@@ -162,21 +162,7 @@ impl Stability {
 
 /// A length in mm with eight significant digits, without zeros at the end.
 fn millimeters(length: f64) -> String {
-    let value = length * 1e3;
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    // The exponent after rounding: 9.99999999 has two digits before the point.
-    let scientific = format!("{value:.7e}");
-    let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok());
-    match exponent.map(|exponent| 7 - exponent) {
-        Some(decimals @ 1..=17) => {
-            let plain = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
-            plain.trim_end_matches('0').trim_end_matches('.').to_owned()
-        }
-        Some(..=0) => format!("{value:.0}"),
-        _ => scientific,
-    }
+    assur_figure::number::trimmed(length * 1e3, 8)
 }
 
 /// One entry for each method and quantity on each walk, by place.

@@ -39,37 +39,23 @@ fn with_zero<const N: usize>(c: &[f64]) -> [f64; N] {
 
 #[test]
 fn dopri5_table_meets_its_conditions() {
-    let rows: [&[f64]; 6] = [&five::A2, &five::A3, &five::A4, &five::A5, &five::A6, &five::B];
-    for (row, c) in rows.iter().zip(five::C) {
+    for (row, c) in five::A.into_iter().zip(five::C) {
         super::assert_close(sum(row), c, 1e-14);
     }
     let c: [f64; 7] = with_zero(&five::C);
-    quadrature(&five::B, &c, 4);
-    stages(&rows, &five::B, &c, 3);
+    quadrature(five::A[5], &c, 4);
+    stages(&five::A, five::A[5], &c, 3);
     error_weights(&five::E, &c, 3);
 }
 
 #[test]
 fn dop853_table_meets_its_conditions() {
-    let rows: [&[f64]; 11] = [
-        &eight::A2,
-        &eight::A3,
-        &eight::A4,
-        &eight::A5,
-        &eight::A6,
-        &eight::A7,
-        &eight::A8,
-        &eight::A9,
-        &eight::A10,
-        &eight::A11,
-        &eight::A12,
-    ];
-    for (row, c) in rows.iter().zip(eight::C) {
+    for (row, c) in eight::A.into_iter().zip(eight::C) {
         super::assert_close(sum(row), c, 2e-14);
     }
     let c: [f64; 12] = with_zero(&eight::C);
     quadrature(&eight::B, &c, 7);
-    stages(&rows, &eight::B, &c, 6);
+    stages(&eight::A, &eight::B, &c, 6);
     error_weights(&eight::E5, &c, 4);
     let three = [c[0], c[8], c[11]];
     quadrature(&eight::B3, &three, 2);
@@ -77,8 +63,7 @@ fn dop853_table_meets_its_conditions() {
 
 #[test]
 fn dop853_dense_output_has_its_order() {
-    let extra: [&[f64]; 3] = [&eight::A14, &eight::A15, &eight::A16];
-    for (row, c) in extra.iter().zip(eight::C_DENSE) {
+    for (row, c) in eight::A_DENSE.into_iter().zip(eight::C_DENSE) {
         super::assert_close(sum(row), c, 1e-14);
     }
     let inner: [f64; 12] = with_zero(&eight::C);

@@ -1,11 +1,11 @@
 //! The general solution: derivatives from the one linear system of a group, and places by Newton's method.
 
-use assur_group::{Body, Number, Order, derive_generally, place_by_newton};
-use assur_kinematics::{Chain, ChainError};
+use assur_group::{Body, Number, Order};
+use assur_kinematics::Chain;
 
 use super::failure;
 use crate::chart::ChartError;
-use crate::chart::work::Work;
+use crate::chart::work::{Work, solve_generally};
 
 /// Distance before a position at which Newton's method begins, rad or parts of the scale: as in following a mechanism
 /// in some 300 steps per turn.
@@ -31,36 +31,10 @@ pub(super) fn general<'a, T: Number>(
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
         let starts = (places == Places::Newton).then(|| &starts[index][..]);
-        let solved = solve(work, &chain, q, starts, &mut bodies);
+        let solved = solve_generally(work.linkage, &chain, q, starts, &mut bodies);
         solved.map_err(|error| failure(work.linkage, q, &error))?;
         Ok(if judged { work.deviation(index, &bodies) } else { 0.0 })
     })
-}
-
-/// All bodies at a coordinate, placed by Newton's method from `starts`, if there are any, or by the closed forms.
-fn solve<T: Number>(
-    work: &Work<'_>,
-    chain: &Chain<T>,
-    q: f64,
-    starts: Option<&[Body<T>]>,
-    bodies: &mut [Body<T>],
-) -> Result<(), ChainError> {
-    let ways = work.linkage.ways.at(q);
-    chain.set_input(T::from_f64(q), bodies);
-    for (group, kernel) in chain.groups.iter().enumerate() {
-        let frame = kernel.frame();
-        let placed = if let Some(starts) = starts {
-            for link in &frame.links {
-                bodies[*link] = starts[*link];
-            }
-            place_by_newton(frame, bodies)
-        } else {
-            kernel.place(bodies, usize::from(ways[group]))
-        };
-        let solved = placed.and_then(|_| derive_generally(frame, bodies, Order::Second));
-        solved.map_err(|source| ChainError { group, source })?;
-    }
-    Ok(())
 }
 
 /// The bodies a little before a position, in the number type of the chain.
