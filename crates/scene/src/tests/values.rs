@@ -102,6 +102,20 @@ fn the_speed_of_a_formula_is_counted_along_the_direction() {
     }
 }
 
+/// The unevenness by the motor needs a motor, and a flywheel that is to be found.
+#[test]
+fn the_unevenness_by_the_motor_needs_a_drive_for_it() {
+    let text = fixtures().into_iter().find(|(name, _)| name == "shaper-drive.toml").unwrap().1;
+    let text = text.replace("unevenness = 0.05", "unevenness = \"motor\"");
+    let Some(Motion::Steady { unevenness, .. }) = read("test", &text).unwrap().motion else { panic!() };
+    assert_eq!(unevenness, Some(Solve::Wanted));
+    let (without, _) = text.split_once("[drive]").unwrap();
+    for scene in [without.to_owned(), text.replace("flywheel = \"solve\"", "flywheel = 2")] {
+        let error = read("test", &scene).unwrap_err().to_string();
+        assert!(error.contains("`unevenness = \"motor\"` needs a [drive] with a motor"), "{error}");
+    }
+}
+
 #[test]
 fn steps_are_times_or_displacements() {
     let text = fixtures().into_iter().find(|(name, _)| name == "run-up.toml").unwrap().1;
