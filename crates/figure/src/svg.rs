@@ -112,10 +112,7 @@ fn words(text: &str) -> String {
 pub fn lowered(text: &str) -> impl Iterator<Item = (&str, &str)> {
     let mut rest = Some(text);
     std::iter::from_fn(move || {
-        let (part, behind) = match rest?.split_once("_{") {
-            None => return rest.take().map(|part| (part, "")),
-            Some(found) => found,
-        };
+        let Some((part, behind)) = rest?.split_once("_{") else { return rest.take().map(|part| (part, "")) };
         let (low, behind) = behind.split_once('}').unwrap_or((behind, ""));
         rest = Some(behind);
         Some((part, low))

@@ -118,8 +118,8 @@ fn iteration(words: &Words, dynamics: &Dynamics) -> Vec<Block> {
         let off = row.difference.map_or_else(|| "–".to_owned(), part);
         vec![words.phrase(row.method), number(row.flywheel), off]
     });
-    let all: [(&str, Vec<String>, Vec<Vec<String>>); 3] = [
-        ("iteration", head(&["turn", "start-speed", "end-speed", "difference"]), turns.collect()),
+    let all = [
+        ("iteration", head(&["turn", "start-speed", "end-speed", "difference"]), turns.collect::<Vec<_>>()),
         (
             "trials",
             head(&["trial", "ratio", "flywheel-unit", "mean-speed-unit", "unevenness"]),

@@ -47,7 +47,9 @@ fn loads(context: &Context<'_>) -> Option<Block> {
     let owners = schema.owners(Quantity::Load).into_iter();
     let of = |owner| {
         let column = Column::of(Quantity::Load, owner);
-        let points = context.cycle(column).filter(|points| points.iter().any(|at| at[1] != points[0][1]))?;
+        let points = context
+            .cycle(column)
+            .filter(|points| points.iter().any(|at| (at[1] - points[0][1]).abs() > 0.0))?;
         let unit = if schema.unit(column).base == Base::NewtonMeter { "N m" } else { "N" };
         let title = format!("{}, {}", words.name(&schema.name(owner)), words.unit(unit));
         let axis = context.coordinate_axis(std::slice::from_ref(&points));

@@ -59,7 +59,7 @@ fn remark(words: &Words, text: &str) -> String {
             let (letters, below) = named(words, word);
             line.push_str(&letters);
             if !below.is_empty() {
-                line.push_str(&format!("_{{{below}}}"));
+                line.extend(["_{", &below, "}"]);
             }
         } else {
             line.push_str(word);
@@ -83,8 +83,9 @@ fn equation(words: &Words, line: &Line) -> Vec<Term> {
     let mut before = "";
     for part in [&line.text, &line.substituted, &line.result].map(String::as_str) {
         // `0.5 = 0.500000` says nothing.
-        let same =
-            part.parse::<f64>().is_ok_and(|value| before.parse::<f64>().is_ok_and(|last| last == value));
+        let same = part
+            .parse::<f64>()
+            .is_ok_and(|value| before.parse::<f64>().is_ok_and(|last| last.total_cmp(&value).is_eq()));
         if part != before && !part.is_empty() && !same {
             terms.extend(equals(symbols(words, part)));
         }

@@ -81,9 +81,9 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
 fn table(text: &mut String, caption: &str, head: &[String], rows: &[Vec<String>]) {
     let class = if rows.len() <= SHORT { " class=\"short\"" } else { "" };
     let _ = write!(text, "<table{class}><caption>{caption}</caption><thead><tr>");
-    head.iter().for_each(|cell| {
+    for cell in head {
         let _ = write!(text, "<th>{}</th>", rich(cell));
-    });
+    }
     text.push_str("</tr></thead><tbody>");
     for cells in rows {
         text.push_str("<tr>");

@@ -104,7 +104,7 @@ fn no_english_word_is_left_in_another_language() {
         let names = links.chain(points).chain(slides).chain(forces).chain(moments).chain(springs);
         // The name of the check of the source, of the analyzer, of functions, kinds of groups.
         let mut known: String = names.collect::<Vec<_>>().join(" ");
-        known += &format!(" {} TestPf atan2 groups", mechanism.title);
+        known.extend([" TestPf atan2 groups ", &mechanism.title]);
         let known: BTreeSet<&str> = known.split(|c: char| !c.is_ascii_alphanumeric()).collect();
         for language in ["uk", "ru"] {
             let html = of(scene, language, Form::Html).text;

@@ -59,7 +59,9 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
 }
 
 fn table(head: &[String], rows: &[Vec<String>]) -> String {
-    let cells = |cells: &[String]| cells.iter().map(|cell| format!("[{}], ", rich(cell))).collect::<String>();
+    let cells = |cells: &[String]| {
+        cells.iter().flat_map(|cell| ["[".to_owned(), rich(cell), "], ".to_owned()]).collect::<String>()
+    };
     let columns =
         (0..head.len()).map(|column| if is_of_numbers(rows, column) { "right, " } else { "left, " });
     let mut text = format!("table(columns: {}, align: ({}),\n", head.len(), columns.collect::<String>());

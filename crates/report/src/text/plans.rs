@@ -35,7 +35,7 @@ fn plan(plan: &Plan, ascii: bool) -> String {
         let [x, y] = point.at.map(&places);
         vec![point.name.clone(), x, y]
     });
-    head + &table(&vectors, rows.collect(), ascii) + &table(&["point", "x", "y"], points.collect(), ascii)
+    head + &table(&vectors, rows, ascii) + &table(&["point", "x", "y"], points, ascii)
 }
 
 fn centers(centers: &[Center], ascii: bool) -> String {
@@ -52,7 +52,7 @@ fn centers(centers: &[Center], ascii: bool) -> String {
         };
         vec![center.link.clone(), center.against.clone(), x, y, note.to_owned()]
     });
-    "Instant centers (m)\n".to_owned() + &table(&["link", "against", "x", "y", ""], rows.collect(), ascii)
+    "Instant centers (m)\n".to_owned() + &table(&["link", "against", "x", "y", ""], rows, ascii)
 }
 
 /// Reactions by cause: for each cause and for the whole a row of each joint and link, and the balancing load.
@@ -72,11 +72,12 @@ fn causes(split: &Split, ascii: bool) -> String {
         share.reactions.iter().map(|reaction| row(&share.cause, reaction)).chain([load])
     });
     let head = format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}\n", split.residual);
-    head + &table(&["cause", "joint", "on", "fx", "fy", "size"], rows.collect(), ascii)
+    head + &table(&["cause", "joint", "on", "fx", "fy", "size"], rows, ascii)
 }
 
 /// No table without rows.
-fn table(head: &[&str], rows: Vec<Vec<String>>, ascii: bool) -> String {
+fn table(head: &[&str], rows: impl Iterator<Item = Vec<String>>, ascii: bool) -> String {
+    let rows: Vec<_> = rows.collect();
     if rows.is_empty() { String::new() } else { columns(head, &rows, ascii) }
 }
 

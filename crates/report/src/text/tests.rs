@@ -4,6 +4,7 @@ use super::layout::{columns, wrap};
 use super::number::{column, short, single};
 use super::plans::plans;
 use assur_all as _;
+use assur_analysis::{Calculation, Options, unwatched};
 use assur_diagram::{Plan, PlanVector, Sheet, VectorKind};
 
 #[test]
@@ -96,9 +97,7 @@ fn a_sample_of_the_positions_is_named() {
 /// The plans of the press, whose velocities are replaced by two vectors.
 fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
     let mechanism = assur_scene::read("press", assur_fixtures::scene("press")).unwrap();
-    let calculation =
-        assur_analysis::Calculation::of(mechanism, &Default::default(), &mut assur_analysis::unwatched)
-            .unwrap();
+    let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
     let sheet = calculation.sheet(3).unwrap();
     let item = |(name, end): (&str, [f64; 2])| PlanVector {
         name: name.to_owned(),
