@@ -91,11 +91,16 @@ impl March<'_> {
         let (w, e) = (state.speed.abs(), acceleration.abs());
         let length = match self.run.request.until {
             Until::Time(end) => e * (end - state.time),
-            Until::Coordinate(_) | Until::Turn | Until::Rest if acceleration * state.speed < 0.0 => w,
             Until::Coordinate(end) => {
-                let twice = 2.0 * e * (end - state.coordinate).abs();
-                twice / (w + (w * w + twice).sqrt())
+                let way = end - state.coordinate;
+                let slows = acceleration * state.speed < 0.0;
+                let twice = 2.0 * e * way.abs();
+                let square = if slows { w * w - twice } else { w * w + twice };
+                // A motion that stops before the end, or turns to reach it, loses its whole speed first.
+                let stops = slows && (square <= 0.0 || way * state.speed < 0.0);
+                if stops { w } else { twice / (w + square.sqrt()) }
             }
+            Until::Turn | Until::Rest if acceleration * state.speed < 0.0 => w,
             Until::Turn | Until::Rest => w.max(e),
         };
         length.min(e * (self.run.request.latest() - state.time))

@@ -1,5 +1,7 @@
 //! Motions with a closed form.
 
+use std::f64::consts::TAU;
+
 use assur_integrator_dormand_prince::DOP853;
 
 use super::*;
@@ -115,6 +117,18 @@ fn a_moment_of_roundings_neither_hangs_nor_blows_up() {
         let gone = -(-slope * t).exp_m1();
         [40.0 + 60.0 * gone, 100.0 * t - 60.0 / slope * gone]
     });
+}
+
+/// A way of -2 pi at -20 rad/s, sped up or slowed down by what rounding leaves of a balance.
+#[test]
+fn a_moment_of_roundings_leaves_the_speed_to_a_place() {
+    for acceleration in [1e-16, -1e-16] {
+        let end = -2.0 - TAU;
+        let found = solve(&mut speed_law(|_| acceleration), &request(-20.0, Until::Coordinate(end), 1e-10));
+        let time = found.end.time - 1.0;
+        assert!((time / (TAU / 20.0) - 1.0).abs() < 1e-14, "{time}");
+        assert_eq!(found.end.speed, -20.0);
+    }
 }
 
 #[test]
