@@ -11,6 +11,9 @@ use crate::progress::{Stopped, Watch};
 use crate::results::Checks;
 use crate::{Calculation, InputMotion, Progress};
 
+/// The load on the input in a state.
+type LoadAtState<'a> = Box<dyn Fn(&State) -> InputLoad + Sync + 'a>;
+
 impl Calculation {
     /// Every check that applies to the scene, in the covered positions and samples of the motion, and the residuals of each
     /// of these; none where the plan leaves out groups.
@@ -70,7 +73,7 @@ impl Calculation {
     }
 
     /// The load on the input by the motion that was found; `None` where it is prescribed.
-    fn input_load(&self) -> Option<Box<dyn Fn(&State) -> InputLoad + Sync + '_>> {
+    fn input_load(&self) -> Option<LoadAtState<'_>> {
         let loads = self.loads.as_ref()?;
         match &self.motion {
             InputMotion::Prescribed => None,

@@ -196,7 +196,9 @@ fn reached<I: IntoIterator<Item = usize>>(
     next: impl Fn(usize) -> I,
 ) -> Vec<usize> {
     let mut seen = vec![false; count];
-    first.iter().for_each(|&item| seen[item] = true);
+    for &item in &first {
+        seen[item] = true;
+    }
     let (mut found, mut at) = (first, 0);
     while at < found.len() {
         for other in next(found[at]) {

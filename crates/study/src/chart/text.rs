@@ -42,7 +42,7 @@ pub fn stage_text(
     }
     let figure = drawn(data, stage, [width, HEIGHT], ascii);
     if !figure.is_empty() {
-        text += &format!("\n{figure}  dotted, and * below: {FRONT}\n");
+        text.extend(["\n", figure.as_str(), "  dotted, and * below: ", FRONT, "\n"]);
     }
     let head = ["", "method", "setting", &format!("time/{}", stage.unit()), "evaluations", "error", ""];
     let rows: Vec<_> = data.of(stage).filter(|row| wanted(row)).map(|row| cells(row, ascii)).collect();
