@@ -119,6 +119,8 @@ pub(crate) fn analyzed(scene: Scene, [analyzer, integrator]: [Option<String>; 2]
             }
         }
     }
+    // Checks that nobody asked for were not waited for.
+    state.running.clear();
     state.message = None;
     state
 }

@@ -51,6 +51,18 @@ fn a_request_without_a_meaning_is_refused_in_words() {
 }
 
 #[test]
+fn a_view_without_a_figure_says_what_the_scene_lacks() {
+    for (name, view, why) in [("brake", "forces", "initial state"), ("four-bar", "drive", "no steady regime")]
+    {
+        let scene = assur_fixtures::path(&format!("{name}.toml"));
+        match still::draw(scene, &request(view), Path::new("x.svg")) {
+            Err(StillError::Nothing(text)) => assert!(text.contains(why), "{text}"),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
 fn an_animation_moves_the_links_and_not_the_ground() {
     let text = picture(&Request { animate: true, ..request("mechanism") }, "x.svg").unwrap();
     let moving = text.lines().filter(|line| line.contains("<animate")).count();
