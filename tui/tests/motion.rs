@@ -345,3 +345,16 @@ fn the_trajectory_is_written_as_csv() {
     assert_eq!((text.lines().count(), end.len()), (6, header.len()));
     assert!((end[1].parse::<f64>().unwrap() - 15.810_771_195_153_71).abs() < 1e-7);
 }
+
+#[test]
+fn the_scene_bounds_the_steps_of_its_motion() {
+    let allowed = |steps: usize| {
+        let change = format!("until = \"5 rev\"\nintegrator = \"dopri5\"\nmax_steps = {steps}");
+        let scene = variant("run-up", &[("until = \"5 rev\"", &change)]);
+        assur(&["analyze", scene.path().to_str().unwrap(), "--format", "json", "--checks", "none"])
+    };
+    let few = allowed(3);
+    assert_eq!(few.status.code(), Some(1));
+    assert!(err(&few).contains("in 3 steps") && err(&few).contains("`max_steps`"), "{}", err(&few));
+    assert_eq!(allowed(10_000).status.code(), Some(0));
+}

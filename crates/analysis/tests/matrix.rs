@@ -77,6 +77,7 @@ fn set_motion(mechanism: &mut Mechanism, kind: &str) {
                 integrator,
                 tolerance: 1e-9,
                 step: None,
+                max_steps: None,
             })
         }
         "steady" => {

@@ -141,7 +141,8 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 ///
 /// [`DynamicsError::NoMotion`]; from rest, the first position may fail.
 pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
-    let Some(Asked::Transient { speed, until, samples, tolerance, step, .. }) = &mechanism.motion else {
+    let Some(Asked::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
+    else {
         return Err(DynamicsError::NoMotion { kind: "transient" });
     };
     let fixed_step = step.map(|step| match step {
@@ -157,7 +158,9 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
             Until::Coordinate(initial.coordinate + heading(&initial, mechanism, motion)? * way)
         }
     };
-    Ok(Request { samples: *samples, tolerance: *tolerance, fixed_step, ..Request::new(initial, until) })
+    let usual = Request::new(initial, until);
+    let max_steps = max_steps.unwrap_or(usual.max_steps);
+    Ok(Request { samples: *samples, tolerance: *tolerance, fixed_step, max_steps, ..usual })
 }
 
 /// The direction in which the motion begins: that of the speed; from rest, that of the moments; else the input's.

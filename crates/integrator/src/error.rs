@@ -142,8 +142,9 @@ fn stiffness_words(stiffness: Option<f64>) -> String {
             "; the equation is probably stiff (h*lambda = {product:.2}: stability, not accuracy, holds the step): use `radau5`"
         ),
         Some(product) => format!(
-            "; it does not look stiff (h*lambda = {product:.2}): loosen the tolerance, or end the motion earlier (`until`)"
+            "; it does not look stiff (h*lambda = {product:.2}): loosen the tolerance, allow more steps (`max_steps`), or end the motion earlier (`until`)"
         ),
-        None => "; loosen the tolerance, or end the motion earlier (`until`)".to_owned(),
+        None => "; loosen the tolerance, allow more steps (`max_steps`), or end the motion earlier (`until`)"
+            .to_owned(),
     }
 }

@@ -26,6 +26,8 @@ pub enum Motion {
         tolerance: f64,
         /// Length of the steps, for a method with a fixed step; `None`: the method's own.
         step: Option<StepLength>,
+        /// The most steps that are taken, rejected ones included; `None`: the integrator's own bound.
+        max_steps: Option<usize>,
     },
     /// The periodic regime.
     Steady {

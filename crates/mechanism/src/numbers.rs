@@ -134,7 +134,15 @@ fn in_value(value: &mut Value, visit: &mut impl FnMut(&mut f64)) {
 fn in_motion(motion: &mut Motion, visit: &mut impl FnMut(&mut f64)) {
     match motion {
         Motion::Prescribed { speed, acceleration } => [speed, acceleration].into_iter().for_each(visit),
-        Motion::Transient { speed, until: _, samples: _, integrator: _, tolerance, step: _ } => {
+        Motion::Transient {
+            speed,
+            until: _,
+            samples: _,
+            integrator: _,
+            tolerance,
+            step: _,
+            max_steps: _,
+        } => {
             [speed, tolerance].into_iter().for_each(visit);
         }
         Motion::Steady { mean_speed, unevenness } => {

@@ -10,6 +10,8 @@ use crate::walk::{Entry, Section};
 
 /// Samples of a motion are kept in memory; the limit keeps a typing error from filling it.
 const MOST_SAMPLES: usize = 1_000_000;
+/// Steps of a motion that a scene may allow: hours of work.
+const MOST_STEPS: usize = 1_000_000_000;
 const ALL_KEYS: &[&str] = &[
     "kind",
     "speed",
@@ -19,6 +21,7 @@ const ALL_KEYS: &[&str] = &[
     "integrator",
     "tolerance",
     "step",
+    "max_steps",
     "mean_speed",
     "unevenness",
 ];
@@ -36,7 +39,9 @@ impl Kind {
     fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Prescribed => &["kind", "speed", "acceleration"],
-            Self::Transient => &["kind", "speed", "until", "samples", "integrator", "tolerance", "step"],
+            Self::Transient => {
+                &["kind", "speed", "until", "samples", "integrator", "tolerance", "step", "max_steps"]
+            }
             Self::Steady => &["kind", "mean_speed", "unevenness"],
         }
     }
@@ -99,7 +104,9 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let integrator = integrator.unwrap_or("auto").to_owned();
     let step = section.get("step").and_then(|entry| time_or_way(&entry, context, ""));
     let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
-    Some(Motion::Transient { speed: context.sign() * speed, until, samples, integrator, tolerance, step })
+    let max_steps = section.get("max_steps").and_then(|entry| entry.count(1, MOST_STEPS));
+    let speed = context.sign() * speed;
+    Some(Motion::Transient { speed, until, samples, integrator, tolerance, step, max_steps })
 }
 
 /// Reads "rest", "turn", a time, or a displacement of the input.

@@ -137,7 +137,7 @@ fn steps_are_times_or_displacements() {
 
 #[test]
 fn ends_of_transient_motions() {
-    let Some(Motion::Transient { speed, until, samples, integrator, tolerance, step: None }) =
+    let Some(Motion::Transient { speed, until, samples, integrator, tolerance, step: None, max_steps: None }) =
         fixture("andrews.toml").motion
     else {
         panic!()
