@@ -6,9 +6,6 @@ use assur_integrator::{Motion, MotionError, Piece, State};
 use super::collocation::{RULE, S, Values};
 use crate::DynamicsError;
 
-/// Part of the cycle below which a length is rounding.
-const NARROW: f64 = 1e-11;
-
 /// Coefficients of the equation at one place of the path, of the machine without its drive.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Coefficients {
@@ -184,7 +181,8 @@ impl<'a> Path<'a> {
     /// Places where the formulas change along the path, 0 and the length included.
     fn corners(&mut self, v: f64) -> Result<Vec<f64>, DynamicsError> {
         let (length, mut x) = (self.cycle.length, 0.0);
-        let narrow = NARROW * length;
+        // As wide as what counts as lying on a jump: between that and a wider bound a state would have another side here.
+        let narrow = tolerance(self.cycle.coordinate(length), Some(length));
         let mut corners = vec![0.0];
         while x < length - narrow {
             let mut ahead = 0.0;
