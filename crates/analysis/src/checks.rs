@@ -105,7 +105,7 @@ impl Calculation {
         };
         if found.energy.conservative {
             let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
-                 of the coordinate makes of the potential energy";
+                 of the coordinate and of its own terms makes of the potential energy";
             // The energy goes with the square of the speed.
             let steps = 4.0 * found.error_of_fixed_steps();
             let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding + steps;

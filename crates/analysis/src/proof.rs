@@ -71,7 +71,7 @@ struct Balance {
     power: Vec<f64>,
     /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed.
     rounding: Vec<f64>,
-    /// The greatest work over a rounding unit of the coordinate, N m: the motion is known no better.
+    /// The greatest work over a rounding unit of the coordinate in every step, N m: the motion is known no better.
     unresolved: f64,
     /// What lies between each instant and the next one.
     between: Vec<Between>,
@@ -142,6 +142,7 @@ impl Balance {
         let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
         let pairs = samples.windows(2).zip(pieces.windows(2));
         let between = pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest)).collect();
+        let unresolved = unresolved * (trajectory.statistics.steps + 1) as f64;
         Some(Self { step, kinetic, power, rounding, unresolved, between })
     }
 

@@ -130,7 +130,7 @@ pub(crate) struct Comparison<'a> {
     /// difference of what moves.
     sizes: Vec<[f64; 3]>,
     /// How far the links are from the origin, in sizes of the mechanism, at least 1: everything follows from differences of
-    /// places, which are rounded by that distance.
+    /// places, which are rounded by that distance, and directions carry that rounding to the farthest point of a link.
     distance: f64,
 }
 
@@ -186,7 +186,7 @@ impl<'a> Comparison<'a> {
         let Self { subject, around, found, sizes, .. } = self;
         let unit = subject.unit(order, element.is_length());
         let below_unit = subject.unit(order - 1, element.is_length());
-        let floor = |number: f64, unit: f64| FLOOR * f64::EPSILON * (number.abs() + unit * self.distance);
+        let floor = |number: f64, unit: f64| FLOOR * f64::EPSILON * (number.abs() + unit) * self.distance;
         let links = element.links(subject.linkage);
         let size = links.map(|link| sizes[link][order]).into_iter().fold(1.0, f64::max);
         let components = 0..element.components();

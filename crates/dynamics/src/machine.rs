@@ -22,14 +22,15 @@ impl<'a> Machine<'a> {
         Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
     }
 
-    /// Potential energy of weights and springs at a coordinate, J.
+    /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
     ///
     /// # Errors
     ///
     /// [`MotionError`] if there is no such position.
-    pub fn potential_energy(&mut self, coordinate: f64) -> Result<f64, MotionError> {
+    pub fn potential_energy(&mut self, coordinate: f64) -> Result<[f64; 2], MotionError> {
         self.solve(coordinate)?;
-        Ok(self.loads.potential_energy(&self.position.bodies))
+        let Self { loads, position, .. } = self;
+        Ok([loads.potential_energy(&position.bodies), loads.terms_of_potential_energy(&position.bodies)])
     }
 
     /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.

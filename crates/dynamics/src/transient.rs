@@ -65,8 +65,8 @@ pub struct EnergyBalance {
     /// Largest change of the sum against the first sample, divided by the largest kinetic energy: the drift of the
     /// solution where the machine is conservative, else the work of the other loads.
     pub change: f64,
-    /// What the rounding of the coordinate makes of the potential energy in the worst sample, divided by the largest
-    /// kinetic energy.
+    /// What the rounding of the coordinate and of its own terms makes of the potential energy in the worst sample, divided by
+    /// the largest kinetic energy.
     pub rounding: f64,
 }
 
@@ -210,6 +210,9 @@ fn is_conservative(mechanism: &Mechanism) -> bool {
         && mechanism.drive.as_ref().is_none_or(|drive| drive.torque == Torque::None)
 }
 
+/// Roundings of a term of the potential energy: a few in the place of its ends, and as many in the first sample.
+const ROUNDINGS: f64 = 8.0;
+
 fn balance(
     motion: &mut Driven<Machine<'_>>,
     trajectory: &Trajectory,
@@ -222,8 +225,10 @@ fn balance(
         let state = State { time: sample.time, coordinate, speed };
         let reduced = motion.reduced(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
-        found.rounding = found.rounding.max((reduced.moment * coordinate).abs() * f64::EPSILON);
-        found.potential.push(motion.machine().potential_energy(coordinate).map_err(failed)?);
+        let [potential, terms] = motion.machine().potential_energy(coordinate).map_err(failed)?;
+        let uncertain = (reduced.moment * coordinate).abs() + ROUNDINGS * terms;
+        found.rounding = found.rounding.max(uncertain * f64::EPSILON);
+        found.potential.push(potential);
     }
     let sums: Vec<f64> = found.kinetic.iter().zip(&found.potential).map(|(t, v)| t + v).collect();
     let first = sums.first().copied().unwrap_or(0.0);

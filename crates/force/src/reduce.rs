@@ -56,6 +56,16 @@ impl Loads {
         }
         energy
     }
+
+    /// Sum of the sizes of the terms of which the [potential energy](Self::potential_energy) consists, J: it has the rounding
+    /// of these.
+    pub fn terms_of_potential_energy(&self, bodies: &[Body<f64>]) -> f64 {
+        let weights = self.masses.iter().map(|mass| {
+            let [weight, place] = [mass.weight(self.gravity), bodies[mass.link].point(vector(mass.center))];
+            dot(weight, weight).sqrt() * dot(place, place).sqrt()
+        });
+        weights.chain(self.springs.iter().map(|spring| spring.terms_of_energy(bodies))).sum()
+    }
 }
 
 /// Reduction to the input link.

@@ -194,9 +194,19 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
 impl SpringDamper {
     /// Energy stored in the spring, J.
     pub(crate) fn energy<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
+        let stretch = self.span(bodies) - T::from_f64(self.length);
+        (T::from_f64(self.stiffness) * stretch * stretch).half()
+    }
+
+    /// Size of the terms of which the stored energy consists: it is small where the spring is nearly free, J.
+    pub(crate) fn terms_of_energy(&self, bodies: &[Body<f64>]) -> f64 {
+        0.5 * self.stiffness * (self.span(bodies) + self.length).powi(2)
+    }
+
+    /// Distance of the ends, m.
+    fn span<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
         let [a, b] = self.ends.map(|end| bodies[end.link].point(vector(end.at)));
         let between = minus(b, a);
-        let stretch = dot(between, between).sqrt() - T::from_f64(self.length);
-        (T::from_f64(self.stiffness) * stretch * stretch).half()
+        dot(between, between).sqrt()
     }
 }

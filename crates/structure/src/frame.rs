@@ -36,10 +36,19 @@ fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
     all
 }
 
-/// The greatest distance between two points of one link or of the ground; 1 m if there is none.
+/// The greatest distance between two joints of one link or of the ground; between two points where the joints coincide,
+/// and 1 m if all points do. A far point that only draws a path or carries a load says nothing about the size of a mechanism.
 pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
-    let mut places: Vec<Place> =
-        mechanism.points.iter().flat_map(|point| point.places.iter().copied()).collect();
+    let pins = mechanism.points.iter().filter(|point| point.places.len() > 1).flat_map(|point| &point.places);
+    // Any point of a guide may be the one that the line of a slide is given by.
+    let slides = mechanism.slides.iter().map(|slide| Place { link: slide.link, at: slide.point });
+    let joints = greatest_distance(pins.copied().chain(slides).collect());
+    let of_points = || greatest_distance(mechanism.points.iter().flat_map(|point| &point.places).copied().collect());
+    joints.or_else(of_points).unwrap_or(1.0)
+}
+
+/// The greatest distance between two places of one link; `None` if all places of each link coincide.
+fn greatest_distance(mut places: Vec<Place>) -> Option<f64> {
     places.sort_unstable_by_key(|place| place.link);
     let mut longest = 0.0_f64;
     for of_link in places.chunk_by(|a, b| a.link == b.link) {
@@ -50,7 +59,7 @@ pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
             }
         }
     }
-    if longest > 0.0 { longest } else { 1.0 }
+    (longest > 0.0).then_some(longest)
 }
 
 /// The places that may have the greatest distance from each other: two places are as far apart as the longer side of
