@@ -67,6 +67,7 @@ impl<'a> Blocks<'a> {
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
                 let message = match obstacle {
                     Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.to_string(),
+                    Obstacle::Load(error) => format!("position {index}: {error}"),
                     Obstacle::ChangePoint => {
                         at_change_points.push(index);
                         continue;

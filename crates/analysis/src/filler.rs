@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::{ForceError, Kinetostatics, LaneKinetostatics};
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, LoadError};
 use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
@@ -28,6 +28,8 @@ pub(crate) struct Filler<'a> {
 pub(crate) enum Obstacle {
     /// The position has no solution.
     Unsolved(PositionError),
+    /// A load has no value.
+    Load(LoadError),
     /// It is at a change point, where reactions are not determined.
     ChangePoint,
     /// The method finds no forces there.
@@ -80,30 +82,37 @@ impl<'a> Filler<'a> {
             }
         }
         if rows.contains(&true) {
-            for (lane, error) in self.fill(first, rows, instants, table) {
-                let at_change_point = matches!(error, ForceError::ChangePoint { .. });
-                let obstacle = if at_change_point { Obstacle::ChangePoint } else { Obstacle::Refused(error) };
-                obstacles.push((first + lane, obstacle));
-            }
+            let more = self.fill(first, rows, instants, table);
+            obstacles.extend(more.into_iter().map(|(lane, obstacle)| (first + lane, obstacle)));
             obstacles.sort_by_key(|(number, _)| *number);
         }
         obstacles
     }
 
-    /// Adds some of the positions that are solved; returns the lanes whose reactions are not determined.
+    /// Adds some of the positions that are solved; returns the lanes that have no row or no reactions.
     fn fill(
         &mut self,
         first: usize,
-        rows: Mask,
+        mut rows: Mask,
         instants: &[Instant; Lanes::WIDTH],
         table: &mut Table,
-    ) -> Vec<(usize, ForceError)> {
+    ) -> Vec<(usize, Obstacle)> {
         let Self { calculation, position, motions, .. } = self;
         let Calculation { linkage, plan, loads, .. } = *calculation;
         let states = instants.map(|instant| instant.state);
         motions.read(linkage, &plan.wanted, &position.bodies);
         let loads = loads.as_ref().filter(|_| plan.reduction);
         let reduced = loads.map(|loads| loads.reduced(&states, &position.bodies));
+        let mut obstacles = Vec::new();
+        for (loads, reduced) in loads.into_iter().zip(&reduced) {
+            for lane in (0..Lanes::WIDTH).filter(|&lane| !reduced.moment.0[lane].is_finite()) {
+                let bodies: Vec<_> = position.bodies.iter().map(|body| body.lane(lane)).collect();
+                let finite = loads.finite(&linkage.mechanism, &states[lane], &bodies);
+                if let (Err(error), true) = (finite, std::mem::take(&mut rows[lane])) {
+                    obstacles.push((lane, Obstacle::Load(error)));
+                }
+            }
+        }
         let (mut determined, mut balancing, mut refused) = (rows, [None; Lanes::WIDTH], Vec::new());
         if let Some((forces, joints)) = &mut self.forces {
             refused = forces.solve(&states, position).err().unwrap_or_default();
@@ -135,6 +144,10 @@ impl<'a> Filler<'a> {
             (family.fill)(&known, &mut cells);
             cells.end_at(*end);
         }
-        refused
+        obstacles.extend(refused.into_iter().map(|(lane, error)| match error {
+            ForceError::ChangePoint { .. } => (lane, Obstacle::ChangePoint),
+            _ => (lane, Obstacle::Refused(error)),
+        }));
+        obstacles
     }
 }

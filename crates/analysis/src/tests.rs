@@ -370,6 +370,22 @@ fn idle_loads_and_missing_times_are_noted() {
     assert!(scene(timed, "speed = 3\nacceleration = -1").contains("never reaches 2 positions"));
 }
 
+/// A formula that divides by zero: its load is named, and all other positions are calculated.
+#[test]
+fn a_load_without_a_value_is_named() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\ncenter = 0\ninertia = 0.1\n\
+        [link.rod]\npoints = { A = 0, B = 0.3 }\n[link.slider]\npoints = { B = 0 }\nmass = 2\n[[slide]]\nlink = 'slider'\non = 'ground'\n\
+        [input]\nlink = 'crank'\npositions = 8\n[[moment]]\nname = 'pull'\nlink = 'crank'\n\
+        value = { formula = '10/q', unit = 'N*m' }\n[assembly]\nB = [0.4, 0]\n[motion]\n";
+    for motion in ["speed = 10", "kind = 'transient'\nspeed = 10\nuntil = '1 rev'"] {
+        let found = analyzed(&format!("{scene}{motion}\n"));
+        assert_eq!((found.positions.len(), found.failures.len()), (7, 1), "{motion}");
+        let message = &found.failures[0].message;
+        assert!(message.contains("position 0: load `pull` has no finite value at coordinate 0"), "{message}");
+        assert!(found.no_motion.is_none_or(|message| message.contains("load `pull`")), "{motion}");
+    }
+}
+
 #[test]
 fn the_first_turn_ends_with_the_speed_after_it() {
     let analysis = analyzed(&text("shaper-drive"));

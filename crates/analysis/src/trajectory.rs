@@ -33,7 +33,8 @@ pub(crate) struct WithoutForces {
 impl WithoutForces {
     fn add(&mut self, obstacle: &Obstacle) {
         match obstacle {
-            Obstacle::Unsolved(_) => {}
+            // Neither occurs in a state that an integrator has reached.
+            Obstacle::Unsolved(_) | Obstacle::Load(_) => {}
             Obstacle::ChangePoint => self.at_change_points += 1,
             Obstacle::Refused(why) => {
                 self.refused += 1;

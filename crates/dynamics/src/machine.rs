@@ -67,6 +67,13 @@ impl Motion for Machine<'_> {
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.solve(state.coordinate)?;
-        Ok(self.loads.reduced_in_phase(&self.phase, &load_state(state), &self.position.bodies))
+        let Self { linkage, loads, position, phase, .. } = self;
+        let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
+        if !reduced.moment.is_finite() {
+            loads
+                .finite(&linkage.mechanism, &load_state(state), &position.bodies)
+                .map_err(MotionError::mechanism)?;
+        }
+        Ok(reduced)
     }
 }

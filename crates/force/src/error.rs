@@ -42,6 +42,16 @@ pub enum LoadError {
         /// Where the point is at infinity, rad or m.
         coordinate: f64,
     },
+    /// The formula of the load has no finite value in a state.
+    #[error(
+        "load `{name}` has no finite value at coordinate {coordinate:.9}: its formula divides by zero or outgrows all numbers there"
+    )]
+    NotFinite {
+        /// The load.
+        name: String,
+        /// Coordinate of the state, rad or m.
+        coordinate: f64,
+    },
     /// A jump or bend of a formula can't be found before an integrator steps over it.
     #[error(
         "load `{name}`: the argument of `{function}` (character {column} of the formula) mixes coordinate, speed, time and place, \
@@ -77,6 +87,7 @@ impl LoadError {
             Self::StrokeOfMoment { name }
             | Self::NoStroke { name, .. }
             | Self::InfiniteStroke { name, .. }
+            | Self::NotFinite { name, .. }
             | Self::Unlocated { name, .. }
             | Self::NoPosition { name, .. } => (name, Some("value")),
         };

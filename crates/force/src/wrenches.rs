@@ -4,10 +4,11 @@ use assur_group::plane::{minus, perp, plus, scaled, vector};
 use assur_group::{Body, Wrench};
 use assur_number::Formula;
 
-use crate::LoadNumber;
 use crate::choice::Live;
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
+use crate::{LoadError, LoadNumber, State};
+use assur_mechanism::Mechanism;
 
 /// Adds up loads about the origins of the bodies.
 struct Sum<'a, T>(&'a mut [Wrench<T>]);
@@ -171,6 +172,28 @@ impl Loads {
         }
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
         self.inertia_of_each(states, bodies, |link, wrench| hand_on(Cause::Inertia(link), link, wrench));
+    }
+
+    /// Whether all loads of a state have finite values.
+    ///
+    /// # Errors
+    ///
+    /// [`LoadError::NotFinite`] with the first load of the scene that has none.
+    pub fn finite(
+        &self,
+        mechanism: &Mechanism,
+        state: &State,
+        bodies: &[Body<f64>],
+    ) -> Result<(), LoadError> {
+        let mut without = None;
+        self.by_cause(state, bodies, &mut |cause, _, Wrench { fx, fy, m }| {
+            if without.is_none() && !(fx.is_finite() && fy.is_finite() && m.is_finite()) {
+                without = Some(cause);
+            }
+        });
+        let error =
+            |cause: Cause| LoadError::NotFinite { name: cause.name(mechanism), coordinate: state.coordinate };
+        without.map_or(Ok(()), |cause| Err(error(cause)))
     }
 
     /// The size of each applied load of a state: of a force along its direction (or against the motion), of a moment

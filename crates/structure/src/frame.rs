@@ -39,16 +39,25 @@ fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
 /// The greatest distance between two joints of one link or of the ground; between two points where the joints coincide,
 /// and 1 m if all points do. A far point that only draws a path or carries a load says nothing about the size of a mechanism.
 pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
-    let pins = mechanism.points.iter().filter(|point| point.places.len() > 1).flat_map(|point| &point.places);
-    // Any point of a guide may be the one that the line of a slide is given by.
-    let slides = mechanism.slides.iter().map(|slide| Place { link: slide.link, at: slide.point });
-    let joints = greatest_distance(pins.copied().chain(slides).collect());
-    let of_points = || greatest_distance(mechanism.points.iter().flat_map(|point| &point.places).copied().collect());
-    joints.or_else(of_points).unwrap_or(1.0)
+    let joined = mechanism.points.iter().filter(|point| point.places.len() > 1);
+    let pins: Vec<Place> = joined.flat_map(|point| &point.places).copied().collect();
+    // A guide is a line of either body: how far from a pin it is given says nothing, but its distance does.
+    let lines = mechanism
+        .slides
+        .iter()
+        .flat_map(|slide| [(slide.link, slide.point, -slide.tilt), (slide.on, slide.through, slide.angle)]);
+    let from_lines = lines.flat_map(|(link, [x, y], angle)| {
+        let of_link = pins.iter().filter(move |pin| pin.link == link);
+        of_link.map(move |pin| ((pin.at[0] - x) * angle.sin() - (pin.at[1] - y) * angle.cos()).abs())
+    });
+    let joints = from_lines.fold(greatest_distance(pins.clone()), f64::max);
+    let of_points =
+        || greatest_distance(mechanism.points.iter().flat_map(|point| &point.places).copied().collect());
+    [joints].into_iter().chain(std::iter::once_with(of_points)).find(|length| *length > 0.0).unwrap_or(1.0)
 }
 
-/// The greatest distance between two places of one link; `None` if all places of each link coincide.
-fn greatest_distance(mut places: Vec<Place>) -> Option<f64> {
+/// The greatest distance between two places of one link.
+fn greatest_distance(mut places: Vec<Place>) -> f64 {
     places.sort_unstable_by_key(|place| place.link);
     let mut longest = 0.0_f64;
     for of_link in places.chunk_by(|a, b| a.link == b.link) {
@@ -59,7 +68,7 @@ fn greatest_distance(mut places: Vec<Place>) -> Option<f64> {
             }
         }
     }
-    (longest > 0.0).then_some(longest)
+    longest
 }
 
 /// The places that may have the greatest distance from each other: two places are as far apart as the longer side of
