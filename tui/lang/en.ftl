@@ -150,3 +150,250 @@ inertia-loads = Inertia loads of the links at their centers of mass, { $place }
 shares-drawn = Reduced moment of inertia over the cycle, each share upon those before
 link-of-reduction = The link of reduction with the reduced force F and the reduced mass m: { $place }
 loads-drawn = Loads over the cycle: a force along its direction, a moment counter-clockwise, a spring by its tension
+
+# The terminal UI: what each command does; .hint: its name in the last rows .end: there at the right; .also: other words under which it is looked for.
+do-next-position = the next position
+    .hint = step
+do-previous-position = the position before
+do-first-position = the first position
+do-last-position = the last position
+do-forward = an eighth of the cycle on
+    .hint = 1/8 turn
+do-back = an eighth of the cycle back
+do-play = start and stop the motion
+    .hint = play
+    .also = animate animation movie run start stop
+do-faster = play faster
+do-slower = play slower, with frames between the positions
+do-greatest = to the greatest value of the quantity that is shown
+    .hint = greatest
+    .also = maximum max extreme peak highest
+do-least = to its least value
+    .also = minimum min extreme lowest
+do-next-row = the next position (a row of the table)
+    .hint = row
+do-previous-row = the position before
+do-pick = quantities for the chart in their units: velocities, forces, moments, loads; in the drive: a motor
+    .hint = pick
+    .also = plot graph diagram choose select overlay mean rms fuzzy
+do-next-item = the next quantity: point, link or slide
+    .hint = quantity
+do-previous-item = the quantity before
+do-probe = a point on a link that is moved to see its path; again: removes it
+    .hint = new point
+    .also = coupler curve
+do-point-right = move the point
+    .hint = move
+do-point-left = move the point
+do-point-up = move the point
+do-point-down = move the point
+do-point-link = the point on the next link
+    .hint = link
+do-next-group = the next group; it is marked in the drawing
+    .hint = group
+do-previous-group = the group before
+do-nearest = go to the position of the group's least determinant (the `health` of assur stability; 0: singular)
+    .hint = to its least
+do-next-reaction = the next reaction
+    .hint = reaction
+do-previous-reaction = the reaction before
+do-analyzer = calculate with the next force analyzer
+    .hint = analyzer
+do-difference = difference to the next force analyzer
+    .hint = difference
+do-causes = reactions by cause: weight, inertia, each load, and their sum
+    .hint = by cause
+do-join = the mechanism put together: the input link, with group 1, with group 2, ...
+    .hint = join
+    .also = assembly assemble dyad
+do-part = the next part: numbers, by cause, curves, hodograph; force polygon, plans; iteration, places
+    .hint = part
+do-next-step = the next polygon, vector, or step of the construction
+    .hint = group or step
+do-previous-step = the polygon or step before
+do-beside = keep the plan of this position on the left while the other one moves; again: one plan
+    .hint = two positions
+    .also = compare side working idle
+do-next-motion = the next quantity of the motion
+    .hint = quantity
+do-previous-motion = the quantity before
+do-next-check = the next check
+    .hint = check
+do-previous-check = the check before
+do-worst = go to the position of the largest residual
+    .hint = to the worst position
+do-measure = measure speed, accuracy and stability on this scene; again: stop
+    .hint = measure
+do-next-line = the next line
+    .hint = scroll
+do-previous-line = the line before
+do-next-page = the next page of the text
+    .hint = page
+do-previous-page = the page before
+do-first-line = the beginning of the text
+do-last-line = the end of the text
+do-next-column = the next column
+    .hint = column
+do-previous-column = the column before
+do-sort = sort by this column: up, down, by number
+    .hint = sort
+do-what-if = the numbers of the scene, to be changed
+    .hint = what if
+    .also = change edit modify parameter length mass
+do-next-value = the next number of the list
+    .hint = value
+do-previous-value = the number before
+do-raise = the number a step up; every view follows
+    .hint = change
+do-lower = the number a step down
+do-step-size = step: 0.1, 1, 5 or 10 % of the file's number
+    .hint = step
+do-exact-value = type it: :value KEY 61 mm; Tab completes
+    .hint = exact
+do-undo = take back the last change
+    .hint = undo
+    .also = revert back
+do-save = write the changed scene: :save FILE
+    .hint = save
+    .also = export scene file store
+do-mechanism = the mechanism, drawn to scale
+do-curves = PF0, PF1, PF2 over the positions
+do-forces = reactions, hodograph, balancing load
+do-plans = force polygons, velocity and acceleration plans, construction
+do-motion = speed, acceleration, J, J', Q, course over time
+do-drive = motor, ratio, flywheel
+do-checks = every check with its residual and limit
+    .also = residual error verify proof
+do-accuracy = speed against accuracy of every method; stability
+do-structure = groups, formula; the determinant: how near to a singular position
+do-table = all numbers as a table
+do-working = every equation of the position with its numbers
+    .also = steps equations explain solution formula
+do-panels = several views beside each other from 120 columns; :panels curves plans chooses them
+    .also = split layout windows side
+do-scenes = the shipped scenes; :open FILE opens a scene file of yours
+    .hint = scenes
+    .also = load file examples new
+do-arrows = arrows: velocity, acceleration, both, none
+    .hint = arrows
+do-trace = paths: of all points, of the chosen one, trails, none
+    .hint = paths
+do-zoom-in = larger
+do-zoom-out = smaller
+do-whole = the whole again
+do-pan-left = shift the drawing to the left
+do-pan-right = shift the drawing to the right
+do-pan-up = shift the drawing up
+do-pan-down = shift the drawing down
+do-marker = dots: Braille, half blocks, ASCII
+do-pixels = drawings as pixels, where the terminal can (kitty, iTerm2, sixel); it is asked only now
+    .also = image graphics kitty sixel
+do-ascii = only ASCII characters, or all
+do-theme = colors: default, mono, okabe-ito
+do-help = this help; typing searches it
+    .end = all keys
+do-command = command line: :42, :point D, :view table, :set theme mono, :open FILE, :compare FILE; Tab completes
+    .end = line
+do-search = search: a number is a position, a word is a pair, column or quantity
+    .hint = search
+    .pair = find pair
+do-note = write the explanatory note of the scene: task, plans, tables, working, as HTML
+    .hint = note
+do-keep = write how the screen looks into the configuration: theme, marker, panels
+do-reload = read the scene again
+do-write = write this view: its picture (SVG), its numbers (CSV); :write FILE.png
+    .hint = write
+    .also = export save image print png svg csv file figure
+do-redraw = write the whole screen anew
+do-suspend = back to the shell; fg returns
+do-close = close what is open; stop a calculation or measurement
+do-quit = leave
+    .end = quit
+    .also = exit leave close end
+
+# The terminal UI: names of the views; .short: on a narrow tab.
+view-mechanism = Mechanism
+    .short = Mech
+view-curves = Curves
+view-forces = Forces
+view-plans = Plans
+view-motion = Motion
+view-drive = Drive
+view-checks = Checks
+view-accuracy = Methods
+    .short = Cost
+view-structure = Groups
+view-table = Table
+view-working = Working
+    .short = Work
+view-what-if = What if
+view-probe = Point
+group-move = Position
+group-choose = Choose
+group-change = What if
+group-views = Views
+group-look = Drawing
+group-program = Program
+group-words = Words
+help-title = Help: every key, by what it does
+help-search = type, or / and type, to search
+help-linear = The same as plain lines: assur analyze, assur check, assur explain SCENE
+works-in-view = { "" } (view { $views })
+works-in-views = { "" } (views { $views })
+works-not-in = { "" } (not { $views })
+header-position = position { $number } of { $count }
+list-keys = type to search  Up/Down choose  { $mark }Enter take  { $close } close
+list-mark = Tab mark{"  "}
+calculating = calculating ...  ({ $key } stops)
+calculating-at = calculating: { $count }  ({ $key } stops)
+overwrite = { $file } exists: overwrite it? y / n
+add-motion = This scene has no motion, and no masses to reduce. Add to the scene, for example:
+
+    {"    [motion]"}
+    {"    speed = \"60 rpm\""}
+
+    or kind = "transient" (from an initial state), or kind = "steady" (the periodic regime). Then { $key } reads it again.
+add-drive = This scene has no steady regime of a drive. Add to the scene, for example:
+
+    {"    [motion]"}
+    {"    kind = \"steady\""}
+    {"    mean_speed = \"60 rpm\""}
+    {"    unevenness = 0.05"}
+
+    {"    [drive]"}
+    {"    motor = \"auto\""}
+    {"    ratio = \"solve\""}
+    {"    flywheel = \"solve\""}
+
+    Then { $key } reads it again.
+add-loads = This scene has no loads, so that there are no forces. Add to the scene, for example:
+
+    {"    [[force]]"}
+    {"    link = \"ram\""}
+    {"    at = \"K\""}
+    {"    angle = \"180 deg\""}
+    {"    value = \"1500 N\""}
+
+    or gravity = "9.81 m/s^2" and masses. Then { $key } reads it again.
+forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE tells them over time.
+no-motion-found = The motion that the scene asks for is not found:
+no-forces-found = There are no forces, since the motion that the scene asks for is not found:
+nothing-here = this scene has nothing for this view
+
+# The configuration as `assur config` prints it, in English alone.
+config-head = Configuration of assur's terminal UI. Every value here is the default; keep what you change.
+    It is read from $XDG_CONFIG_HOME/assur/config.toml, or else from ~/.config/assur/config.toml.
+    Options of the command line go before it.
+config-keys = The keys of each command; the first one is shown in the hints, {"[]"} means none. A key is a character, C- and a
+    character (with Ctrl), or one of:
+    { $names }.
+    Two commands that meet in a view can't share a key.
+config-theme = colors: { $values } (NO_COLOR=1 always gives mono)
+config-marker = dots of drawings and curves: { $values }
+config-ascii = only ASCII characters; where the locale is not UTF-8 it is so anyway
+config-fps = frames a second of the animation, { $values }
+config-cell_ratio = height of a character cell in its widths, { $values }, for drawings to scale
+config-mouse = capture the mouse: a click on a curve chooses the position
+config-language = language: { $values }; auto: that of the scene's [note], else English
+config-pixels = drawings as pixels: the terminal is asked at the start whether it can (kitty, iTerm2, sixel)
+config-panels = views beside the chosen one from 120 columns, as many as there is room for; [] means none

@@ -11,6 +11,7 @@ mod files;
 mod locale;
 mod note;
 mod progress;
+mod words;
 mod working;
 
 use assur_figure::number;

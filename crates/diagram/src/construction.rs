@@ -11,10 +11,12 @@ use crate::plan::{Plan, PlanVector, VectorKind, length};
 /// [`size`](PlanVector::size) stays in N. The residual of the polygon is its closure error.
 pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
     let drawings = [Drawing::Mechanism, Drawing::Polygon, Drawing::Lever];
-    drawings.into_iter().filter_map(|drawing| plan(construction, drawing)).collect()
+    drawings.into_iter().filter_map(|drawing| construction_plan(construction, drawing)).collect()
 }
 
-fn plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
+/// One drawing of a construction, as [`construction_plans`] has them; its vectors are those of the steps that are no points, in
+/// their order. `None` if the construction has no step in this drawing.
+pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
     let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
     let first = steps.first()?;
     let (what, unit) = match drawing {

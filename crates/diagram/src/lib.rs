@@ -22,7 +22,7 @@ mod sheet;
 mod sign;
 mod split;
 
-pub use construction::construction_plans;
+pub use construction::{construction_plan, construction_plans};
 pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;

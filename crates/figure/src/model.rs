@@ -26,7 +26,8 @@ impl Figure {
     }
 
     /// The figure with its headings, its legend and the names of its axes in other words.
-    pub(crate) fn translated(&self, words: &dyn Fn(&str) -> String) -> Self {
+    #[must_use]
+    pub fn translated(&self, words: &dyn Fn(&str) -> String) -> Self {
         let mut figure = self.clone();
         figure.title = words(&figure.title);
         figure.legend.iter_mut().filter(|key| !key.is_name()).for_each(|key| key.text = words(&key.text));

@@ -30,6 +30,9 @@ pub(crate) struct Cli {
     /// Height of a character cell in its widths, for drawings to scale in the terminal UI
     #[arg(long, value_name = "RATIO")]
     pub(crate) cell_ratio: Option<f64>,
+    /// Language of the terminal UI: en, uk, ru (default: as configured, else that of the scene's note)
+    #[arg(long, value_name = "NAME", value_parser = crate::words::LANGUAGES)]
+    pub(crate) language: Option<String>,
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
 }

@@ -135,6 +135,7 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
                 mouse: cli.mouse,
                 fps: cli.fps,
                 cell_ratio: cli.cell_ratio,
+                language: cli.language,
                 analyzer: cli.methods.analyzer,
                 integrator: cli.methods.integrator,
                 config,

@@ -14,6 +14,7 @@ use crate::files;
 use crate::note::{self, Form};
 use crate::screen::state::{Scene, Source};
 use crate::screen::still;
+use crate::words::LANGUAGES;
 
 /// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
@@ -21,16 +22,13 @@ pub(crate) struct ReportArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Language of the note: en, uk, ru (default: `[note] language` of the scene)
-    #[arg(long, value_name = "NAME", value_parser = ["en", "uk", "ru"])]
+    #[arg(long, value_name = "NAME", value_parser = LANGUAGES)]
     language: Option<String>,
     /// File to write; its ending chooses the form: .html and .typ are one file with all figures in it, .md has its figures
     /// in a folder beside it
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
-
-/// The languages, as the note names them.
-const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
 
 pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;

@@ -86,6 +86,7 @@ fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
         ("--mouse", cli.mouse),
         ("--fps", cli.fps.is_some()),
         ("--cell-ratio", cli.cell_ratio.is_some()),
+        ("--language", cli.language.is_some()),
     ];
     let lost = before.iter().find(|(_, given)| *given);
     if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {

@@ -4,9 +4,9 @@ use assur_figure::{Figure, Frame};
 use assur_scene::Note;
 
 use super::Context;
-use super::words::Words;
 use crate::screen::state::{State, View};
 use crate::screen::view;
+use crate::words::Words;
 
 /// The title page.
 #[derive(Debug, Clone)]

@@ -5,9 +5,9 @@ use assur_figure::{Item, Panel};
 
 use super::Context;
 use super::document::Block;
-use super::words::Words;
 use crate::number::{digits, trimmed};
 use crate::screen::state::{Part, View};
+use crate::words::Words;
 
 /// Digits of a result, and of a row of an iteration.
 const DIGITS: usize = 6;

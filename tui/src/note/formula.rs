@@ -4,7 +4,7 @@ use assur_worksheet::{Entry, Line};
 
 use super::Context;
 use super::document::{Block, Term};
-use super::words::Words;
+use crate::words::Words;
 
 /// Functions of the working.
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "atan2", "asin", "acos", "abs", "sign", "sqrt"];

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use assur_figure::svg::{self, escaped, lowered};
 
 use super::document::{Block, Cover, Term};
-use super::words::Words;
+use crate::words::Words;
 
 /// Time of one turn of an animation, s.
 pub(super) const TURN: f64 = 6.0;

@@ -5,9 +5,9 @@ use assur_mechanism::GROUND;
 
 use super::Context;
 use super::document::Block;
-use super::words::Words;
 use crate::number::digits;
 use crate::screen::state::{Part as Shown, View};
+use crate::words::Words;
 
 /// Page of two mechanisms, of two plans, and of three curves, mm.
 const MECHANISMS: [f64; 2] = [165.0, 100.0];

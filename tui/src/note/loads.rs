@@ -3,7 +3,7 @@
 use assur_mechanism::{Direction, Mechanism, Over, Place, Table, Value};
 
 use super::task::number;
-use super::words::Words;
+use crate::words::Words;
 
 /// Of a longer table the first rows are shown.
 const MOST_ROWS: usize = 12;

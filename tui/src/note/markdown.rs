@@ -7,7 +7,7 @@ use assur_figure::svg::{self, lowered};
 use super::Written;
 use super::document::{Block, Cover, Term};
 use super::html::{TURN, is_of_numbers};
-use super::words::Words;
+use crate::words::Words;
 
 /// The text, with links to files of figures in `folder`, and these files.
 pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words, folder: &str) -> Written {

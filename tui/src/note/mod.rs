@@ -1,6 +1,6 @@
 //! The explanatory note: what was calculated, with its figures and tables, as HTML, Markdown or Typst.
 //!
-//! [`write`] collects blocks (`document`) from the state of a scene, in the words of a language (`words`), and writes
+//! [`write`] collects blocks (`document`) from the state of a scene, in the words of a language, and writes
 //! them in a form (`html`, `markdown`, `typst`). Its figures are those of the views; its numbers are those of the results.
 
 mod curves;
@@ -16,7 +16,6 @@ mod results;
 mod structure;
 mod task;
 mod typst;
-mod words;
 
 #[cfg(test)]
 mod tests;
@@ -25,8 +24,8 @@ use assur_figure::Figure;
 use assur_scene::Note;
 
 use crate::screen::state::{State, View};
+use crate::words::Words;
 use document::{Block, Cover};
-use words::Words;
 
 /// The form of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,9 +90,9 @@ impl Context<'_> {
 ///
 /// # Errors
 ///
-/// The language resources or the working of a position; in words.
+/// Why a position has no working; in words.
 pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, String> {
-    let words = Words::of(note.language)?;
+    let words = Words::of(note.language);
     let Some(scene) = &state.scene else { return Err("there is no scene".to_owned()) };
     let cover = Cover::of(&scene.linkage.mechanism.title, note);
     let exists = |position: &usize| scene.poses.get(*position).is_some_and(Option::is_some);
@@ -106,11 +105,11 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
         positions.push(scene.first_position());
     }
     positions.dedup();
-    let blocks = blocks(&mut Context { state, words: &words, positions: &positions })?;
+    let blocks = blocks(&mut Context { state, words, positions: &positions })?;
     Ok(match form {
-        Form::Html => Written { text: html::write(&cover, &blocks, &words), figures: Vec::new() },
-        Form::Markdown => markdown::write(&cover, &blocks, &words, folder),
-        Form::Typst => Written { text: typst::write(&cover, &blocks, &words), figures: Vec::new() },
+        Form::Html => Written { text: html::write(&cover, &blocks, words), figures: Vec::new() },
+        Form::Markdown => markdown::write(&cover, &blocks, words, folder),
+        Form::Typst => Written { text: typst::write(&cover, &blocks, words), figures: Vec::new() },
     })
 }
 

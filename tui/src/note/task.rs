@@ -5,9 +5,9 @@ use assur_mechanism::{Drive, Mechanism, Motion, Motor, Solve, Torque};
 use super::Context;
 use super::document::Block;
 use super::loads;
-use super::words::Words;
 use crate::number::trimmed;
 use crate::screen::state::View;
+use crate::words::Words;
 
 /// Page of a mechanism, mm.
 const MECHANISM: [f64; 2] = [160.0, 110.0];

@@ -7,7 +7,6 @@ use std::collections::BTreeSet;
 use assur_all as _;
 use assur_scene::Note;
 
-use super::words::Words;
 use super::{Form, Written};
 use crate::screen::state::State;
 use crate::screen::still::{analyzed, open};
@@ -24,61 +23,6 @@ fn state(scene: &str) -> State {
 
 fn of(scene: &str, language: &'static str, form: Form) -> Written {
     super::write(&mut state(scene), &note(language), form, "figures").unwrap()
-}
-
-const RESOURCES: [&str; 3] =
-    [include_str!("../../lang/en.ftl"), include_str!("../../lang/uk.ftl"), include_str!("../../lang/ru.ftl")];
-
-#[test]
-fn every_language_has_every_text() {
-    let identifiers = |text: &'static str| -> BTreeSet<&str> {
-        text.lines().filter_map(|line| line.split_once(" = ")).map(|(id, _)| id).collect()
-    };
-    let [en, uk, ru] = RESOURCES.map(identifiers);
-    assert_eq!(en, uk);
-    assert_eq!(en, ru);
-    assert!(Words::of("tlh").is_err());
-}
-
-#[test]
-fn both_translations_have_every_phrase_with_all_its_places() {
-    let phrases = |text: &str| -> toml::Table {
-        let table: toml::Table = text.parse().unwrap();
-        table["phrases"].as_table().unwrap().clone()
-    };
-    let [uk, ru] = [include_str!("../../lang/uk.toml"), include_str!("../../lang/ru.toml")].map(phrases);
-    assert!(uk.keys().eq(ru.keys()));
-    for (english, own) in uk.iter().chain(&ru) {
-        let places = |text: &str| text.matches("{}").count();
-        assert_eq!(places(english), places(own.as_str().unwrap()), "{english}");
-    }
-}
-
-#[test]
-fn a_phrase_of_a_figure_is_translated_whole_and_names_are_not() {
-    let words = Words::of("uk").unwrap();
-    assert_eq!(words.phrase("velocity: 0.5 m/s"), "швидкість: 0,5 м/с");
-    assert_eq!(words.phrase("speed of the motor, rad/s"), "швидкість двигуна, рад/с");
-    assert_eq!(words.phrase("motorway on_mean 1.2.3"), "motorway on_mean 1,2,3");
-    assert_eq!(words.phrase("μ_{v} = 0.0075 m/s/mm"), "μ_{v} = 0,0075 (м/с)/мм");
-    assert_eq!(
-        words
-            .phrase("outer pin A: PF0 (-0.02, 1) m, PF1 (0, 0) m/rad, PF2 (0, 0) m/rad²")
-            .matches('м')
-            .count(),
-        3
-    );
-    assert_eq!(
-        words.phrase("Input link crank: reaction and balancing load").split(' ').nth(2),
-        Some("crank:")
-    );
-    assert_eq!(
-        words.name("I(ground,crank) -> II2(grounded,ram/ground)"),
-        "I(стояк,crank) -> II2(grounded,ram/стояк)"
-    );
-    assert_eq!(words.unit("kg m2/rad"), "кг·м²/рад");
-    assert_eq!(words.number("-1.50e-15"), "−1,50·10⁻¹⁵");
-    assert_eq!(Words::of("en").unwrap().phrase("load on `ram`, 5 N m"), "load on ram, 5 N·m");
 }
 
 /// The texts between the tags.
@@ -128,7 +72,7 @@ fn every_tag_is_closed_and_every_text_is_there() {
         }
         assert!(html.contains("A. &lt;B&gt;") && !html.contains("NaN"), "{scene}");
         // An identifier without a text would be printed itself.
-        let identifiers = RESOURCES[0].lines().filter_map(|line| line.split_once(" = "));
+        let identifiers = include_str!("../../lang/en.ftl").lines().filter_map(|line| line.split_once(" = "));
         for (id, _) in identifiers.filter(|(id, _)| id.contains('-')) {
             assert!(!html.contains(&format!(">{id}<")), "{scene} {language}: {id}");
         }

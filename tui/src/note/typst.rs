@@ -6,7 +6,7 @@ use assur_figure::svg::{self, lowered};
 
 use super::document::{Block, Cover, Term};
 use super::html::{SHORT, is_of_numbers};
-use super::words::Words;
+use crate::words::Words;
 
 const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, y: 20mm), numbering: \"1\")
 #set text(font: (\"Libertinus Serif\", \"Liberation Serif\"), size: 11pt)

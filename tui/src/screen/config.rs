@@ -6,6 +6,7 @@ mod keep;
 mod tests;
 
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use assur_scene::document::{self, Entry, Fault, Section};
 use assur_scene::{Dimension, SceneErrors};
@@ -14,9 +15,9 @@ pub(crate) use default::text as default_text;
 pub(crate) use keep::keep;
 
 use super::command::COMMANDS;
-use super::state::{Command, Key, Keymap, Look, Marker, Panels, Theme, View};
+use super::state::{Command, Key, Keymap, Kind, Look, Panels, SETTINGS, View};
+use crate::words::{LANGUAGES, Words};
 
-const KEYS: &[&str] = &["theme", "marker", "ascii", "fps", "cell_ratio", "panels", "mouse", "keys"];
 /// Without a key for this command a user could not leave.
 const OUT: &str = "quit";
 
@@ -25,14 +26,12 @@ const OUT: &str = "quit";
 pub struct Config {
     pub(crate) look: Look,
     pub(crate) panels: Panels,
-    /// Capture the mouse.
-    pub(crate) mouse: bool,
     pub(crate) keys: Keymap,
 }
 
 impl Default for Config {
     fn default() -> Self {
-        Self { look: Look::default(), panels: Panels::default(), mouse: false, keys: Keymap::of(COMMANDS) }
+        Self { look: Look::default(), panels: Panels::default(), keys: Keymap::of(COMMANDS) }
     }
 }
 
@@ -44,28 +43,44 @@ impl Config {
     /// Every error with its place: unknown names, wrong values, keys that do not exist or that have two meanings in a
     /// view.
     pub(crate) fn read(file_name: &str, text: &str) -> Result<Self, SceneErrors> {
-        document::read(file_name, text, "the configuration", KEYS, |root| Self {
+        static KEYS: LazyLock<Vec<&str>> =
+            LazyLock::new(|| SETTINGS.iter().map(|setting| setting.name).chain(["panels", "keys"]).collect());
+        document::read(file_name, text, "the configuration", &KEYS, |root| Self {
             look: look(root),
             panels: root.get("panels").map_or_else(Panels::default, |entry| panels(&entry)),
-            mouse: root.get("mouse").and_then(|entry| entry.flag()).unwrap_or_default(),
             keys: root.get("keys").map_or_else(|| Keymap::of(COMMANDS), |keys| keymap(&keys)),
         })
     }
 }
 
 fn look(root: &Section<'_>) -> Look {
-    let default = Look::default();
-    let markers = Marker::ALL.map(|marker| (marker.name(), marker));
-    let themes = Theme::ALL.map(|theme| (theme.name(), theme));
-    let fps = root
-        .get("fps")
-        .and_then(|entry| entry.count(usize::from(*Look::FPS.start()), usize::from(*Look::FPS.end())));
-    Look {
-        ascii: root.get("ascii").and_then(|entry| entry.flag()).unwrap_or(default.ascii),
-        marker: root.get("marker").and_then(|entry| entry.choice(&markers)).unwrap_or(default.marker),
-        theme: root.get("theme").and_then(|entry| entry.choice(&themes)).unwrap_or(default.theme),
-        ratio: root.get("cell_ratio").and_then(|entry| ratio(&entry)).unwrap_or(default.ratio),
-        fps: fps.and_then(|fps| u8::try_from(fps).ok()).unwrap_or(default.fps),
+    SETTINGS.iter().fold(Look::default(), |look, setting| {
+        look.with(setting.name, root.get(setting.name).and_then(|entry| word(&entry, &setting.kind)))
+    })
+}
+
+/// The value of a setting as a word.
+fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
+    match kind {
+        Kind::Choice(words) => {
+            let words: Vec<_> = words().into_iter().map(|word| (word, word)).collect();
+            entry.choice(&words).map(str::to_owned)
+        }
+        Kind::Flag => entry.flag().map(|on| if on { "on" } else { "off" }.to_owned()),
+        Kind::Count(range) => entry.count(*range.start(), *range.end()).map(|count| count.to_string()),
+        Kind::Number(range) => {
+            let number = entry.quantity(Dimension::Number)?;
+            if !range.contains(&number) {
+                let message = format!(
+                    "`{}` wants a number from {} to {}, got {number}",
+                    entry.name,
+                    range.start(),
+                    range.end()
+                );
+                entry.fault(message, "");
+            }
+            Some(number.to_string())
+        }
     }
 }
 
@@ -75,21 +90,6 @@ fn panels(entry: &Entry<'_>) -> Panels {
     let views: Vec<View> =
         entry.list("the name of a view").iter().filter_map(|item| item.choice(&names)).collect();
     Panels { shown: !views.is_empty(), views }
-}
-
-fn ratio(entry: &Entry<'_>) -> Option<f64> {
-    let ratio = entry.quantity(Dimension::Number)?;
-    if Look::RATIO.contains(&ratio) {
-        return Some(ratio);
-    }
-    let message = format!(
-        "`{}` wants a number from {} to {}, got {ratio}",
-        entry.name,
-        Look::RATIO.start(),
-        Look::RATIO.end()
-    );
-    entry.fault(message, "");
-    None
 }
 
 /// A key as written in the file.
@@ -150,7 +150,8 @@ fn fault(
         (Some(first), None) => (Some(first), two),
         (_, second) => (second, one),
     };
-    let message = format!("`{}` means both `{}` and `{}` in {}", key.name(), one.name, two.name, view.name());
+    let view = view.name(Words::of(LANGUAGES[0]));
+    let message = format!("`{}` means both `{}` and `{}` in {view}", key.name(), one.name, two.name);
     let other = other.name;
     let label = match at(other) {
         Some(_) => format!("also a key of `{other}`"),

@@ -40,6 +40,8 @@ pub struct Options {
     pub fps: Option<u8>,
     /// Ratio of a character cell's height to its width; `None`: as configured.
     pub cell_ratio: Option<f64>,
+    /// Language; `None`: as configured.
+    pub language: Option<String>,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
@@ -92,21 +94,24 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     command::start(&mut state);
-    session::run(state, options.mouse || options.config.mouse, options.config_file.as_deref())?;
+    session::run(state, options.config_file.as_deref())?;
     Ok(0)
 }
 
 /// How to draw, from options, configuration, locale and `NO_COLOR`.
 fn look(options: &Options) -> Look {
     let variable = |name: &str| std::env::var(name).ok();
-    let colorless = variable("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let configured = options.config.look;
-    let ascii = options.ascii || configured.ascii || !crate::locale::is_utf8(variable);
+    let look = options.config.look;
+    let ascii = options.ascii || look.ascii || !crate::locale::is_utf8(variable);
+    let theme = variable("NO_COLOR").filter(|value| !value.is_empty()).map(|_| Theme::Mono);
+    let look = look.with("fps", options.fps.map(|fps| fps.to_string()));
+    let look = look.with("cell_ratio", options.cell_ratio.map(|ratio| ratio.to_string()));
+    let look = look.with("language", options.language.clone());
     Look {
         ascii,
-        marker: if ascii { Marker::Ascii } else { configured.marker },
-        theme: if colorless { Theme::Mono } else { configured.theme },
-        ratio: options.cell_ratio.filter(|ratio| Look::RATIO.contains(ratio)).unwrap_or(configured.ratio),
-        fps: options.fps.filter(|fps| Look::FPS.contains(fps)).unwrap_or(configured.fps),
+        marker: if ascii { Marker::Ascii } else { look.marker },
+        theme: theme.unwrap_or(look.theme),
+        mouse: options.mouse || look.mouse,
+        ..look
     }
 }

@@ -32,11 +32,11 @@ pub(crate) enum Event {
 }
 
 /// Runs until the user leaves; `config`: where its configuration is kept.
-pub(crate) fn run(mut state: State, mouse: bool, config: Option<&Path>) -> io::Result<()> {
+pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
     let start = (state.look, state.panels.clone());
     let (sender, events) = channel();
     listen_to_signals(sender.clone())?;
-    let mut screen = Screen::take(mouse)?;
+    let mut screen = Screen::take(state.look.mouse)?;
     let keys = sender.clone();
     input::listen(move |event| keys.send(event.map_or(Event::Closed, Event::Input)).is_ok())?;
     let mut next_tick = Instant::now();
@@ -51,6 +51,7 @@ pub(crate) fn run(mut state: State, mouse: bool, config: Option<&Path>) -> io::R
         if state.leaving {
             return Ok(());
         }
+        screen.capture_mouse(state.look.mouse)?;
         if state.wishes.is_empty() {
             screen.draw(|frame| view::draw(&state, frame))?;
         }

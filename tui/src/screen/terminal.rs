@@ -52,6 +52,15 @@ impl Screen {
         Ok(Self { terminal })
     }
 
+    /// Captures the mouse, or leaves it to the terminal.
+    pub(crate) fn capture_mouse(&self, mouse: bool) -> io::Result<()> {
+        match (MOUSE.swap(mouse, Ordering::SeqCst), mouse) {
+            (false, true) => execute!(io::stdout(), EnableMouseCapture),
+            (true, false) => execute!(io::stdout(), DisableMouseCapture),
+            _ => Ok(()),
+        }
+    }
+
     /// Draws one frame as one synchronized update.
     pub(crate) fn draw(&mut self, paint: impl FnOnce(&mut Frame<'_>)) -> io::Result<()> {
         let _writing = writing();

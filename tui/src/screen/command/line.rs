@@ -3,9 +3,7 @@
 use assur_fixtures::SCENES;
 
 use super::{motors, picker, report, whatif, write};
-use crate::screen::state::{
-    Group, Job, Look, Marker, Panels, Reaction, Role, Scene, Source, State, Theme, View, Wish,
-};
+use crate::screen::state::{Group, Job, Panels, Reaction, Role, SETTINGS, Scene, Source, State, View, Wish};
 use crate::screen::view::help::where_it_works;
 
 /// Names that differ in more letters than this from the typed text are not suggested.
@@ -14,7 +12,7 @@ const FAR: usize = 3;
 const LETTERS: usize = 3;
 
 /// Words of the line that take a value, and their values.
-fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
+fn words(state: &State) -> Vec<(String, Vec<String>)> {
     let of_scene = |kind: &str| {
         let owner = |scene: &Scene| -> Vec<String> {
             let owners = scene.transfers.iter().map(|transfer| scene.owner(&transfer.owner));
@@ -28,7 +26,9 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
     let list = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect::<Vec<_>>();
     let views = state.commands.iter().filter(|command| command.group == Group::Views);
     let scenes: Vec<_> = SCENES.iter().map(|(name, _)| format!("{name}.toml")).collect();
-    vec![
+    let settings =
+        SETTINGS.iter().map(|setting| (format!("set {}", setting.name), list(&setting.kind.words())));
+    let others = [
         ("point", of_scene("point")),
         ("link", of_scene("link")),
         ("slide", of_scene("slide")),
@@ -37,12 +37,8 @@ fn words(state: &State) -> Vec<(&'static str, Vec<String>)> {
         ("open", scenes.clone()),
         ("compare", scenes),
         ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
-        ("set theme", list(&Theme::ALL.map(Theme::name))),
-        ("set marker", list(&Marker::ALL.map(Marker::name))),
-        ("set ascii", list(&["on", "off"])),
-        ("set fps", list(&["1", "5", "10", "20", "30"])),
-        ("set cell", list(&["2.0"])),
-    ]
+    ];
+    others.map(|(word, values)| (word.to_owned(), values)).into_iter().chain(settings).collect()
 }
 
 /// The values that a word takes; `None` if there is no such word.
@@ -178,24 +174,13 @@ fn quantity(state: &mut State, kind: &str, name: &str) {
 
 fn set(state: &mut State, rest: &str) {
     let (name, value) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-    let (value, look) = (value.trim(), &mut state.look);
-    let taken = match name {
-        "theme" => Theme::ALL.iter().find(|theme| theme.name() == value).map(|theme| look.theme = *theme),
-        "marker" => {
-            Marker::ALL.iter().find(|marker| marker.name() == value).map(|marker| look.marker = *marker)
-        }
-        "ascii" => ["off", "on"].iter().position(|word| *word == value).map(|on| look.ascii = on == 1),
-        "fps" => value.parse().ok().filter(|fps| Look::FPS.contains(fps)).map(|fps| look.fps = fps),
-        "cell" => value.parse().ok().filter(|r| Look::RATIO.contains(r)).map(|ratio| look.ratio = ratio),
-        _ => None,
+    let value = value.trim();
+    let Some(setting) = SETTINGS.iter().find(|setting| setting.name.starts_with(name) && !name.is_empty())
+    else {
+        return unknown(state, &format!("set {name}"));
     };
-    let word = format!("set {name}");
-    match (taken, values_of(state, &word)) {
-        (Some(()), _) => {}
-        (None, Some(values)) => {
-            state.say(Role::Bad, format!("`{name}` takes {}, not `{value}`", values.join(", ")));
-        }
-        (None, None) => unknown(state, &word),
+    if setting.take(&mut state.look, value).is_none() {
+        state.say(Role::Bad, format!("`{}` takes {}, not `{value}`", setting.name, setting.kind.told()));
     }
 }
 

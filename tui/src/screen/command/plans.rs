@@ -2,6 +2,11 @@
 
 use crate::screen::state::{Part, State, View, round};
 
+/// Keeps the plan of this position beside that of the position that is shown, or removes it.
+pub(super) fn beside(state: &mut State) {
+    state.held = if state.held.is_some() { None } else { Some(state.position) };
+}
+
 /// The next or previous polygon, vector, or step of the construction.
 pub(super) fn step(state: &mut State, by: isize) {
     let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return };

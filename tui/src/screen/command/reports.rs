@@ -97,7 +97,7 @@ fn open(state: &mut State, scene: Scene) {
         state.chosen = Chosen::default();
         state.zoom = Zoom::WHOLE;
         state.view = View::Mechanism;
-        (state.motor_limits, state.joined) = (None, None);
+        (state.motor_limits, state.joined, state.held) = (None, None, None);
         state.picked.clear();
     }
     // Links and points may have other numbers now.

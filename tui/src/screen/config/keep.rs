@@ -14,13 +14,13 @@ pub(crate) fn keep(state: &mut State, file: Option<&Path>, (look, panels): &(Loo
         let text = "there is no place for a configuration: neither XDG_CONFIG_HOME nor HOME is set";
         return state.say(Role::Bad, text);
     };
-    let before = settings(*look, panels);
-    let now = settings(state.look, &state.panels).into_iter().zip(before);
+    let before = settings(look, panels);
+    let now = settings(&state.look, &state.panels);
     let changed: Vec<_> =
-        now.filter(|(now, before)| now.2 != before.2).map(|((_, name, value), _)| (name, value)).collect();
+        now.into_iter().filter(|one| !before.contains(one)).map(|(name, value, _)| (name, value)).collect();
     if changed.is_empty() {
-        return state
-            .say(Role::Plain, "nothing that is kept has changed: theme, marker, ascii, fps, cell, panels");
+        let names: Vec<&str> = before.iter().map(|(name, ..)| *name).collect();
+        return state.say(Role::Plain, format!("nothing that is kept has changed: {}", names.join(", ")));
     }
     let old =
         if path.exists() { files::read(path).map_err(|error| error.to_string()) } else { Ok(String::new()) };
@@ -54,11 +54,9 @@ pub(super) fn kept(text: &str, changed: &[(&str, String)]) -> Result<String, Str
     }
     let text = lines.join("\n") + "\n";
     let config = Config::read("config.toml", &text).ok();
-    let read = config.map(|config| settings(config.look, &config.panels));
-    let is_read = |(name, value): &(&str, String)| {
-        read.iter().flatten().any(|(_, known, read)| known == name && read == value)
-    };
-    if changed.iter().all(is_read) {
+    let read = config.map_or_else(Vec::new, |config| settings(&config.look, &config.panels));
+    if changed.iter().all(|(name, value)| read.iter().any(|(known, read, _)| known == name && read == value))
+    {
         Ok(text)
     } else {
         Err("the configuration has a form that can't be changed here; `assur config` prints one that can"

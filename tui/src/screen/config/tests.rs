@@ -3,7 +3,7 @@
 use super::keep::kept;
 use super::{Config, default_text};
 use crate::screen::command::COMMANDS;
-use crate::screen::state::{Key, Look, Marker, Panels, Theme, View};
+use crate::screen::state::{Key, Look, Marker, Panels, SETTINGS, Theme, View};
 
 fn read(text: &str) -> Config {
     Config::read("config.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
@@ -31,8 +31,12 @@ fn the_printed_default_is_the_default_and_says_all() {
         assert_eq!(keys.matches('"').count(), 2 * command.default_keys().len(), "{line}");
         assert!(line.contains("# "), "{line}");
     }
-    for name in crate::screen::config::KEYS.iter().filter(|name| **name != "keys") {
-        assert!(text.lines().any(|line| line.starts_with(&format!("{name} = "))), "{name}");
+    for setting in SETTINGS {
+        assert!(
+            text.lines().any(|line| line.starts_with(&format!("{} = ", setting.name))),
+            "{}",
+            setting.name
+        );
     }
 }
 
@@ -47,6 +51,8 @@ fn the_lines_of_the_default_are_live() {
         ("fps = 10", "fps = 11"),
         ("cell_ratio = 2.0", "cell_ratio = 2.5"),
         ("mouse = false", "mouse = true"),
+        ("language = \"auto\"", "language = \"ru\""),
+        ("pixels = false", "pixels = true"),
         ("panels = [\"mechanism\", ", "panels = ["),
         ("play = [\"Space\"]", "play = [\"y\"]"),
     ] {
@@ -63,11 +69,20 @@ fn an_empty_file_is_the_default() {
 #[test]
 fn every_setting_is_taken() {
     let config = read(
-        "theme = 'mono'\nmarker = 'half-block'\nascii = true\nfps = 25\ncell_ratio = 1.9\nmouse = true\n\
+        "theme = 'mono'\nmarker = 'half-block'\nascii = true\nfps = 25\ncell_ratio = 1.9\nmouse = true\nlanguage = 'uk'\npixels = true\n\
          [keys]\nplay = 'y'\nnext-position = ['i', 'C-n', 'F5']\nwrite = []\n",
     );
-    let look = Look { ascii: true, marker: Marker::HalfBlock, theme: Theme::Mono, ratio: 1.9, fps: 25 };
-    assert_eq!((config.look, config.mouse), (look, true));
+    let look = Look {
+        ascii: true,
+        marker: Marker::HalfBlock,
+        theme: Theme::Mono,
+        ratio: 1.9,
+        fps: 25,
+        mouse: true,
+        language: "uk",
+        pixels: true,
+    };
+    assert_eq!(config.look, look);
     let keys = |name: &str| config.keys.keys(name).to_vec();
     assert_eq!(keys("play"), [Key::parse("y").unwrap()]);
     assert_eq!(keys("next-position"), ["i", "C-n", "F5"].map(|key| Key::parse(key).unwrap()));

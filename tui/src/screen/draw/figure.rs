@@ -20,7 +20,9 @@ pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buf
 
 /// Draws the visible part of a figure into an area.
 pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
-    for spot in cells::draw(figure, [area.width, area.height], cells(state, zoom)) {
+    let words = state.words();
+    let figure = figure.translated(&|text| words.shown(text));
+    for spot in cells::draw(&figure, [area.width, area.height], cells(state, zoom)) {
         put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
     }
 }

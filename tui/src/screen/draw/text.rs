@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use textwrap::Options;
 
-use crate::screen::state::{Look, Role};
+use crate::screen::state::{Role, State};
 
 /// Indent of the continuation lines of a line that is too long, in columns.
 const HANGING: usize = 4;
@@ -17,16 +17,16 @@ pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: 
     }
 }
 
-/// Writes lines one below the other.
+/// Writes English lines one below the other, in the language of the screen.
 pub(crate) fn put_lines<'a>(
     buffer: &mut Buffer,
     area: Rect,
     column: u16,
-    look: Look,
+    state: &State,
     lines: impl IntoIterator<Item = &'a (Role, String)>,
 ) {
     for (row, (role, line)) in lines.into_iter().enumerate() {
-        put(buffer, area, column, short(row), line, look.theme.style(*role));
+        put(buffer, area, column, short(row), &state.words().shown(line), state.look.theme.style(*role));
     }
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::State;
 use super::key::Key;
 use super::kinds::View;
+use crate::words::Words;
 
 /// Groups of the help screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,14 +19,14 @@ pub(crate) enum Group {
 }
 
 impl Group {
-    /// In the order of the help screen, with their titles.
+    /// In the order of the help screen, with the identifiers of their titles.
     pub(crate) const ALL: [(Self, &str); 6] = [
-        (Self::Move, "Position"),
-        (Self::Choose, "Choose"),
-        (Self::Change, "What if"),
-        (Self::Views, "Views"),
-        (Self::Look, "Drawing"),
-        (Self::Program, "Program"),
+        (Self::Move, "group-move"),
+        (Self::Choose, "group-choose"),
+        (Self::Change, "group-change"),
+        (Self::Views, "group-views"),
+        (Self::Look, "group-look"),
+        (Self::Program, "group-program"),
     ];
 }
 
@@ -41,16 +42,22 @@ pub(crate) struct Command {
     pub(crate) views: &'static [View],
     /// Changes the state, draws nothing.
     pub(crate) run: fn(&mut State),
-    /// Its text among the hints; empty: none.
-    pub(crate) hint: &'static str,
-    /// Its text in the help.
-    pub(crate) help: &'static str,
 }
 
 impl Command {
     /// Whether its keys apply in a view.
     pub(crate) fn fits(&self, view: View) -> bool {
         self.views.is_empty() || self.views.contains(&view)
+    }
+
+    /// What it does.
+    pub(crate) fn help(&self, words: &Words) -> String {
+        words.get(&format!("do-{}", self.name))
+    }
+
+    /// Another of its texts: its name among the hints (`hint`), other words for it (`also`); empty where there is none.
+    pub(crate) fn text(&self, words: &Words, name: &str) -> String {
+        words.attribute(&format!("do-{}", self.name), name)
     }
 
     /// The keys that it has by default.

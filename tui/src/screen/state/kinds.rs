@@ -3,6 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::key::Key;
+use crate::words::Words;
 
 /// A view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,38 +43,34 @@ impl View {
         Self::TABS.into_iter().chain([Values, Probe])
     }
 
-    /// The name on its tab, its name where the tab is narrow, and the command that goes to it.
-    fn names(self) -> [&'static str; 3] {
+    /// The command that goes to it.
+    pub(crate) fn command(self) -> &'static str {
         match self {
-            Mechanism => ["Mechanism", "Mech", "mechanism"],
-            Curves => ["Curves", "Curves", "curves"],
-            Forces => ["Forces", "Forces", "forces"],
-            Plans => ["Plans", "Plans", "plans"],
-            Motion => ["Motion", "Motion", "motion"],
-            Drive => ["Drive", "Drive", "drive"],
-            Checks => ["Checks", "Checks", "checks"],
-            Accuracy => ["Methods", "Cost", "accuracy"],
-            Structure => ["Groups", "Groups", "structure"],
-            Table => ["Table", "Table", "table"],
-            Working => ["Working", "Work", "working"],
-            Values => ["What if", "What if", "what-if"],
-            Probe => ["Point", "Point", "probe"],
+            Mechanism => "mechanism",
+            Curves => "curves",
+            Forces => "forces",
+            Plans => "plans",
+            Motion => "motion",
+            Drive => "drive",
+            Checks => "checks",
+            Accuracy => "accuracy",
+            Structure => "structure",
+            Table => "table",
+            Working => "working",
+            Values => "what-if",
+            Probe => "probe",
         }
     }
 
     /// The name on its tab.
-    pub(crate) fn name(self) -> &'static str {
-        self.names()[0]
+    pub(crate) fn name(self, words: &Words) -> String {
+        words.get(&format!("view-{}", self.command()))
     }
 
     /// The name on its tab where there is little room.
-    pub(crate) fn short_name(self) -> &'static str {
-        self.names()[1]
-    }
-
-    /// The command that goes to it.
-    pub(crate) fn command(self) -> &'static str {
-        self.names()[2]
+    pub(crate) fn short_name(self, words: &Words) -> String {
+        let short = words.attribute(&format!("view-{}", self.command()), "short");
+        if short.is_empty() { self.name(words) } else { short }
     }
 
     /// Its parts, the one that is shown first in front; none if it is one whole.

@@ -1,4 +1,4 @@
-//! How things are drawn.
+//! How things are drawn, and what of it a user may set.
 
 use std::ops::RangeInclusive;
 
@@ -6,6 +6,7 @@ use assur_figure::cells::Marker;
 
 use super::kinds::View;
 use super::theme::Theme;
+use crate::words::LANGUAGES;
 
 /// The views that are shown beside the chosen one where there is room.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,17 +34,129 @@ pub(crate) struct Look {
     pub(crate) ratio: f64,
     /// Frames per second of the animation.
     pub(crate) fps: u8,
+    /// Whether the mouse is captured.
+    pub(crate) mouse: bool,
+    /// A language, or [`AUTO`].
+    pub(crate) language: &'static str,
+    /// Whether figures are drawn as pixels, if the terminal can.
+    pub(crate) pixels: bool,
 }
 
-impl Look {
-    /// Allowed frames per second of the animation.
-    pub(crate) const FPS: RangeInclusive<u8> = 1..=60;
-    /// Allowed ratios of a cell's height to its width.
-    pub(crate) const RATIO: RangeInclusive<f64> = 0.5..=5.0;
-}
+/// The language that the scene wants for its note.
+pub(crate) const AUTO: &str = "auto";
 
 impl Default for Look {
     fn default() -> Self {
-        Self { ascii: false, marker: Marker::Braille, theme: Theme::Default, ratio: 2.0, fps: 10 }
+        Self {
+            ascii: false,
+            marker: Marker::Braille,
+            theme: Theme::Default,
+            ratio: 2.0,
+            fps: 10,
+            mouse: false,
+            language: AUTO,
+            pixels: false,
+        }
+    }
+}
+
+/// Something that a user may set, in the configuration and by `:set`.
+#[derive(Debug)]
+pub(crate) struct Setting {
+    /// Its name in the configuration; `:set` takes its beginning too.
+    pub(crate) name: &'static str,
+    pub(crate) kind: Kind,
+    /// Its value as a word.
+    pub(crate) get: fn(&Look) -> String,
+    /// Sets it by a word that its kind allows.
+    set: fn(&mut Look, &str) -> Option<()>,
+}
+
+/// What a setting takes.
+#[derive(Debug)]
+pub(crate) enum Kind {
+    /// One of some words.
+    Choice(fn() -> Vec<&'static str>),
+    /// `on` or `off`.
+    Flag,
+    /// A whole number.
+    Count(RangeInclusive<usize>),
+    /// A number.
+    Number(RangeInclusive<f64>),
+}
+
+impl Kind {
+    /// What it takes, in words; a number has no list.
+    pub(crate) fn words(&self) -> Vec<&'static str> {
+        match self {
+            Self::Choice(words) => words(),
+            Self::Flag => vec!["on", "off"],
+            Self::Count(_) | Self::Number(_) => Vec::new(),
+        }
+    }
+
+    /// What it takes, for a reader: `default, mono`, `1 to 60`.
+    pub(crate) fn told(&self) -> String {
+        match self {
+            Self::Count(range) => format!("{} to {}", range.start(), range.end()),
+            Self::Number(range) => format!("{} to {}", range.start(), range.end()),
+            _ => self.words().join(", "),
+        }
+    }
+}
+
+impl Setting {
+    /// Sets it; `None` for a word that it does not take.
+    pub(crate) fn take(&self, look: &mut Look, word: &str) -> Option<()> {
+        let allowed = match &self.kind {
+            Kind::Count(range) => word.parse().is_ok_and(|count| range.contains(&count)),
+            Kind::Number(range) => word.parse().is_ok_and(|number| range.contains(&number)),
+            kind => kind.words().contains(&word),
+        };
+        allowed.then(|| (self.set)(look, word))?
+    }
+}
+
+fn on_off(on: bool) -> String {
+    if on { "on" } else { "off" }.to_owned()
+}
+
+fn find<T: Copy>(all: &[T], name: fn(T) -> &'static str, word: &str) -> Option<T> {
+    all.iter().copied().find(|one| name(*one) == word)
+}
+
+/// All settings, in the order of the configuration.
+#[rustfmt::skip]
+pub(crate) const SETTINGS: [Setting; 8] = [
+    Setting { name: "theme", kind: Kind::Choice(|| Theme::ALL.map(Theme::name).into()),
+              get: |look| look.theme.name().to_owned(),
+              set: |look, word| find(&Theme::ALL, Theme::name, word).map(|theme| look.theme = theme) },
+    Setting { name: "marker", kind: Kind::Choice(|| Marker::ALL.map(Marker::name).into()),
+              get: |look| look.marker.name().to_owned(),
+              set: |look, word| find(&Marker::ALL, Marker::name, word).map(|marker| look.marker = marker) },
+    Setting { name: "ascii", kind: Kind::Flag, get: |look| on_off(look.ascii),
+              set: |look, word| { look.ascii = word == "on"; Some(()) } },
+    Setting { name: "fps", kind: Kind::Count(1..=60), get: |look| look.fps.to_string(),
+              set: |look, word| word.parse().ok().map(|fps| look.fps = fps) },
+    Setting { name: "cell_ratio", kind: Kind::Number(0.5..=5.0), get: |look| format!("{:?}", look.ratio),
+              set: |look, word| word.parse().ok().map(|ratio| look.ratio = ratio) },
+    Setting { name: "language", kind: Kind::Choice(|| [&[AUTO], &LANGUAGES[..]].concat()),
+              get: |look| look.language.to_owned(),
+              set: |look, word| [&[AUTO], &LANGUAGES[..]].concat().into_iter().find(|known| *known == word)
+                  .map(|language| look.language = language) },
+    Setting { name: "pixels", kind: Kind::Flag, get: |look| on_off(look.pixels),
+              set: |look, word| { look.pixels = word == "on"; Some(()) } },
+    Setting { name: "mouse", kind: Kind::Flag, get: |look| on_off(look.mouse),
+              set: |look, word| { look.mouse = word == "on"; Some(()) } },
+];
+
+impl Look {
+    /// Sets what a name that is known takes; a word that it does not take changes nothing.
+    pub(crate) fn with(mut self, name: &str, word: Option<String>) -> Self {
+        let setting = SETTINGS.iter().find(|setting| setting.name == name);
+        if let (Some(setting), Some(word)) = (setting, word) {
+            setting.take(&mut self, &word);
+        }
+        self
     }
 }

@@ -32,7 +32,7 @@ pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request
 pub(crate) use key::Key;
 pub(crate) use keymap::{Command, Group, Keymap};
 pub(crate) use kinds::{Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, round};
-pub(crate) use look::{Look, Panels};
+pub(crate) use look::{AUTO, Kind, Look, Panels, SETTINGS};
 pub(crate) use picker::{Choice, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
@@ -41,6 +41,8 @@ pub(crate) use series::{Owner, Series, greatest, zeros};
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
+
+use crate::words::{LANGUAGES, Words};
 
 /// Greatest number of frames from a position to the next one.
 pub(crate) const FRAMES: u8 = 16;
@@ -76,6 +78,8 @@ pub(crate) struct State {
     pub(crate) picked: Vec<String>,
     /// How many groups are joined to the input link in the drawing of the structure; `None`: all.
     pub(crate) joined: Option<usize>,
+    /// The position whose plan stays beside that of the present one.
+    pub(crate) held: Option<usize>,
     /// The point that is moved over the drawing.
     pub(crate) probe: Option<Probe>,
     /// Power (W) and greatest speed (rad/s) for which motors are listed; `None`: those of the scene.
@@ -134,6 +138,7 @@ impl State {
             chosen: Chosen::default(),
             picked: Vec::new(),
             joined: None,
+            held: None,
             probe: None,
             motor_limits: None,
             look,
@@ -164,6 +169,15 @@ impl State {
     /// The results of the analysis of the open scene, if there are any.
     pub(crate) fn found(&self) -> Option<&Found> {
         self.scene.as_ref()?.found.as_deref()
+    }
+
+    /// The words of the language that is asked for; on a screen of ASCII, English.
+    pub(crate) fn words(&self) -> &'static Words {
+        Words::of(match self.look.language {
+            _ if self.look.ascii => LANGUAGES[0],
+            AUTO => self.scene.as_ref().map_or(LANGUAGES[0], |scene| scene.language),
+            language => language,
+        })
     }
 
     /// The measurement in progress.

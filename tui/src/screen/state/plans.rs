@@ -10,6 +10,9 @@ use assur_working::{Working, WorkingError};
 
 use crate::working;
 
+/// Positions whose plans are remembered: two beside each other are drawn together.
+const KEPT: usize = 2;
+
 /// The plans of one position.
 #[derive(Debug)]
 pub(crate) struct Plans {
@@ -50,21 +53,19 @@ impl Plans {
 #[derive(Debug)]
 pub(crate) struct Planner {
     calculation: Arc<Calculation>,
-    /// The last position, cached because a view is drawn many times.
-    kept: RefCell<Option<(usize, Arc<Plans>)>>,
+    /// The last positions, at most [`KEPT`], because a view is drawn many times.
+    kept: RefCell<Vec<Arc<Plans>>>,
 }
 
 impl Planner {
     pub(crate) fn new(calculation: Arc<Calculation>) -> Self {
-        Self { calculation, kept: RefCell::new(None) }
+        Self { calculation, kept: RefCell::default() }
     }
 
     /// The plans of a position.
     pub(crate) fn at(&self, position: usize) -> Arc<Plans> {
         let mut kept = self.kept.borrow_mut();
-        if let Some((known, plans)) = &*kept
-            && *known == position
-        {
+        if let Some(plans) = kept.iter().find(|plans| plans.position == position) {
             return Arc::clone(plans);
         }
         let plans = Arc::new(Plans {
@@ -74,7 +75,8 @@ impl Planner {
             position,
             working: OnceLock::new(),
         });
-        *kept = Some((position, Arc::clone(&plans)));
+        kept.insert(0, Arc::clone(&plans));
+        kept.truncate(KEPT);
         plans
     }
 }

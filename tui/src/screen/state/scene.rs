@@ -15,6 +15,7 @@ use super::outline::Outline;
 use super::series::{Owner, Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
+use crate::words::{LANGUAGES, Words};
 
 /// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -50,6 +51,8 @@ pub(crate) struct Scene {
     /// Its text, and the numbers in it.
     pub(crate) text: String,
     pub(crate) values: Vec<SceneValue>,
+    /// The language of its note.
+    pub(crate) language: &'static str,
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
@@ -116,6 +119,7 @@ impl Scene {
             source,
             text: text.to_owned(),
             values: Document::of(text).values(),
+            language: assur_scene::note("", text).map_or(LANGUAGES[0], |note| note.language),
             linkage: Arc::new(linkage),
             poses,
             broken,
@@ -211,6 +215,13 @@ impl Scene {
     /// How many series there are: the transfer functions, then what the analysis found.
     pub(crate) fn column_count(&self) -> usize {
         self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
+    }
+
+    /// `position 6, 45 deg`.
+    pub(crate) fn place(&self, words: &Words, position: usize) -> String {
+        let series = &self.series[0];
+        let at = format!("{} {}", words.number(&plain(series.at(position))), words.unit(&series.unit));
+        words.with("position-at", &[("position", position.to_string()), ("at", at)])
     }
 
     /// The series of a short name.

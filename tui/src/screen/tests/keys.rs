@@ -5,6 +5,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
 use crate::screen::state::{Key, Keymap, Measured, Probe, State, Wish};
+use crate::words::{LANGUAGES, Words};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
@@ -130,7 +131,10 @@ fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
 #[test]
 fn every_command_has_its_help_and_keys_that_are_read() {
     for command in COMMANDS {
-        assert!(!command.help.is_empty(), "{}", command.name);
+        for language in LANGUAGES {
+            let help = command.help(Words::of(language));
+            assert!(!help.is_empty() && !help.starts_with("do-"), "{language}: {}", command.name);
+        }
         assert_eq!(command.default_keys().len(), command.keys.split_whitespace().count(), "{}", command.name);
     }
 }

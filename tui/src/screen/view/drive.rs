@@ -32,13 +32,13 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
             paint(state, &figure(state, scene, 1), area, buffer);
         }
-        Part::Places => put_lines(buffer, area, 1, state.look, &places_and_motors(dynamics)),
+        Part::Places => put_lines(buffer, area, 1, state, &places_and_motors(dynamics)),
         _ => {
             let area = warned(state, dynamics, area, buffer);
             let left = motor_and_flywheel(dynamics);
             let rows = short(left.len().max(12)) + 1;
-            put_lines(buffer, area, 1, state.look, &left);
-            put_lines(buffer, area, RIGHT, state.look, &numbers(dynamics, angular));
+            put_lines(buffer, area, 1, state, &left);
+            put_lines(buffer, area, RIGHT, state, &numbers(dynamics, angular));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 paint(state, &figure(state, scene, 2), below, buffer);

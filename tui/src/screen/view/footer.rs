@@ -14,7 +14,7 @@ const OWN: usize = 4;
 
 /// Draws the footer.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
+    let (theme, words) = (state.look.theme, state.words());
     if let Some(prompt) = &state.prompt {
         let sign = if prompt.kind == PromptKind::Command { ':' } else { '/' };
         let text = format!("{sign}{}", prompt.text);
@@ -24,7 +24,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 0, 1, &text, theme.style(Role::Plain));
         put(buffer, area, short(text.width()), 1, " ", theme.style(Role::Cursor));
     } else if let Some(file) = &state.question {
-        let text = format!("{} exists: overwrite it? y / n", file.path.display());
+        let text = words.with("overwrite", &[("file", file.path.display().to_string())]);
         put(buffer, area, 1, 1, &text, theme.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
         put(buffer, area, 1, 1, text, theme.style(*role));
@@ -36,10 +36,11 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     }
     match (&state.help, &state.picker) {
         (None, Some(picker)) => {
-            let mark = if picker.kind == PickerKind::Quantities { "Tab mark  " } else { "" };
+            let mark =
+                if picker.kind == PickerKind::Quantities { words.get("list-mark") } else { String::new() };
             let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };
-            let close = state.keys.first("close");
-            let text = format!("type to search  Up/Down choose  {mark}Enter take  {close} close{limits}");
+            let values = [("mark", mark), ("close", state.keys.first("close"))];
+            let text = words.with("list-keys", &values) + limits;
             put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
         }
         _ => draw_hints(state, area, buffer),
@@ -48,11 +49,9 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 
 /// The notice of an analysis in progress: its progress, and the key that stops it.
 pub(super) fn calculating(state: &State, running: &Running) -> String {
-    let key = state.keys.first("close");
-    match running.count.as_str() {
-        "" => format!("calculating ...  ({key} stops)"),
-        count => format!("calculating: {count}  ({key} stops)"),
-    }
+    let values = [("key", state.keys.first("close")), ("count", running.count.clone())];
+    let id = if running.count.is_empty() { "calculating" } else { "calculating-at" };
+    state.words().with(id, &values)
 }
 
 /// Why this position, or else another one, can't be assembled.
@@ -64,17 +63,22 @@ fn failure(state: &State) -> Option<String> {
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
+    let (theme, words) = (state.look.theme, state.words());
     let below = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
     let above = !below && (failure(state).is_some() || state.analyzing().is_some());
-    let [command, quit, help] = ["command", "quit", "help"].map(|name| state.keys.first(name));
-    let fixed = format!("{command} line  {quit} quit  {help} all keys");
+    let fixed = ["command", "quit", "help"]
+        .map(|name| format!("{} {}", state.keys.first(name), words.attribute(&format!("do-{name}"), "end")))
+        .join("  ");
     let rows: &[u16] = match (below, above) {
         (true, _) => &[0],
         (_, true) => &[1],
         _ => &[0, 1],
     };
-    let mut hints = hinted(state).into_iter().filter(|command| !command.hint.is_empty()).peekable();
+    let hints = hinted(state).into_iter().map(|command| {
+        let name = if command.name == "search" && state.view == View::Forces { "pair" } else { "hint" };
+        (command, command.text(words, name))
+    });
+    let mut hints = hints.filter(|(_, hint)| !hint.is_empty()).peekable();
     for row in rows {
         let fixed = fixed.as_str();
         let room = area.width.saturating_sub(if *row == rows[rows.len() - 1] {
@@ -83,11 +87,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
             1
         });
         let mut column = 1;
-        while let Some(command) = hints.peek() {
-            let hint = match (command.name, state.view) {
-                ("search", View::Forces) => "find pair",
-                _ => command.hint,
-            };
+        while let Some((command, hint)) = hints.peek() {
             let key = keys_of_hint(state, command);
             let width = short(key.width() + hint.width() + 3);
             if column + width > room {

@@ -48,13 +48,16 @@ fn position(state: &State, scene: &Scene) -> String {
     let (unit, factor) = coordinate_unit(&scene.linkage);
     let coordinate = digits(factor * scene.linkage.mechanism.input.coordinate(state.position), 6);
     let playing = if state.playing { " >" } else { "" };
-    format!("position {} of {}  {coordinate} {unit}{playing}", state.position, scene.positions())
+    let values = [("number", state.position.to_string()), ("count", scene.positions().to_string())];
+    let position = state.words().with("header-position", &values);
+    format!("{position}  {coordinate} {}{playing}", state.words().unit(unit))
 }
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
+    let words = state.words();
     let tabs = View::TABS.map(|view| (state.keys.first(view.command()), view));
-    let whole: usize = tabs.iter().map(|(key, view)| key.width() + view.name().width() + 2).sum();
+    let whole: usize = tabs.iter().map(|(key, view)| key.width() + view.name(words).width() + 2).sum();
     // If not all fit, the names are short and there is no space between key and name.
     let fit = whole <= usize::from(area.width) + 1;
     let mut column = 0;
@@ -63,8 +66,8 @@ fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
         let key = format!("{key}{}", if fit || key.width() > 1 { " " } else { "" });
         put(buffer, area, column, 1, &key, theme.style(key_role));
         column += short(key.width());
-        let name = if fit { view.name() } else { view.short_name() };
-        put(buffer, area, column, 1, name, theme.style(role));
+        let name = if fit { view.name(words) } else { view.short_name(words) };
+        put(buffer, area, column, 1, &name, theme.style(role));
         column += short(name.width()) + 1;
     }
 }

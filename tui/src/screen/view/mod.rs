@@ -184,7 +184,7 @@ fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     }
     let figure = figure(state, view);
     let heading = figure.as_ref().map_or("", |figure| figure.title.as_str());
-    let heading = format!("{} {}  {heading}", state.keys.first(view.command()), view.name());
+    let heading = format!("{} {}  {heading}", state.keys.first(view.command()), view.name(state.words()));
     put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), theme.style(Role::Header));
     match figure {
         Some(figure) => paint(state, &figure, inside, buffer),

@@ -20,7 +20,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(found) = &scene.found else { return };
     let dynamics = found.analysis.dynamics.as_ref();
     let lines = dynamics.map(|d| numbers(d, found.analysis.input.angular)).unwrap_or_default();
-    let (role, text) = heading(scene, found);
+    let (role, text) = heading(state, scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &text, state.look.theme.style(role));
@@ -31,7 +31,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     if let (Some(regime), Part::Iteration) = (regime, state.part(View::Motion)) {
         return regime::draw_iteration(state, regime, area, buffer);
     }
-    put_lines(buffer, numbers, 1, state.look, &lines);
+    put_lines(buffer, numbers, 1, state, &lines);
     paint(
         state,
         &figure(state, scene, usize::from(charts.height.saturating_sub(2) / LEAST_ROWS)),
@@ -55,16 +55,16 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
             curves::stack(state, scene, found, None, &wanted)
         }
     };
-    Figure { title: heading(scene, found).1, panels, columns: 1, legend: Vec::new() }
+    Figure { title: heading(state, scene, found).1, panels, columns: 1, legend: Vec::new() }
 }
 
 /// The most important line: the unevenness of a regime, or why there is no speed.
-fn heading(scene: &Scene, found: &Found) -> (Role, String) {
+fn heading(state: &State, scene: &Scene, found: &Found) -> (Role, String) {
     if let Some(dynamics) = &found.analysis.dynamics {
         return (Role::Header, unevenness(dynamics, found.analysis.input.angular));
     }
     match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
-        (Some(reason), _) => (Role::Bad, advice::not_found(reason).replace('\n', " ")),
+        (Some(reason), _) => (Role::Bad, advice::not_found(state, reason).replace('\n', " ")),
         (None, None) => (
             Role::Dim,
             "no [motion] in the scene, so J and Q alone; add it, with speed = \"60 rpm\"".to_owned(),

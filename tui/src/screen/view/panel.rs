@@ -39,7 +39,7 @@ pub(super) fn draw(
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
         lines.extend(legend);
     }
-    put_lines(buffer, area, 1, state.look, &lines);
+    put_lines(buffer, area, 1, state, &lines);
 }
 
 /// The legend of the arrows: what they are, then the length of a round value.

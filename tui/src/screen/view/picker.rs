@@ -57,7 +57,7 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
         }
         Some(Err(text)) => {
             let lines: Vec<_> = text.lines().map(|line| (Role::Plain, line.to_owned())).collect();
-            put_lines(buffer, area, 1, state.look, &lines);
+            put_lines(buffer, area, 1, state, &lines);
         }
         None => put(buffer, area, 1, 0, &format!("reading {} ...", choice.text), theme.style(Role::Dim)),
     }

@@ -1,7 +1,7 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
-use assur_diagram::{Plan, PlanVector, VectorKind};
-use assur_figure::{Figure, Ink, Panel};
+use assur_diagram::{Plan, PlanVector, VectorKind, construction_plan};
+use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, StepKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -10,7 +10,7 @@ use super::advice;
 use super::vectors::{self, Vector};
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put_lines, wrapped};
-use crate::screen::state::{Bounds, Found, Part, Plans, Role, Scene, State, View};
+use crate::screen::state::{Found, Part, Plans, Role, Scene, State, View};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
@@ -33,7 +33,11 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             return say(state, &text, list, buffer);
         }
     }
-    paint(state, &figure(state, scene), drawing, buffer);
+    let mut figure = figure(state, scene);
+    // Beside each other where that gives larger drawings than one below the other.
+    let wide = f64::from(drawing.width) > state.look.ratio * f64::from(drawing.height);
+    figure.columns = if wide { figure.panels.len() } else { 1 };
+    paint(state, &figure, drawing, buffer);
 }
 
 /// What the view shows.
@@ -70,17 +74,45 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
     }
 }
 
-/// The chosen plan, or the construction up to the chosen step.
+/// The chosen plan, beside it the same one of the position that is held; or the construction up to the chosen step.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let plans = found.plans.at(state.position);
     match shown(state, found, &plans) {
-        Shown::Plan(plan) => Figure { title: plan.title.clone(), ..Figure::of(panel_of_plan(state, plan)) },
+        Shown::Plan(plan) => {
+            let mut panels = vec![panel_of_plan(state, plan)];
+            let held = state.held.map(|position| (position, found.plans.at(position)));
+            if let Some((position, plans)) = &held
+                && let Shown::Plan(plan) = shown(state, found, plans)
+            {
+                panels.insert(0, panel_of_plan(state, plan));
+                one_scale(&mut panels);
+                let name = |number: usize| scene.place(state.words(), number);
+                (panels[0].title, panels[1].title) = (name(*position), name(state.position));
+            }
+            Figure { title: plan.title.clone(), columns: panels.len(), panels, legend: Vec::new() }
+        }
         Shown::Construction(construction, last) => {
             let title = format!("{}, step {}", construction.title, last + 1);
-            Figure { title, ..Figure::of(panel_of_steps(construction, last)) }
+            let panel = panel_of_steps(construction, last);
+            Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
         }
         Shown::Nothing(_) => Figure::default(),
+    }
+}
+
+/// Gives all panels the bounds of the largest one, so that they have one scale.
+fn one_scale(panels: &mut [Panel]) {
+    let of =
+        |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
+    let most =
+        panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
+    for panel in panels {
+        if let Frame::Plane { bounds, .. } = &mut panel.frame {
+            let center = bounds.center();
+            let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
+            *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+        }
     }
 }
 
@@ -97,7 +129,7 @@ fn say(state: &State, text: &str, area: Rect, buffer: &mut Buffer) {
 
 fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
     let cut = Rect { width: area.width.saturating_sub(1), ..area };
-    put_lines(buffer, cut, 1, state.look, lines);
+    put_lines(buffer, cut, 1, state, lines);
 }
 
 /// The vectors of a plan that are not only rounding, each with its label.
@@ -174,20 +206,6 @@ fn ink(kind: VectorKind) -> Ink {
     }
 }
 
-/// Length at which 1 N is drawn: in the drawing of the mechanism the largest force is half as long as the mechanism.
-fn force_size(construction: &Construction, kind: Drawing) -> f64 {
-    if kind != Drawing::Mechanism {
-        return 1.0;
-    }
-    let steps = construction.steps.iter().filter(|step| step.drawing == kind);
-    let (forces, lines): (Vec<_>, Vec<_>) = steps.partition(|step| step.unit == "N");
-    let most = forces.iter().map(|step| step.vector[0].hypot(step.vector[1])).fold(0.0, f64::max);
-    let ends =
-        lines.iter().flat_map(|step| [step.start, [0, 1].map(|axis| step.start[axis] + step.vector[axis])]);
-    let [width, height] = Bounds::around(ends).size();
-    if most > 0.0 { 0.5 * width.max(height) / most } else { 1.0 }
-}
-
 /// The construction and its step that belong to the number of a step over all constructions.
 fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     let mut left = step.min(plans.step_count().saturating_sub(1));
@@ -217,29 +235,24 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     lines(state, &rows, list, buffer);
 }
 
-fn panel_of_steps(construction: &Construction, last: usize) -> Panel {
-    let kind = construction.steps.get(last).map_or(Drawing::Mechanism, |step| step.drawing);
-    let shown = construction.steps.iter().take(last + 1).filter(|step| step.drawing == kind);
-    let size = force_size(construction, kind);
-    let scale = match kind {
-        Drawing::Mechanism => ("m", "l"),
-        Drawing::Polygon => ("N", "F"),
-        Drawing::Lever => ("m/rad", "v"),
+/// The drawing of the last step with the steps up to it.
+fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
+    let drawing = construction.steps.get(last)?.drawing;
+    let plan = construction_plan(construction, drawing)?;
+    let mut items = plan.items.iter();
+    let steps = construction.steps.iter().take(last + 1).filter(|step| step.drawing == drawing);
+    let vector = |step: &Step| {
+        let (from, to, ink) = match step.kind {
+            StepKind::Point => (step.start, step.start, Ink::Trace),
+            _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
+        };
+        Some(Vector { from, to, name: step.name.clone(), ink })
     };
-    let steps: Vec<Vector> = shown.map(|step| step_vector(step, size)).collect();
-    vectors::panel(String::new(), &steps, scale, None)
-}
-
-fn step_vector(step: &Step, size: f64) -> Vector {
-    let factor = if step.unit == "N" { size } else { 1.0 };
-    Vector {
-        from: step.start,
-        to: [0, 1].map(|axis| step.start[axis] + step.vector[axis] * factor),
-        name: step.name.clone(),
-        ink: match step.kind {
-            StepKind::Line | StepKind::Point => Ink::Trace,
-            StepKind::Load | StepKind::Part => Ink::Second,
-            _ => Ink::First,
-        },
-    }
+    let vectors: Vec<Vector> = steps.filter_map(vector).collect();
+    let symbol = match drawing {
+        Drawing::Mechanism => "l",
+        Drawing::Polygon => "F",
+        Drawing::Lever => "v",
+    };
+    Some(vectors::panel(String::new(), &vectors, (&plan.unit, symbol), None))
 }

@@ -43,7 +43,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         lines.push((Role::Plain, row(&format!("{name}{unit}"), cells)));
     }
     let [table, charts] = parts(state, area);
-    put_lines(buffer, table, 1, state.look, &lines);
+    put_lines(buffer, table, 1, state, &lines);
     paint(state, &figure(state, scene), charts, buffer);
 }
 

@@ -87,7 +87,7 @@ pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, b
     }
     let [table, below] =
         Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
-    put_lines(buffer, table, 1, state.look, &lines);
+    put_lines(buffer, table, 1, state, &lines);
     if below.height >= PLOTS {
         let panels = energy::iteration(regime);
         paint(state, &Figure { title: String::new(), panels, columns: 2, legend: Vec::new() }, below, buffer);

@@ -67,5 +67,5 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     block.render(area, buffer);
     let lines: Vec<_> = rows(state).into_iter().map(|row| (Role::Plain, row)).collect();
     let rows = usize::from(inner.height);
-    put_lines(buffer, inner, 0, state.look, lines.iter().take(rows));
+    put_lines(buffer, inner, 0, state, lines.iter().take(rows));
 }

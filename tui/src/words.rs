@@ -1,19 +1,26 @@
-//! The words of a note in its language, from the resources of `lang`.
+//! The words of the terminal UI and of a note in a language, from the resources of `lang`.
 //!
-//! Texts of the note itself have identifiers (`*.ftl`). What comes from elsewhere in English (figures, remarks of the
-//! working, names of checks) is translated by `*.toml`: whole sentences, in which `{}` stands for any text, and phrases
-//! within a text. Names of the scene stay as they are.
+//! Texts of their own have identifiers (`*.ftl`). What comes from elsewhere in English (figures, remarks of the working,
+//! names of checks) is translated by `*.toml`: whole sentences, in which `{}` stands for any text, and phrases within a
+//! text. Names of the scene stay as they are.
+
+#[cfg(test)]
+mod tests;
 
 use std::fmt;
+use std::sync::OnceLock;
 
-use fluent_bundle::{FluentArgs, FluentBundle, FluentResource};
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource};
 use unic_langid::LanguageIdentifier;
 
-/// The languages and their resources: texts by identifier, phrases with units.
-const RESOURCES: [(&str, &str, &str); 3] = [
-    ("en", include_str!("../../lang/en.ftl"), include_str!("../../lang/en.toml")),
-    ("uk", include_str!("../../lang/uk.ftl"), include_str!("../../lang/uk.toml")),
-    ("ru", include_str!("../../lang/ru.ftl"), include_str!("../../lang/ru.toml")),
+/// The languages.
+pub(crate) const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
+/// Their resources, in the same order: texts by identifier, phrases with units.
+const RESOURCES: [(&str, &str); 3] = [
+    (include_str!("../lang/en.ftl"), include_str!("../lang/en.toml")),
+    (include_str!("../lang/uk.ftl"), include_str!("../lang/uk.toml")),
+    (include_str!("../lang/ru.ftl"), include_str!("../lang/ru.toml")),
 ];
 /// Units without exponents, as results write them.
 const UNITS: [&str; 12] = ["m", "mm", "s", "kg", "N", "rad", "deg", "J", "W", "kW", "rpm", "Hz"];
@@ -23,9 +30,9 @@ const GROUND: &str = "ground";
 const ANY: &str = "{}";
 
 /// The words of one language.
-pub(super) struct Words {
+pub(crate) struct Words {
     bundle: FluentBundle<FluentResource>,
-    pub(super) language: &'static str,
+    pub(crate) language: &'static str,
     /// English sentences with [`ANY`], and their translations, the longest first.
     sentences: Vec<(String, String)>,
     /// English phrases and their translations, the longest first.
@@ -34,6 +41,8 @@ pub(super) struct Words {
     units: Vec<(String, String)>,
     /// Parts of subscripts that the working gives, and their translations.
     subscripts: Vec<(String, String)>,
+    /// Words of the field and their meanings.
+    pub(crate) glossary: Vec<(String, String)>,
 }
 
 impl fmt::Debug for Words {
@@ -43,23 +52,22 @@ impl fmt::Debug for Words {
 }
 
 impl Words {
-    /// The words of a language.
-    ///
-    /// # Errors
-    ///
-    /// An unknown language, or a resource that can't be read.
-    pub(super) fn of(language: &str) -> Result<Self, String> {
-        let known = RESOURCES.into_iter().find(|(name, ..)| *name == language);
-        let (name, text, others) =
-            known.ok_or_else(|| format!("there is no language `{language}`; there are en, uk, ru"))?;
-        let id: LanguageIdentifier = name.parse().map_err(|error| format!("language {name}: {error}"))?;
-        let resource = FluentResource::try_new(text.to_owned())
-            .map_err(|(_, errors)| format!("the words of {name} can't be read: {errors:?}"))?;
-        let mut bundle = FluentBundle::new(vec![id]);
+    /// The words of a language; of an unknown one, English.
+    pub(crate) fn of(language: &str) -> &'static Self {
+        static ALL: [OnceLock<Words>; 3] = [const { OnceLock::new() }; 3];
+        let number = LANGUAGES.iter().position(|known| *known == language).unwrap_or(0);
+        ALL[number].get_or_init(|| Self::read(number))
+    }
+
+    /// Reads the resources of a language; that they have no faults is tested.
+    fn read(number: usize) -> Self {
+        let (text, others) = RESOURCES[number];
+        let id: LanguageIdentifier = LANGUAGES[number].parse().unwrap_or_default();
+        let resource = FluentResource::try_new(text.to_owned()).unwrap_or_else(|(resource, _)| resource);
+        let mut bundle = FluentBundle::new_concurrent(vec![id]);
         bundle.set_use_isolating(false);
-        bundle.add_resource(resource).map_err(|errors| format!("the words of {name} clash: {errors:?}"))?;
-        let others: toml::Table =
-            others.parse().map_err(|error| format!("the phrases of {name} can't be read: {error}"))?;
+        bundle.add_resource_overriding(resource);
+        let others: toml::Table = others.parse().unwrap_or_default();
         let section = |of: &str| -> Vec<(String, String)> {
             let table = others.get(of).and_then(toml::Value::as_table).into_iter().flatten();
             table.filter_map(|(english, own)| Some((english.clone(), own.as_str()?.to_owned()))).collect()
@@ -67,35 +75,55 @@ impl Words {
         let mut all = section("phrases");
         all.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
         let (sentences, phrases) = all.into_iter().partition(|(english, _)| english.contains(ANY));
-        Ok(Self {
+        Self {
             bundle,
-            language: name,
+            language: LANGUAGES[number],
             sentences,
             phrases,
             units: section("units"),
             subscripts: section("subscripts"),
-        })
+            glossary: section("glossary"),
+        }
     }
 
     /// The text of an identifier; the identifier where there is none.
-    pub(super) fn get(&self, id: &str) -> String {
+    pub(crate) fn get(&self, id: &str) -> String {
         self.with(id, &[])
     }
 
     /// The text of an identifier with its values.
-    pub(super) fn with(&self, id: &str, values: &[(&'static str, String)]) -> String {
-        let Some(pattern) = self.bundle.get_message(id).and_then(|message| message.value()) else {
-            return id.to_owned();
+    pub(crate) fn with(&self, id: &str, values: &[(&'static str, String)]) -> String {
+        self.find(id, "", values).unwrap_or_else(|| id.to_owned())
+    }
+
+    /// Another text of an identifier, such as its short form; empty where there is none.
+    pub(crate) fn attribute(&self, id: &str, name: &str) -> String {
+        self.find(id, name, &[]).unwrap_or_default()
+    }
+
+    fn find(&self, id: &str, attribute: &str, values: &[(&'static str, String)]) -> Option<String> {
+        let Some(message) = self.bundle.get_message(id) else {
+            let english = Self::of(LANGUAGES[0]);
+            return (self.language != english.language).then(|| english.find(id, attribute, values))?;
+        };
+        let pattern = match attribute {
+            "" => message.value()?,
+            name => message.get_attribute(name)?.value(),
         };
         let mut given = FluentArgs::new();
         for (name, value) in values {
             given.set(*name, value.clone());
         }
-        self.bundle.format_pattern(pattern, Some(&given), &mut Vec::new()).into_owned()
+        Some(self.bundle.format_pattern(pattern, Some(&given), &mut Vec::new()).into_owned())
+    }
+
+    /// A text of a view in English as it is shown on the screen.
+    pub(crate) fn shown(&self, text: &str) -> String {
+        if self.language == LANGUAGES[0] { text.to_owned() } else { self.phrase(text) }
     }
 
     /// A number with the signs of print: minus, decimal sign of the language, power of ten.
-    pub(super) fn number(&self, text: &str) -> String {
+    pub(crate) fn number(&self, text: &str) -> String {
         let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
         let mantissa = mantissa.replace('-', "−").replace('.', &self.get("decimal"));
         match exponent {
@@ -105,13 +133,13 @@ impl Words {
     }
 
     /// A part of a subscript: a name, or a word of the working.
-    pub(super) fn subscript(&self, part: &str) -> String {
+    pub(crate) fn subscript(&self, part: &str) -> String {
         let own = self.subscripts.iter().find(|(english, _)| english == part);
         own.map_or_else(|| self.name(part), |(_, own)| own.clone())
     }
 
     /// A unit with the signs of print, in the letters of the language: `m/s2` as m/s².
-    pub(super) fn unit(&self, text: &str) -> String {
+    pub(crate) fn unit(&self, text: &str) -> String {
         self.printed(text).unwrap_or_else(|| text.to_owned())
     }
 
@@ -142,13 +170,13 @@ impl Words {
     }
 
     /// A text from elsewhere in English: a sentence that is known as a whole, or its known phrases, units and numbers.
-    pub(super) fn phrase(&self, text: &str) -> String {
+    pub(crate) fn phrase(&self, text: &str) -> String {
         self.sentence(text).unwrap_or_else(|| self.name(&self.pieces(text))).replace('`', "")
     }
 
     /// A name of a link, a pair or a load, or several in a formula: of the scene as it is, given by the program in the
     /// words of the language (`contact 1 on rod`, `ram/ground`).
-    pub(super) fn name(&self, text: &str) -> String {
+    pub(crate) fn name(&self, text: &str) -> String {
         let text = self.sentence(text).unwrap_or_else(|| text.to_owned());
         let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
         let mut named = String::new();

@@ -1,0 +1,67 @@
+//! The resources of all languages, and the translation of texts from elsewhere.
+
+use std::collections::BTreeSet;
+
+use fluent_bundle::FluentResource;
+
+use super::{LANGUAGES, RESOURCES, Words};
+
+#[test]
+fn every_language_is_read_without_a_fault_and_has_every_text() {
+    let identifiers = |(text, others): (&'static str, &str)| -> BTreeSet<&str> {
+        assert!(FluentResource::try_new(text.to_owned()).is_ok_and(|found| found.entries().count() > 100));
+        assert!(others.parse::<toml::Table>().is_ok());
+        let found = text.lines().filter_map(|line| line.split_once(" = ")).map(|(id, _)| id.trim());
+        let found =
+            found.filter(|id| id.chars().all(|letter| letter.is_ascii_lowercase() || "-_.".contains(letter)));
+        // The configuration is printed in English; a short form or other words are not needed in every language.
+        found.filter(|id| !id.starts_with("config-") && ![".short", ".also"].contains(id)).collect()
+    };
+    let [en, uk, ru] = RESOURCES.map(identifiers);
+    assert_eq!(en, uk);
+    assert_eq!(en, ru);
+    assert_eq!(Words::of("tlh").language, LANGUAGES[0]);
+    let counts = LANGUAGES.map(|language| Words::of(language).glossary.len());
+    assert_eq!(counts, [counts[0]; 3]);
+}
+
+#[test]
+fn both_translations_have_every_phrase_with_all_its_places() {
+    let phrases = |text: &str| -> toml::Table {
+        let table: toml::Table = text.parse().unwrap();
+        table["phrases"].as_table().unwrap().clone()
+    };
+    let [uk, ru] = [include_str!("../../lang/uk.toml"), include_str!("../../lang/ru.toml")].map(phrases);
+    assert!(uk.keys().eq(ru.keys()));
+    for (english, own) in uk.iter().chain(&ru) {
+        let places = |text: &str| text.matches("{}").count();
+        assert_eq!(places(english), places(own.as_str().unwrap()), "{english}");
+    }
+}
+
+#[test]
+fn a_phrase_of_a_figure_is_translated_whole_and_names_are_not() {
+    let words = Words::of("uk");
+    assert_eq!(words.phrase("velocity: 0.5 m/s"), "швидкість: 0,5 м/с");
+    assert_eq!(words.phrase("speed of the motor, rad/s"), "швидкість двигуна, рад/с");
+    assert_eq!(words.phrase("motorway on_mean 1.2.3"), "motorway on_mean 1,2,3");
+    assert_eq!(words.phrase("μ_{v} = 0.0075 m/s/mm"), "μ_{v} = 0,0075 (м/с)/мм");
+    assert_eq!(
+        words
+            .phrase("outer pin A: PF0 (-0.02, 1) m, PF1 (0, 0) m/rad, PF2 (0, 0) m/rad²")
+            .matches('м')
+            .count(),
+        3
+    );
+    assert_eq!(
+        words.phrase("Input link crank: reaction and balancing load").split(' ').nth(2),
+        Some("crank:")
+    );
+    assert_eq!(
+        words.name("I(ground,crank) -> II2(grounded,ram/ground)"),
+        "I(стояк,crank) -> II2(grounded,ram/стояк)"
+    );
+    assert_eq!(words.unit("kg m2/rad"), "кг·м²/рад");
+    assert_eq!(words.number("-1.50e-15"), "−1,50·10⁻¹⁵");
+    assert_eq!(Words::of("en").phrase("load on `ram`, 5 N m"), "load on ram, 5 N·m");
+}
