@@ -63,7 +63,7 @@ fn look(root: &Section<'_>) -> Look {
 fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
     match kind {
         Kind::Choice(words) => {
-            let words: Vec<_> = words().into_iter().map(|word| (word, word)).collect();
+            let words: Vec<_> = words.iter().map(|word| (*word, *word)).collect();
             entry.choice(&words).map(str::to_owned)
         }
         Kind::Flag => entry.flag().map(|on| if on { "on" } else { "off" }.to_owned()),

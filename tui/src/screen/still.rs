@@ -4,28 +4,47 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use assur_figure::{Figure, svg};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
 
 use super::command::{self, COMMANDS, PAGE, picture};
 use super::state::{Cancel, Job, Keymap, Look, Part, Purpose, Report, Scene, Source, State, View, Wish};
 use super::{ScreenError, view, work};
 
 /// What is drawn.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct Request {
-    /// Name of the view.
+    /// View of the terminal UI that is drawn
+    #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = PossibleValuesParser::new(views()))]
     pub(crate) view: String,
-    /// Part of the view; `None`: its first one.
+    /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
+    /// (forces); overview, course, iteration (motion); overview, curves, energy-mass, inertia, reduction (drive)
+    #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
-    /// The quantity, pair or link that is shown, as the search of the terminal UI finds it.
+    /// Quantity, pair or link that is shown, found as by `/` in the terminal UI
+    #[arg(long, value_name = "NAME")]
     pub(crate) show: Option<String>,
-    /// Number of the position.
+    /// Position that is drawn
+    #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) position: usize,
-    /// Width and height of the page, mm.
+    /// Width and height of the page in mm (png: 10 pixels a mm), for example 160x120
+    #[arg(long, value_name = "WxH", value_parser = page)]
     pub(crate) size: Option<[f64; 2]>,
-    /// Whether the drawing moves through all positions.
+    /// Let the drawing move through all positions (svg)
+    #[arg(long)]
     pub(crate) animate: bool,
-    pub(crate) analyzer: Option<String>,
-    pub(crate) integrator: Option<String>,
+}
+
+/// Sides of a page, mm.
+const SIDES: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
+
+fn page(text: &str) -> Result<[f64; 2], String> {
+    let side = |text: &str| text.parse().ok().filter(|side| SIDES.contains(side));
+    let sides =
+        text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| {
+        format!("a size is two numbers of {} to {} mm, as in 160x120", SIDES.start(), SIDES.end())
+    })
 }
 
 /// Why there is no picture.
@@ -56,14 +75,18 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// # Errors
 ///
 /// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
-pub(crate) fn draw(scene: PathBuf, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
-    let methods = [request.analyzer.clone(), request.integrator.clone()];
+pub(crate) fn draw(
+    scene: PathBuf,
+    methods: [Option<String>; 2],
+    request: &Request,
+    output: &Path,
+) -> Result<Vec<u8>, StillError> {
     // Residuals are quantities too, and known after the checks.
     let checks = request.show.is_some() && request.view == View::Curves.command();
     let mut state = analyzed(open(scene)?, methods, checks);
     let size = request.size.unwrap_or(PAGE);
     let wrong = |error: String| StillError::Request(error);
-    state.view = View::all().find(|view| view.command() == request.view).unwrap_or(View::Mechanism);
+    state.view = request.view.parse().unwrap_or(View::Mechanism);
     let last = state.positions() - 1;
     if request.position > last {
         let text = format!("there is no position {}; they are numbered 0 to {last}", request.position);
@@ -130,8 +153,8 @@ fn choose_part(state: &mut State, name: &str) -> Result<(), String> {
     if parts.is_empty() {
         return Err(format!("the view `{}` has no parts", view.command()));
     }
-    let Some(part) = parts.iter().find(|part| part.name() == name) else {
-        let names: Vec<&str> = parts.iter().map(|part| part.name()).collect();
+    let Some(part) = parts.iter().find(|part| <&str>::from(**part) == name) else {
+        let names: Vec<&str> = parts.iter().map(|part| part.into()).collect();
         return Err(format!("there is no part `{name}` of this view; its parts are {}", names.join(", ")));
     };
     state.parts.insert(view, *part);

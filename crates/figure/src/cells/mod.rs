@@ -5,6 +5,7 @@ mod labels;
 mod plane;
 mod raster;
 
+use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 use unicode_width::UnicodeWidthStr;
 
 use crate::bounds::Zoom;
@@ -15,8 +16,9 @@ use raster::{Raster, short};
 
 pub use plane::{cell_width, point_at};
 
-/// The characters for the dots of a drawing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The characters for the dots of a drawing, the finest first; its names are those of the configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumString, VariantArray, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Marker {
     /// 2 x 4 dots per cell.
     Braille,
@@ -24,20 +26,6 @@ pub enum Marker {
     HalfBlock,
     /// One character per cell, chosen by the direction of the stroke.
     Ascii,
-}
-
-impl Marker {
-    /// All kinds, the finest first.
-    pub const ALL: [Self; 3] = [Self::Braille, Self::HalfBlock, Self::Ascii];
-
-    /// Its name in commands and in the configuration.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Braille => "braille",
-            Self::HalfBlock => "half-block",
-            Self::Ascii => "ascii",
-        }
-    }
 }
 
 /// How a figure is drawn in cells.

@@ -2,8 +2,7 @@
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    Arrows, FRAMES, Help, Job, Marker, PACES, Part, Purpose, Role, Scene, Source, State, Theme, Traces, View,
-    Wish, Zoom, following, round,
+    FRAMES, Job, PACES, Part, Purpose, Role, Scene, Source, State, View, Wish, following, next_kind, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -16,24 +15,16 @@ pub(super) fn jump(state: &mut State, sense: isize) {
 pub(super) fn choose(state: &mut State, view: View, by: isize) {
     let found = state.found();
     let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
-    let count = match view {
-        View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
-        View::Forces => found.map_or(0, |found| found.reactions.len()),
-        View::Motion => found.map_or(0, |found| found.motion.len()),
-        View::Checks => found.map_or(0, |found| found.analysis.checks.len()),
-        View::Table => of_scene(Scene::column_count),
-        View::Values => state.what_if.values.len(),
-        _ => of_scene(|scene| scene.transfers.len()),
+    let (count, chosen): (_, fn(&mut State) -> &mut usize) = match view {
+        View::Structure => (of_scene(|scene| scene.linkage.structure.groups.len()), |s| &mut s.chosen.group),
+        View::Forces => (found.map_or(0, |found| found.reactions.len()), |s| &mut s.chosen.reaction),
+        View::Motion => (found.map_or(0, |found| found.motion.len()), |s| &mut s.chosen.motion),
+        View::Checks => (found.map_or(0, |found| found.analysis.checks.len()), |s| &mut s.chosen.check),
+        View::Table => (of_scene(Scene::column_count), |s| &mut s.chosen.column),
+        View::Values => (state.what_if.values.len(), |s| &mut s.what_if.chosen),
+        _ => (of_scene(|scene| scene.transfers.len()), |s| &mut s.chosen.transfer),
     };
-    let chosen = match view {
-        View::Structure => &mut state.chosen.group,
-        View::Forces => &mut state.chosen.reaction,
-        View::Motion => &mut state.chosen.motion,
-        View::Checks => &mut state.chosen.check,
-        View::Table => &mut state.chosen.column,
-        View::Values => &mut state.what_if.chosen,
-        _ => &mut state.chosen.transfer,
-    };
+    let chosen = chosen(state);
     *chosen = round(*chosen, by, count);
 }
 
@@ -170,26 +161,10 @@ pub(super) fn difference(state: &mut State) {
     state.analyzer = now;
 }
 
-/// The next kind of arrows.
-pub(super) fn arrows(state: &mut State) {
-    let all = [Arrows::None, Arrows::Velocity, Arrows::Acceleration, Arrows::Both];
-    state.arrows = following(&all, state.arrows);
-}
-
-/// The next kind of paths.
-pub(super) fn traces(state: &mut State) {
-    state.traces = following(&[Traces::All, Traces::Chosen, Traces::Trail, Traces::None], state.traces);
-}
-
-/// The next kind of dots.
-pub(super) fn marker(state: &mut State) {
-    state.look.marker = following(&Marker::ALL, state.look.marker);
-}
-
 /// The next theme.
 pub(super) fn theme(state: &mut State) {
-    state.look.theme = following(&Theme::ALL, state.look.theme);
-    state.say(Role::Plain, state.look.theme.name());
+    state.look.theme = next_kind(state.look.theme);
+    state.say(Role::Plain, <&str>::from(state.look.theme));
 }
 
 /// Larger or smaller, within limits.
@@ -200,16 +175,6 @@ pub(super) fn zoom(state: &mut State, by: f64) {
 /// Shifts the drawing by an eighth of the visible part.
 pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
     state.zoom.shift[axis] -= 0.125 * sense / state.zoom.factor;
-}
-
-/// Shows the whole drawing again.
-pub(super) fn whole(state: &mut State) {
-    state.zoom = Zoom::WHOLE;
-}
-
-/// Opens the help.
-pub(super) fn help(state: &mut State) {
-    state.help = Some(Help::default());
 }
 
 /// Reads the scene again.
@@ -229,32 +194,31 @@ pub(super) fn reload(state: &mut State) {
 /// Closes what is open, the last opened first; where nothing is, stops the calculation in progress.
 pub(super) fn close(state: &mut State) {
     state.message = None;
-    let open = [
-        state.question.take().is_some(),
-        state.prompt.is_some(),
-        state.help.is_some(),
-        state.picker.is_some(),
-        state.fault.is_some(),
-        state.values_open(),
-        state.probe.is_some(),
-        state.view == View::Curves && !state.picked.is_empty(),
-        state.view == View::Structure && state.joined.is_some(),
-    ];
-    match open.iter().position(|open| *open) {
-        Some(0) => state.say(Role::Plain, "no file was written"),
-        Some(1) => state.prompt = None,
-        Some(2) => state.help = None,
+    if state.question.take().is_some() {
+        return state.say(Role::Plain, "no file was written");
+    }
+    if state.prompt.take().is_some() || state.help.take().is_some() {
+        return;
+    }
+    if state.picker.is_some() {
         // Without a scene there is nothing behind the list of scenes.
-        Some(3) if state.scene.is_none() => {}
-        Some(3) => state.picker = None,
-        Some(4) => state.fault = None,
-        Some(5) => whatif::toggle(state),
-        Some(6) => state.probe = None,
-        Some(7) => state.picked.clear(),
-        Some(8) => state.joined = None,
-        _ => {
-            report::stop(state);
-            jobs::stop(state);
-        }
+        state.picker.take_if(|_| state.scene.is_some());
+    } else if state.fault.is_some() {
+        state.fault = None;
+    } else if state.values_open() {
+        whatif::toggle(state);
+    } else if state.probe.take().is_none() && !opened_in_view(state) {
+        report::stop(state);
+        jobs::stop(state);
+    }
+}
+
+/// Closes what was opened within the view; returns whether there was anything.
+fn opened_in_view(state: &mut State) -> bool {
+    match state.view {
+        View::Curves => !std::mem::take(&mut state.picked).is_empty(),
+        View::Plans => state.held.take().is_some(),
+        View::Structure => state.joined.take().is_some(),
+        _ => false,
     }
 }

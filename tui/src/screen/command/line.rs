@@ -152,7 +152,7 @@ fn view(state: &mut State, name: &str) {
 
 /// Chooses the views that are shown beside each other.
 fn panels(state: &mut State, names: &str) {
-    let known = |name: &str| View::TABS.into_iter().find(|view| view.command() == name);
+    let known = |name: &str| name.parse().ok().filter(|view| View::TABS.contains(view));
     match names.split_whitespace().map(|name| known(name).ok_or(name)).collect() {
         Ok(views) => state.panels = Panels { shown: true, views },
         Err(name) => unknown_name(state, "view", name),

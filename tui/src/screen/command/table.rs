@@ -1,7 +1,7 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
 use super::{act, picker, plans, probe, report, whatif, write};
-use crate::screen::state::{Command, Group, PromptKind, State, View, Wish};
+use crate::screen::state::{Command, Group, Help, PromptKind, State, View, Wish, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
@@ -102,20 +102,20 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("working", Views, "W", SCENE, |s| s.view = Working),
     command("panels", Views, "P", SCENE, |s| s.panels.shown = !s.panels.shown),
     command("scenes", Views, "o", &[], picker::scenes),
-    command("arrows", Look, "v", &[Mechanism], act::arrows),
-    command("trace", Look, "x", &[Mechanism], act::traces),
+    command("arrows", Look, "v", &[Mechanism], |s| s.arrows = next_kind(s.arrows)),
+    command("trace", Look, "x", &[Mechanism], |s| s.traces = next_kind(s.traces)),
     command("zoom-in", Look, "+ =", DRAWN, |s| act::zoom(s, 1.25)),
     command("zoom-out", Look, "-", DRAWN, |s| act::zoom(s, 0.8)),
-    command("whole", Look, "0", DRAWN, act::whole),
+    command("whole", Look, "0", DRAWN, |s| s.zoom = Zoom::WHOLE),
     command("pan-left", Look, "H", DRAWN, |s| act::pan(s, 0, 1.0)),
     command("pan-right", Look, "L", DRAWN, |s| act::pan(s, 0, -1.0)),
     command("pan-up", Look, "K", DRAWN, |s| act::pan(s, 1, -1.0)),
     command("pan-down", Look, "J", DRAWN, |s| act::pan(s, 1, 1.0)),
-    command("marker", Look, "m", &[], act::marker),
+    command("marker", Look, "m", &[], |s| s.look.marker = next_kind(s.look.marker)),
     command("pixels", Look, "I", &[], |s| s.look.pixels = !s.look.pixels),
     command("ascii", Look, "a", &[], |s| s.look.ascii = !s.look.ascii),
     command("theme", Look, "c", &[], act::theme),
-    command("help", Program, "?", &[], act::help),
+    command("help", Program, "?", &[], |s| s.help = Some(Help::default())),
     command("command", Program, ":", &[], |s| s.open_prompt(PromptKind::Command, "")),
     command("search", Program, "/", SCENE, |s| s.open_prompt(PromptKind::Search, "")),
     command("note", Program, "N", SCENE, write::note),

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use strum::VariantArray;
+
 use super::State;
 use super::key::Key;
 use super::kinds::View;
@@ -96,8 +98,8 @@ impl Keymap {
         let mut clashes = Vec::new();
         for (index, one) in commands.iter().enumerate() {
             for two in &commands[index + 1..] {
-                let shared = View::all().find(|view| one.fits(*view) && two.fits(*view));
-                let Some(view) = shared else { continue };
+                let shared = View::VARIANTS.iter().find(|view| one.fits(**view) && two.fits(**view));
+                let Some(&view) = shared else { continue };
                 let keys = self.keys(one.name).iter().filter(|key| self.keys(two.name).contains(key));
                 clashes.extend(keys.map(|key| (*key, view, [one, two])));
             }

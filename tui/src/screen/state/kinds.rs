@@ -6,7 +6,19 @@ use super::key::Key;
 use crate::words::Words;
 
 /// A view.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    strum::IntoStaticStr,
+    strum::EnumString,
+    strum::VariantArray,
+)]
+#[strum(serialize_all = "kebab-case")]
 pub(crate) enum View {
     Mechanism,
     Curves,
@@ -20,15 +32,13 @@ pub(crate) enum View {
     Table,
     Working,
     /// The list of the scene's numbers below any other view.
+    #[strum(serialize = "what-if")]
     Values,
     /// The point that is moved over the drawing of the mechanism.
     Probe,
 }
 
-use View::{
-    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Structure, Table, Values,
-    Working,
-};
+use View::{Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Structure, Table, Working};
 
 impl View {
     /// Every view that has a tab, in the order of the tabs.
@@ -38,28 +48,9 @@ impl View {
     pub(crate) const WITHOUT_PAGES: [Self; 9] =
         [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
-    /// All views.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        Self::TABS.into_iter().chain([Values, Probe])
-    }
-
     /// The command that goes to it.
     pub(crate) fn command(self) -> &'static str {
-        match self {
-            Mechanism => "mechanism",
-            Curves => "curves",
-            Forces => "forces",
-            Plans => "plans",
-            Motion => "motion",
-            Drive => "drive",
-            Checks => "checks",
-            Accuracy => "accuracy",
-            Structure => "structure",
-            Table => "table",
-            Working => "working",
-            Values => "what-if",
-            Probe => "probe",
-        }
+        self.into()
     }
 
     /// The name on its tab.
@@ -92,8 +83,9 @@ impl View {
     }
 }
 
-/// A part of a view that has several.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A part of a view that has several; its names are those of `--part`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(crate) enum Part {
     /// The numbers of the position, with a chart.
     Overview,
@@ -125,30 +117,8 @@ pub(crate) enum Part {
     Construction,
 }
 
-impl Part {
-    /// Its name for `--part`.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Overview => "overview",
-            Self::Causes => "causes",
-            Self::Curves => "curves",
-            Self::Hodograph => "hodograph",
-            Self::Course => "course",
-            Self::Iteration => "iteration",
-            Self::Places => "places",
-            Self::EnergyMass => "energy-mass",
-            Self::Inertia => "inertia",
-            Self::Reduction => "reduction",
-            Self::Forces => "forces",
-            Self::Velocities => "velocities",
-            Self::Accelerations => "accelerations",
-            Self::Construction => "construction",
-        }
-    }
-}
-
 /// Which arrows the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
 pub(crate) enum Arrows {
     None,
     Velocity,
@@ -157,7 +127,7 @@ pub(crate) enum Arrows {
 }
 
 /// Which paths of points the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
 pub(crate) enum Traces {
     All,
     Chosen,
@@ -170,6 +140,11 @@ pub(crate) enum Traces {
 pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
     let index = all.iter().position(|one| *one == now).map_or(0, |index| (index + 1) % all.len());
     all.get(index).copied().unwrap_or(now)
+}
+
+/// The kind after the given one; the first one after the last.
+pub(crate) fn next_kind<T: Copy + PartialEq + strum::VariantArray>(now: T) -> T {
+    following(T::VARIANTS, now)
 }
 
 /// The index shifted by `by` in a list of this length, cyclically.

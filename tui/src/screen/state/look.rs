@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use assur_figure::cells::Marker;
+use strum::VariantNames;
 
 use super::kinds::View;
 use super::theme::Theme;
@@ -44,6 +45,8 @@ pub(crate) struct Look {
 
 /// The language that the scene wants for its note.
 pub(crate) const AUTO: &str = "auto";
+/// What may be asked for.
+const CHOICES: [&str; 4] = [AUTO, LANGUAGES[0], LANGUAGES[1], LANGUAGES[2]];
 
 impl Default for Look {
     fn default() -> Self {
@@ -76,7 +79,7 @@ pub(crate) struct Setting {
 #[derive(Debug)]
 pub(crate) enum Kind {
     /// One of some words.
-    Choice(fn() -> Vec<&'static str>),
+    Choice(&'static [&'static str]),
     /// `on` or `off`.
     Flag,
     /// A whole number.
@@ -87,11 +90,11 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// What it takes, in words; a number has no list.
-    pub(crate) fn words(&self) -> Vec<&'static str> {
+    pub(crate) fn words(&self) -> &'static [&'static str] {
         match self {
-            Self::Choice(words) => words(),
-            Self::Flag => vec!["on", "off"],
-            Self::Count(_) | Self::Number(_) => Vec::new(),
+            Self::Choice(words) => words,
+            Self::Flag => &["on", "off"],
+            Self::Count(_) | Self::Number(_) => &[],
         }
     }
 
@@ -121,29 +124,23 @@ fn on_off(on: bool) -> String {
     if on { "on" } else { "off" }.to_owned()
 }
 
-fn find<T: Copy>(all: &[T], name: fn(T) -> &'static str, word: &str) -> Option<T> {
-    all.iter().copied().find(|one| name(*one) == word)
-}
-
 /// All settings, in the order of the configuration.
 #[rustfmt::skip]
 pub(crate) const SETTINGS: [Setting; 8] = [
-    Setting { name: "theme", kind: Kind::Choice(|| Theme::ALL.map(Theme::name).into()),
-              get: |look| look.theme.name().to_owned(),
-              set: |look, word| find(&Theme::ALL, Theme::name, word).map(|theme| look.theme = theme) },
-    Setting { name: "marker", kind: Kind::Choice(|| Marker::ALL.map(Marker::name).into()),
-              get: |look| look.marker.name().to_owned(),
-              set: |look, word| find(&Marker::ALL, Marker::name, word).map(|marker| look.marker = marker) },
+    Setting { name: "theme", kind: Kind::Choice(<Theme as VariantNames>::VARIANTS),
+              get: |look| <&str>::from(look.theme).to_owned(),
+              set: |look, word| word.parse().ok().map(|theme| look.theme = theme) },
+    Setting { name: "marker", kind: Kind::Choice(<Marker as VariantNames>::VARIANTS),
+              get: |look| <&str>::from(look.marker).to_owned(),
+              set: |look, word| word.parse().ok().map(|marker| look.marker = marker) },
     Setting { name: "ascii", kind: Kind::Flag, get: |look| on_off(look.ascii),
               set: |look, word| { look.ascii = word == "on"; Some(()) } },
     Setting { name: "fps", kind: Kind::Count(1..=60), get: |look| look.fps.to_string(),
               set: |look, word| word.parse().ok().map(|fps| look.fps = fps) },
     Setting { name: "cell_ratio", kind: Kind::Number(0.5..=5.0), get: |look| format!("{:?}", look.ratio),
               set: |look, word| word.parse().ok().map(|ratio| look.ratio = ratio) },
-    Setting { name: "language", kind: Kind::Choice(|| [&[AUTO], &LANGUAGES[..]].concat()),
-              get: |look| look.language.to_owned(),
-              set: |look, word| [&[AUTO], &LANGUAGES[..]].concat().into_iter().find(|known| *known == word)
-                  .map(|language| look.language = language) },
+    Setting { name: "language", kind: Kind::Choice(&CHOICES), get: |look| look.language.to_owned(),
+              set: |look, word| CHOICES.into_iter().find(|known| *known == word).map(|own| look.language = own) },
     Setting { name: "pixels", kind: Kind::Flag, get: |look| on_off(look.pixels),
               set: |look, word| { look.pixels = word == "on"; Some(()) } },
     Setting { name: "mouse", kind: Kind::Flag, get: |look| on_off(look.mouse),

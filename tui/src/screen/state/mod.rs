@@ -31,7 +31,9 @@ pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
 pub(crate) use key::Key;
 pub(crate) use keymap::{Command, Group, Keymap};
-pub(crate) use kinds::{Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, round};
+pub(crate) use kinds::{
+    Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, next_kind, round,
+};
 pub(crate) use look::{AUTO, Kind, Look, Panels, SETTINGS};
 pub(crate) use picker::{Choice, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};

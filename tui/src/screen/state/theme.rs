@@ -1,9 +1,11 @@
 //! Roles and their styles. Color is never the only sign: each role also has a modifier or a word.
 
 use ratatui::style::{Color, Modifier, Style};
+use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 /// A palette.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumString, VariantArray, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub(crate) enum Theme {
     /// The 16 colors of the terminal, which follow its light or dark scheme.
     Default,
@@ -37,18 +39,6 @@ pub(crate) enum Role {
 }
 
 impl Theme {
-    /// All themes, in the order of the key that changes them.
-    pub(crate) const ALL: [Self; 3] = [Self::Default, Self::Mono, Self::OkabeIto];
-
-    /// Its name for `:set theme`.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Default => "default",
-            Self::Mono => "mono",
-            Self::OkabeIto => "okabe-ito",
-        }
-    }
-
     /// The style of a role.
     pub(crate) fn style(self, role: Role) -> Style {
         let style = Style::new().add_modifier(modifier(role));

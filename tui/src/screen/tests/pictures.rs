@@ -9,21 +9,13 @@ use crate::screen::still::{self, Request, StillError, views};
 use crate::screen::view;
 
 fn request(view: &str) -> Request {
-    Request {
-        view: view.to_owned(),
-        part: None,
-        show: None,
-        position: 5,
-        size: None,
-        animate: false,
-        analyzer: None,
-        integrator: None,
-    }
+    Request { view: view.to_owned(), part: None, show: None, position: 5, size: None, animate: false }
 }
 
 fn picture(request: &Request, output: &str) -> Result<String, StillError> {
     let scene = assur_fixtures::path("shaper-drive.toml");
-    still::draw(scene, request, Path::new(output)).map(|bytes| String::from_utf8(bytes).unwrap())
+    still::draw(scene, [None, None], request, Path::new(output))
+        .map(|bytes| String::from_utf8(bytes).unwrap())
 }
 
 #[test]
@@ -55,7 +47,7 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
     for (name, view, why) in [("brake", "forces", "initial state"), ("four-bar", "drive", "no steady regime")]
     {
         let scene = assur_fixtures::path(&format!("{name}.toml"));
-        match still::draw(scene, &request(view), Path::new("x.svg")) {
+        match still::draw(scene, [None, None], &request(view), Path::new("x.svg")) {
             Err(StillError::Nothing(text)) => assert!(text.contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
