@@ -117,22 +117,16 @@ impl Plan {
         self.items.iter().map(|item| length(minus(item.end, item.start))).fold(0.0, f64::max)
     }
 
-    /// Lower left and upper right corner of the drawing; `None` for an empty plan.
-    pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
-        let ends = self.items.iter().flat_map(|item| [item.start, item.end]);
-        let all = ends.chain(self.points.iter().map(|point| point.at));
-        all.fold(None, |bounds, [x, y]| {
-            let [[x0, y0], [x1, y1]] = bounds.unwrap_or([[x, y]; 2]);
-            Some([[x0.min(x), y0.min(y)], [x1.max(x), y1.max(y)]])
-        })
-    }
-
     /// Sets residual and scale of a complete plan. `open`: the absolute closure error.
     pub(crate) fn finish(mut self, open: f64) -> Self {
         let greatest = self.greatest();
         self.residual = if greatest > 0.0 { open / greatest } else { open };
-        let extent = self.bounds().map_or(0.0, |[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
-        self.scale = round_scale(extent / PAPER);
+        let ends = self.items.iter().flat_map(|item| [item.start, item.end]);
+        let all: Vec<_> = ends.chain(self.points.iter().map(|point| point.at)).collect();
+        let along = |axis: usize, best: fn(f64, f64) -> f64| all.iter().map(|at| at[axis]).reduce(best);
+        let extent =
+            [0, 1].map(|axis| along(axis, f64::max).zip(along(axis, f64::min)).map_or(0.0, |(a, b)| a - b));
+        self.scale = round_scale(extent[0].max(extent[1]) / PAPER);
         self
     }
 }

@@ -5,6 +5,7 @@ use assur_group::plane::{dot, perp};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::PairId;
+use assur_number::search::{try_bisect, try_least};
 use serde::Serialize;
 
 use crate::DiagramError;
@@ -13,8 +14,6 @@ use crate::DiagramError;
 const ROUNDING: f64 = 1e-12;
 /// Of more positions only so many are examined for changes.
 const MOST_POSITIONS: usize = 3600;
-/// Number of bisections: down to rounding.
-const HALVINGS: usize = 60;
 /// Least number of coordinates over the range of the input at which the forces are computed, even with fewer positions
 /// in the scene.
 const SAMPLES: f64 = 180.0;
@@ -223,25 +222,14 @@ fn dip(three: [[f64; 2]; 3], force: &mut Force<'_>) -> Result<Option<(f64, f64)>
     if f1 - slope * slope / (4.0 * curvature) > 0.5 * f1 {
         return Ok(None);
     }
-    assur_number::search::try_least(q0.min(q2), q0.max(q2), SECTIONS, |q| Ok(sign * force(q)?)).map(Some)
+    try_least(q0.min(q2), q0.max(q2), SECTIONS, |q| Ok(sign * force(q)?)).map(Some)
 }
 
 /// The change between two coordinates, and the greatest force next to it.
-fn root([mut a, mut b]: [f64; 2], at_a: f64, force: &mut Force<'_>) -> Result<(f64, f64), DiagramError> {
-    let mut sizes = [at_a.abs(), f64::INFINITY];
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(a, b);
-        let found = force(middle)?;
-        if found == 0.0 {
-            return Ok((middle, 0.0));
-        }
-        if (found > 0.0) == (at_a > 0.0) {
-            (a, sizes[0]) = (middle, found.abs());
-        } else {
-            (b, sizes[1]) = (middle, found.abs());
-        }
-    }
-    Ok((f64::midpoint(a, b), sizes[0].max(sizes[1])))
+fn root([a, b]: [f64; 2], at_a: f64, force: &mut Force<'_>) -> Result<(f64, f64), DiagramError> {
+    let width = 0.5 * f64::EPSILON * a.abs().max(b.abs());
+    let [a, b] = try_bisect(a, b, width, |q| Ok::<_, DiagramError>((force(q)? > 0.0) == (at_a > 0.0)))?;
+    Ok((f64::midpoint(a, b), force(a)?.abs().max(force(b)?.abs())))
 }
 
 /// The forces of slides across their guides, at any coordinate.

@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::number::plain;
+use crate::number::{plain, round_up};
 
 /// What is told apart on an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub struct Axis {
 /// A range this small compared with its ends is one value.
 const SAME: f64 = 1e-9;
 /// Steps of round numbers, as parts of a power of ten.
-const ROUND: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
+const ROUND: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 /// Steps of angles, degrees.
 const ANGLES: [f64; 8] = [1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
 
@@ -102,9 +102,6 @@ impl Axis {
 
     /// The least round step that is not below another one.
     fn step(&self, least: f64) -> f64 {
-        let power = 10.0_f64.powf(least.log10().floor());
-        let round =
-            || ROUND.into_iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
         match self.kind {
             Kind::Logarithmic => least.ceil().max(1.0),
             Kind::Whole if least < 1.0 => 1.0,
@@ -112,7 +109,7 @@ impl Axis {
                 ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)
             }
             Kind::Degrees if least > 180.0 => 360.0 * (least / 360.0).ceil(),
-            _ => round().unwrap_or(10.0 * power),
+            _ => round_up(least, &ROUND),
         }
     }
 }

@@ -22,4 +22,4 @@ mod trace;
 pub use axis::{Axis, Kind, extent};
 pub use bounds::{Bounds, Zoom};
 pub use model::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
-pub use trace::round_length;
+pub use number::round_length;

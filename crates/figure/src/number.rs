@@ -3,6 +3,28 @@
 #[cfg(test)]
 mod tests;
 
+/// The least of some numbers, each times a power of ten, that is not below another one; `steps` rise from 1.
+pub(crate) fn round_up(least: f64, steps: &[f64]) -> f64 {
+    /// What is above a step by less is that step.
+    const SAME: f64 = 1e-9;
+    if !(least.is_finite() && least > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(least.log10().floor());
+    let found = steps.iter().map(|times| times * power).find(|step| *step >= least * (1.0 - SAME));
+    found.unwrap_or(10.0 * power)
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
+pub fn round_length(most: f64) -> f64 {
+    if !(most.is_finite() && most > 0.0) {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(most.log10().floor());
+    let times = [5.0, 2.0, 1.0].into_iter().find(|times| times * power <= most);
+    times.unwrap_or(1.0) * power
+}
+
 /// A number with six significant digits.
 pub fn number(value: f64) -> String {
     digits(value, 6)

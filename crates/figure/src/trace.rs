@@ -18,6 +18,8 @@ const ENDS: f64 = 0.15;
 const HATCHING: f64 = 0.5;
 /// Most strokes of a hatching: no paper has more.
 const MOST_HATCHES: f64 = 2000.0;
+/// Most stars on a curve.
+const MOST_STARS: usize = 24;
 /// Arrows shorter than this have a head without a direction, in text sizes.
 const SHORTEST: f64 = 0.5;
 
@@ -191,12 +193,31 @@ pub(crate) fn block(at: Point, along: Point, em: f64) -> [Point; 4] {
         .map(|[u, v]| shifted(shifted(at, along, u * BLOCK[0] * em), across, v * BLOCK[1] * em))
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
-pub fn round_length(most: f64) -> f64 {
-    if !(most.is_finite() && most > 0.0) {
-        return 1.0;
+/// The stars on a curve that is drawn in stars: its dots alone are hard to tell from a line nearby.
+pub(crate) fn stars(item: &Item) -> Vec<Item> {
+    let Item::Line { points, stroke: Stroke::Stars, ink } = item else { return Vec::new() };
+    let step = points.len().div_ceil(MOST_STARS).max(1);
+    let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
+    finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
+}
+
+/// The ends of the part of a straight piece that lies in a rectangle, as parts of its length (Liang and Barsky); `None` where
+/// it lies outside, or an end is not finite.
+pub(crate) fn inside([from, to]: [Point; 2], low: Point, high: Point) -> Option<[f64; 2]> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let along = to[axis] - from[axis];
+        if !along.is_finite() {
+            return None;
+        }
+        let [a, b] = [low[axis] - from[axis], high[axis] - from[axis]];
+        if along == 0.0 {
+            if a > 0.0 || b < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        (first, last) = (first.max((a / along).min(b / along)), last.min((a / along).max(b / along)));
     }
-    let power = 10.0_f64.powf(most.log10().floor());
-    let times = [5.0, 2.0, 1.0].into_iter().find(|times| times * power <= most);
-    times.unwrap_or(1.0) * power
+    (first <= last).then_some([first, last])
 }

@@ -152,7 +152,7 @@ fn any_size_and_any_number_is_drawn_without_a_fault() {
         ];
         for figure in figures {
             for size in [[0, 0], [1, 1], [12, 4], [13, 2], [80, 24], [300, 2]] {
-                for marker in *<Marker as strum::VariantArray>::VARIANTS {
+                for marker in <Marker as strum::VariantArray>::VARIANTS.iter().copied() {
                     cells::draw(&figure, size, Look { marker, ..LOOK });
                 }
             }

@@ -1,5 +1,6 @@
 //! What a note consists of, whatever the form in which it is written.
 
+use assur_figure::svg::lowered;
 use assur_figure::{Figure, Frame};
 use assur_scene::Note;
 
@@ -96,24 +97,15 @@ impl Context<'_> {
         })
     }
 
-    /// The coordinate of a position with its unit.
-    pub(super) fn coordinate(&self, position: usize) -> String {
-        let series = self.state.scene.as_ref().map(|scene| &scene.series[0]);
-        series.map_or_else(String::new, |series| {
-            let value = self.words.number(&crate::number::plain(series.at(position)));
-            format!("{value} {}", self.words.unit(&series.unit))
-        })
-    }
-
     /// `position 6, 45 deg`.
     pub(super) fn place(&self, position: usize) -> String {
-        let values = [("position", position.to_string()), ("at", self.coordinate(position))];
-        self.words.with("position-at", &values)
+        let scene = self.state.scene.as_ref();
+        scene.map_or_else(String::new, |scene| scene.place(self.words, position))
     }
 }
 
 /// Takes the cursor from a plot, and the value at it from its heading, where the unit stays.
-fn still(panel: &mut assur_figure::Panel) {
+pub(super) fn still(panel: &mut assur_figure::Panel) {
     let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
     *cursor = None;
     if y.label.is_empty() {
@@ -124,4 +116,12 @@ fn still(panel: &mut assur_figure::Panel) {
         Some((name, value)) if value.ends_with(&y.label) => format!("{name}, {}", y.label),
         _ => format!("{}, {}", panel.title, y.label),
     };
+}
+
+/// A text with its subscripts in a form: what writes a text in which nothing is markup, and what writes a subscript.
+pub(super) fn rich(text: &str, plain: impl Fn(&str) -> String, low: impl Fn(&str) -> String) -> String {
+    let part = |(part, below): (&str, &str)| {
+        plain(part) + &if below.is_empty() { String::new() } else { low(below) }
+    };
+    lowered(text).map(part).collect()
 }

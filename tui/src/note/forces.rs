@@ -1,15 +1,13 @@
 //! Forces: polygons of every group with their vectors, reactions, the balancing load.
 
-use assur_analysis::results::{Base, Column, Owner, Quantity};
+use assur_analysis::results::Quantity;
 use assur_figure::{Figure, Ink, Panel, Stroke};
-use assur_mechanism::{LinkId, PairId};
 
 use super::Context;
-use super::curves::plot;
-use super::document::Block;
-use super::kinematics::{cells, printed, vector};
-use crate::screen::state::{Part, View, greatest};
-use crate::screen::view::plans;
+use super::document::{Block, still};
+use super::kinematics::{cells, printed};
+use crate::screen::state::{Part, Reaction, Series, View, greatest};
+use crate::screen::view::{plans, plots};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 80.0];
@@ -43,19 +41,17 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
 fn loads(context: &Context<'_>) -> Option<Block> {
-    let (words, schema) = (context.words, context.state.found()?.analysis.positions.schema());
-    let owners = schema.owners(Quantity::Load).into_iter();
-    let of = |owner| {
-        let column = Column::of(Quantity::Load, owner);
-        let points = context
-            .cycle(column)
-            .filter(|points| points.iter().any(|at| (at[1] - points[0][1]).abs() > 0.0))?;
-        let unit = if schema.unit(column).base == Base::NewtonMeter { "N m" } else { "N" };
-        let title = format!("{}, {}", words.name(&schema.name(owner)), words.unit(unit));
-        let axis = context.coordinate_axis(std::slice::from_ref(&points));
-        Some(plot(title, axis, vec![(points, Stroke::Solid, Ink::First)]))
+    let (words, scene, found) = (context.words, context.state.scene.as_ref()?, context.state.found()?);
+    let of = |series: &Series| {
+        let title = words.name(series.of.strip_prefix("load ")?);
+        let varies = series.values.iter().any(|value| (value - series.values[0]).abs() > 0.0);
+        let whole = series.values.iter().all(|value| value.is_finite());
+        let curve = [(series, Stroke::Solid, Ink::First)];
+        let mut panel = plots::over_positions(context.state, scene, title, &curve, Vec::new());
+        still(&mut panel);
+        (varies && whole).then_some(panel)
     };
-    let panels: Vec<Panel> = owners.filter_map(of).take(MOST_LOADS).collect();
+    let panels: Vec<Panel> = found.series.iter().filter_map(of).take(MOST_LOADS).collect();
     let figure = Figure { panels, columns: 1, ..Figure::default() };
     let size = [CURVE[0], 25.0 + 35.0 * figure.rows() as f64];
     (!figure.panels.is_empty()).then(|| Block::picture(figure, size, words.get("loads-drawn")))
@@ -124,45 +120,30 @@ fn polygons(context: &mut Context<'_>) -> Vec<Block> {
     blocks
 }
 
-/// The reactions and the balancing load in a position.
+/// The reactions and the balancing load in a position; of two links the force on the other one is opposite.
 fn reactions(context: &Context<'_>, position: usize) -> Option<Block> {
-    let (words, table) = (context.words, &context.state.found()?.analysis.positions);
-    let (row, schema) = (table.row_of(position)?, table.schema());
-    // Of two links the force on the other one is opposite.
-    let shown = &context.state.found()?.reactions;
-    let is_shown = |pair: &str, link: &str| shown.iter().any(|one| one.pair == pair && one.link == link);
-    let pairs = schema.owners(Quantity::Force).into_iter().filter_map(|owner| match owner {
-        Owner::PairOn(pair, link) => Some((pair, link)),
-        _ => None,
-    });
-    let pairs: Vec<(PairId, LinkId)> =
-        pairs.filter(|(pair, link)| is_shown(&schema.name(Owner::Pair(*pair)), schema.link(*link))).collect();
-    let force = |(pair, link): &(PairId, LinkId)| {
-        vector(table, row, Column::of(Quantity::Force, Owner::PairOn(*pair, *link)))
+    let (words, found) = (context.words, context.state.found()?);
+    let at = |index: &usize| found.series[*index].at(position);
+    let pairs =
+        || found.reactions.iter().filter(|one| one.series.len() == 3 && at(&one.series[2]).is_finite());
+    let limit = ROUNDING * pairs().map(|one| at(&one.series[2])).fold(0.0, f64::max);
+    let dash = || "–".to_owned();
+    let row = |one: &Reaction| {
+        let [x, y, size] = [0, 1, 2].map(|part| at(&one.series[part]));
+        let [down, across] = [y, x].map(|part| if part.abs() <= limit { 0.0 } else { part });
+        let direction =
+            if size > limit { printed(words, down.atan2(across).to_degrees(), 0.0) } else { dash() };
+        let moment = one.moment.as_ref().map(at).filter(|moment| moment.is_finite());
+        let mut cells = vec![words.name(&one.pair), words.name(&one.link)];
+        cells.extend([x, y, size].map(|value| printed(words, value, limit)));
+        cells.extend([direction, moment.map_or_else(dash, |moment| printed(words, moment, limit))]);
+        cells
     };
-    let sizes = pairs.iter().filter_map(force).map(|[x, y]| x.hypot(y));
-    let limit = ROUNDING * sizes.fold(0.0, f64::max);
-    let mut rows = Vec::new();
-    for pair in &pairs {
-        let Some([x, y]) =
-            force(pair).map(|force| force.map(|part| if part.abs() <= limit { 0.0 } else { part }))
-        else {
-            continue;
-        };
-        let moment = table.get(row, Column::of(Quantity::Moment, Owner::Pair(pair.0)));
-        let angle =
-            if x.hypot(y) > limit { printed(words, y.atan2(x).to_degrees(), 0.0) } else { "–".to_owned() };
-        let mut cells = vec![words.name(&schema.name(Owner::Pair(pair.0))), words.name(schema.link(pair.1))];
-        cells.extend([x, y, x.hypot(y)].map(|value| printed(words, value, limit)));
-        cells.extend([angle, moment.map_or_else(|| "–".to_owned(), |moment| printed(words, moment, limit))]);
-        rows.push(cells);
-    }
-    if let Some(load) = table.get(row, Column::BALANCING) {
-        let is_moment = context.state.found()?.analysis.input.balancing_is_moment;
-        let value = printed(words, load, 0.0);
+    let mut rows: Vec<Vec<String>> = pairs().map(row).collect();
+    if let Some(load) = found.balancing().filter(|load| load.at(position).is_finite()) {
         let mut cells = vec![words.get("balancing-load")];
-        cells.resize(7, "–".to_owned());
-        cells[if is_moment { 6 } else { 4 }] = value;
+        cells.resize(7, dash());
+        cells[if load.unit == "N" { 4 } else { 6 }] = printed(words, load.at(position), 0.0);
         rows.push(cells);
     }
     let newton = words.unit("N");
@@ -178,9 +159,8 @@ fn curves(context: &mut Context<'_>) -> Vec<Block> {
     let (words, position) = (context.words, context.positions[0]);
     let Some(found) = context.state.found() else { return Vec::new() };
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
-    let size = |(index, reaction): (usize, &crate::screen::state::Reaction)| {
-        (index, greatest(&found.series[reaction.series[2]].values))
-    };
+    let size =
+        |(index, reaction): (usize, &Reaction)| (index, greatest(&found.series[reaction.series[2]].values));
     let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
     let name = most.map(|index| found.reactions[index].name()).unwrap_or_default();

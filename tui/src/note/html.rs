@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use assur_figure::svg::{self, escaped, lowered};
+use assur_figure::svg::{self, escaped};
 
-use super::document::{Block, Cover, Term};
+use super::document::{self, Block, Cover, Term};
 use crate::words::Words;
 
 /// Time of one turn of an animation, s.
@@ -109,10 +109,7 @@ fn is_number(cell: &str) -> bool {
 
 /// A text with subscripts.
 fn rich(text: &str) -> String {
-    lowered(text).fold(String::new(), |line, (part, low)| {
-        let low = if low.is_empty() { String::new() } else { format!("<sub>{}</sub>", escaped(low)) };
-        line + &escaped(part) + &low
-    })
+    document::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
 }
 
 fn equation(terms: &[Term]) -> String {

@@ -119,6 +119,6 @@ pub(super) fn printed(words: &Words, value: f64, limit: f64) -> String {
 }
 
 /// Both projections of a vector in a row of the results.
-pub(super) fn vector(table: &Table, row: usize, column: Column) -> Option<[f64; 2]> {
+fn vector(table: &Table, row: usize, column: Column) -> Option<[f64; 2]> {
     Some([table.get(row, column.part(Part::X))?, table.get(row, column.part(Part::Y))?])
 }

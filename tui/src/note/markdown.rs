@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use assur_figure::svg::{self, lowered};
+use assur_figure::svg;
 
 use super::Written;
-use super::document::{Block, Cover, Term};
+use super::document::{self, Block, Cover, Term};
 use super::html::{TURN, is_of_numbers};
 use crate::words::Words;
 
@@ -55,20 +55,12 @@ fn table(head: &[String], rows: &[Vec<String>]) -> String {
 
 /// A text in which nothing is markup but its subscripts.
 fn rich(text: &str) -> String {
-    let plain = |text: &str| {
-        let mut line = String::new();
-        for letter in text.chars().filter(|letter| !letter.is_control()) {
-            if "\\`*_[]<>|$#~".contains(letter) {
-                line.push('\\');
-            }
-            line.push(letter);
-        }
-        line
+    let escaped = |letter: char| {
+        if "\\`*_[]<>|$#~".contains(letter) { format!("\\{letter}") } else { letter.to_string() }
     };
-    lowered(text).fold(String::new(), |line, (part, low)| {
-        let low = if low.is_empty() { String::new() } else { format!("<sub>{}</sub>", plain(low)) };
-        line + &plain(part) + &low
-    })
+    let plain =
+        |text: &str| text.chars().filter(|letter| !letter.is_control()).map(escaped).collect::<String>();
+    document::rich(text, plain, |low| format!("<sub>{}</sub>", plain(low)))
 }
 
 /// An equation in the notation of TeX.

@@ -3,7 +3,6 @@
 //! [`write`] collects blocks (`document`) from the state of a scene, in the words of a language, and writes
 //! them in a form (`html`, `markdown`, `typst`). Its figures are those of the views; its numbers are those of the results.
 
-mod curves;
 mod document;
 mod dynamics;
 mod forces;

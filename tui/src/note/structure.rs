@@ -1,13 +1,14 @@
 //! Structure: mobility, groups, the mechanism assembled group by group.
 
 use assur_figure::mechanism::Drawing;
-use assur_figure::{Figure, Frame, Panel};
+use assur_figure::{Figure, Panel};
 use assur_group::Pair;
 use assur_mechanism::LinkId;
 use assur_structure::roman;
 
 use super::Context;
 use super::document::{Block, Term};
+use crate::screen::view::mechanism;
 
 /// Width of a figure and height of a row of its panels, mm.
 const PANELS: [f64; 2] = [165.0, 78.0];
@@ -100,14 +101,8 @@ fn assembly(context: &Context<'_>) -> Vec<Block> {
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
     let mut panel = |title: String, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
-        let drawing = Drawing { linkage, strokes: &scene.outline.strokes, marked, hidden: &hidden };
-        let frame = Frame::Plane {
-            bounds: scene.outline.bounds,
-            unit: "mm".into(),
-            factor: 1e3,
-            scale: ("l", "m".into()),
-        };
-        Panel { title, frame, items: drawing.items(pose) }
+        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
+        Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
     };
     let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.clone());
     let mut panels = vec![panel(words.with("input-link-alone", &[named(input)]), &[input])];

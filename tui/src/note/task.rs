@@ -139,6 +139,7 @@ fn drive(drive: &Drive) -> Vec<Given> {
 /// The mechanism over one cycle.
 fn moving(context: &mut Context<'_>) -> Option<Block> {
     let scene = context.state.scene.as_ref()?;
+    let scene_coordinate = scene.coordinate(context.words, scene.first_position());
     let exist: Vec<usize> =
         (0..scene.positions()).filter(|position| scene.poses[*position].is_some()).collect();
     let frames: Option<Vec<_>> = exist
@@ -146,7 +147,7 @@ fn moving(context: &mut Context<'_>) -> Option<Block> {
         .map(|position| context.figure(View::Mechanism, position, |_| {}).map(|(figure, _)| figure))
         .collect();
     let frames = frames.filter(|frames| !frames.is_empty())?;
-    let values = [("at", context.coordinate(context.state.scene.as_ref()?.first_position()))];
+    let values = [("at", scene_coordinate)];
     let caption = context.words.with("mechanism-moving", &values);
     Some(Block::Picture { frames, size: MECHANISM, caption })
 }

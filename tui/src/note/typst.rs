@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use assur_figure::svg::{self, lowered};
+use assur_figure::svg;
 
-use super::document::{Block, Cover, Term};
+use super::document::{self, Block, Cover, Term};
 use super::html::{SHORT, is_of_numbers};
 use crate::words::Words;
 
@@ -79,10 +79,7 @@ fn quoted(text: &str) -> String {
 
 /// A text in which nothing is markup but its subscripts.
 fn rich(text: &str) -> String {
-    lowered(text).fold(String::new(), |line, (part, low)| {
-        let low = if low.is_empty() { String::new() } else { format!("#sub({})", quoted(low)) };
-        line + "#" + &quoted(part) + ";" + &low
-    })
+    document::rich(text, |part| format!("#{};", quoted(part)), |low| format!("#sub({})", quoted(low)))
 }
 
 fn equation(terms: &[Term]) -> String {

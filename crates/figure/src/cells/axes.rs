@@ -3,9 +3,9 @@
 use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, heading};
 use crate::axis::{Axis, Kind};
-use crate::model::{Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use crate::model::{Frame, Ink, Item, Panel, Point, Stroke};
 use crate::number::plain;
-use crate::trace::Paper;
+use crate::trace::{Paper, stars};
 
 /// Columns of the vertical axis with its labels.
 const LABELS: u16 = 11;
@@ -13,8 +13,6 @@ const LABELS: u16 = 11;
 pub(super) const BELOW: u16 = 2;
 /// Columns for each number of the horizontal axis.
 const TICK: u16 = 9;
-/// Most stars on a curve.
-const MOST_STARS: usize = 24;
 /// An end of the axis that is this small compared with the other is shown as zero.
 const ROUNDING: f64 = 1e-12;
 
@@ -79,14 +77,6 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
         spots.extend(horizontal(&map, width, height));
     }
     spots
-}
-
-/// Stars on a curve that is drawn in stars: dots alone are hard to distinguish from a nearby line.
-fn stars(item: &Item) -> Vec<Item> {
-    let Item::Line { points, stroke: Stroke::Stars, ink } = item else { return Vec::new() };
-    let step = points.len().div_ceil(MOST_STARS).max(1);
-    let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
-    finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
 }
 
 /// The greatest value in the first row of the plot, the least in the last one, zero between them.

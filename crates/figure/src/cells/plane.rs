@@ -4,8 +4,8 @@ use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, heading};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point};
-use crate::number::plain;
-use crate::trace::{Paper, round_length};
+use crate::number::{plain, round_length};
+use crate::trace::Paper;
 
 /// Columns left free at each side for names, and rows for hatching.
 ///

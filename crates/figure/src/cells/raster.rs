@@ -2,6 +2,7 @@
 
 use super::{Marker, Spot};
 use crate::model::{Ink, Stroke};
+use crate::trace::inside;
 
 /// A piece of a chain longer than this many dots is beyond any screen.
 const MOST_DOTS: f64 = 1e5;
@@ -117,25 +118,9 @@ impl Raster {
 
     /// The part of a line near the area: a line to a far end would take too long.
     fn clipped(&self, from: [f64; 2], to: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-        let limits = [self.columns as f64, self.rows as f64];
-        let (mut low, mut high) = (0.0_f64, 1.0_f64);
-        for axis in 0..2 {
-            let d = to[axis] - from[axis];
-            if !d.is_finite() {
-                return None;
-            }
-            let (a, b) = (-1.0 - from[axis], limits[axis] + 1.0 - from[axis]);
-            if d.abs() < 1e-12 {
-                if a > 0.0 || b < 0.0 {
-                    return None;
-                }
-                continue;
-            }
-            let (a, b) = ((a / d).min(b / d), (a / d).max(b / d));
-            (low, high) = (low.max(a), high.min(b));
-        }
-        let at = |t: f64| [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])];
-        (low <= high).then(|| [at(low), at(high)])
+        let high = [self.columns as f64 + 1.0, self.rows as f64 + 1.0];
+        let ends = inside([from, to], [-1.0; 2], high)?;
+        Some(ends.map(|t| [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]))
     }
 }
 

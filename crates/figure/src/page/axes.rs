@@ -4,8 +4,8 @@ use super::element::{Outline, fine, polygon, polyline};
 use super::names::text_width;
 use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text, width};
 use crate::axis::Axis;
-use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use crate::trace::Paper;
+use crate::model::{Figure, Frame, Ink, Panel, Point, Stroke};
+use crate::trace::{Paper, stars};
 
 /// Height of the numbers and the name of the horizontal axis, mm.
 pub(super) const BELOW: f64 = 2.0 * LINE;
@@ -15,8 +15,6 @@ const FREE: f64 = 0.06;
 const APART: [f64; 2] = [16.0, 8.0];
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
-/// Most marks on a curve.
-const MOST_STARS: usize = 24;
 
 /// The elements of a panel.
 pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room) -> Vec<Element> {
@@ -87,14 +85,6 @@ fn upright_ticks(axis: &Axis, height: f64) -> Vec<(f64, String)> {
     let most = count(height, APART[1]);
     let ticks = axis.ticks(most);
     if ticks.len() < 2 { axis.ticks(2 * most) } else { ticks }
-}
-
-/// The marks of a curve that is drawn with marks.
-fn stars(item: &Item) -> Vec<Item> {
-    let Item::Line { points, stroke: Stroke::Stars, ink } = item else { return Vec::new() };
-    let step = points.len().div_ceil(MOST_STARS).max(1);
-    let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
-    finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
 }
 
 /// How many numbers an axis has where they stand at this distance.

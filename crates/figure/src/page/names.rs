@@ -2,6 +2,7 @@
 
 use super::{EM, Room};
 use crate::model::Point;
+use crate::trace::inside;
 
 /// Mean width of a letter and of a digit of a proportional font, in text sizes.
 const LETTER: f64 = 0.62;
@@ -106,34 +107,16 @@ impl Names {
     fn covered(&self, spot: [f64; 4]) -> Option<usize> {
         let [left, top, right, bottom] = spot;
         let room = self.room;
-        let inside = left >= room.left
+        let fits = left >= room.left
             && top >= room.top
             && right <= room.left + room.width
             && bottom <= room.top + room.height;
-        let crossed = self.lines.iter().filter(|line| crosses(line, spot)).count();
+        let crosses = |line: &&[Point; 2]| inside(**line, [left, top], [right, bottom]).is_some();
+        let crossed = self.lines.iter().filter(crosses).count();
         let meets =
             |other: &&[f64; 4]| other[0] < right && left < other[2] && other[1] < bottom && top < other[3];
         // Two names over each other are unreadable, a name over a line is not.
         let written = self.texts.iter().filter(meets).count();
-        inside.then_some(crossed + 10 * written)
+        fits.then_some(crossed + 10 * written)
     }
-}
-
-/// Whether a straight piece touches a rectangle.
-fn crosses([from, to]: &[Point; 2], [left, top, right, bottom]: [f64; 4]) -> bool {
-    let (mut low, mut high) = (0.0_f64, 1.0_f64);
-    for (axis, [least, most]) in [(0, [left, right]), (1, [top, bottom])] {
-        let along = to[axis] - from[axis];
-        let ends = [least - from[axis], most - from[axis]];
-        if along.abs() < 1e-9 {
-            if ends[0] > 0.0 || ends[1] < 0.0 {
-                return false;
-            }
-            continue;
-        }
-        let (a, b) = (ends[0] / along, ends[1] / along);
-        low = low.max(a.min(b));
-        high = high.min(a.max(b));
-    }
-    low <= high
 }

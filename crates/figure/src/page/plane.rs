@@ -3,23 +3,13 @@
 use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point};
-use crate::number::plain;
+use crate::number::{plain, round_up};
 use crate::trace::Paper;
 
 /// Free space around what is drawn, for names, bearings and sliders, in text sizes.
 const MARGIN: f64 = 2.2;
-/// Scales of drawings, as parts of a power of ten (ISO 5455, and the intermediate ones that GOST 2.302 adds).
-const SCALES: [f64; 7] = [1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5];
-
-/// The least round scale that is not below another one.
-pub(super) fn round_scale(least: f64) -> f64 {
-    if !(least.is_finite() && least > 0.0) {
-        return 1.0;
-    }
-    let power = 10.0_f64.powf(least.log10().floor());
-    let fits = |scale: &f64| *scale >= least * (1.0 - 1e-9);
-    SCALES.into_iter().map(|times| times * power).find(fits).unwrap_or(10.0 * power)
-}
+/// Scale factors of drawings, as parts of a power of ten: those of ISO 5455 and of drawing offices.
+const SCALES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
 
 /// The elements of a panel, and its scale: units of the plane in a millimeter.
 pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
@@ -44,5 +34,5 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
 fn fit(bounds: &Bounds, plot: Room) -> f64 {
     let [width, height] = bounds.size();
     let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
-    round_scale((width / free(plot.width)).max(height / free(plot.height)))
+    round_up((width / free(plot.width)).max(height / free(plot.height)), &SCALES)
 }

@@ -217,10 +217,15 @@ impl Scene {
         self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
     }
 
+    /// The coordinate of a position with its unit.
+    pub(crate) fn coordinate(&self, words: &Words, position: usize) -> String {
+        let series = &self.series[0];
+        format!("{} {}", words.number(&plain(series.at(position))), words.unit(&series.unit))
+    }
+
     /// `position 6, 45 deg`.
     pub(crate) fn place(&self, words: &Words, position: usize) -> String {
-        let series = &self.series[0];
-        let at = format!("{} {}", words.number(&plain(series.at(position))), words.unit(&series.unit));
+        let at = self.coordinate(words, position);
         words.with("position-at", &[("position", position.to_string()), ("at", at)])
     }
 

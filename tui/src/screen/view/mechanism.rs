@@ -76,7 +76,7 @@ pub(super) fn still(scene: &Scene) -> Figure {
     Figure::of(plane(scene, items))
 }
 
-fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
+pub(crate) fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
     let frame = Frame::Plane {
         bounds: scene.outline.bounds,
         unit: "mm".into(),
@@ -86,7 +86,7 @@ fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
     Panel { title: String::new(), frame, items }
 }
 
-fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
+pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
     Drawing { linkage: &scene.linkage, strokes: &scene.outline.strokes, marked, hidden: &[] }
 }
 

@@ -17,7 +17,7 @@ mod motion;
 mod panel;
 mod picker;
 pub(crate) mod plans;
-mod plots;
+pub(crate) mod plots;
 mod quantities;
 mod reactions;
 mod regime;

@@ -41,7 +41,7 @@ pub(super) fn points(scene: &Scene, series: &Series) -> Vec<Point> {
 }
 
 /// The curve of a quantity over the positions, with the cursor at the present one.
-pub(super) fn over_positions(
+pub(crate) fn over_positions(
     state: &State,
     scene: &Scene,
     title: String,
