@@ -22,7 +22,6 @@ mod progress;
 mod proof;
 mod residuals;
 pub mod results;
-mod structure;
 mod trajectory;
 
 pub use assur_check::Coverage;

@@ -2,7 +2,6 @@
 
 mod assembly;
 mod loads;
-mod springs;
 
 use assur_integrator::Knob;
 use assur_mechanism::{Mechanism, Motion};

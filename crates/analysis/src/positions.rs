@@ -10,7 +10,7 @@ use crate::blocks::{Block, Blocks};
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Survey, Table};
-use crate::{Calculation, Progress, structure};
+use crate::{Calculation, Progress};
 
 /// Most positions that an [`Analysis`] keeps; of more, every so many.
 pub const MOST_KEPT: usize = 4096;
@@ -72,7 +72,7 @@ impl Calculation {
                 angular: self.linkage.angular(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
-            structure: structure::report(&self.linkage, !self.plan.is_partial()),
+            structure: crate::results::structure::report(&self.linkage, !self.plan.is_partial()),
             cycle: self.cycle(&positions.survey),
             positions: positions.kept,
             starts: positions.starts,

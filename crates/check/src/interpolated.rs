@@ -4,9 +4,9 @@ use assur_group::Order;
 use assur_kinematics::Position;
 
 use crate::differences::LEVELS;
+use crate::differences::{SAMPLES, SPACING, rounding_of};
 use crate::elements::Element;
 use crate::numbers::{Numbers, numbers, quotients};
-use crate::rounding::{SAMPLES, SPACING, rounding_of};
 use crate::subject::{Solved, Subject};
 use crate::surroundings::Surroundings;
 

@@ -24,7 +24,6 @@ mod numbers;
 mod perturbation;
 mod power;
 mod residuals;
-mod rounding;
 mod run;
 mod stroke;
 mod subject;

@@ -19,13 +19,13 @@ mod steady;
 mod tests;
 mod transient;
 mod unevenness;
-mod watched;
 
 pub use advice::{Advice, advise};
 pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
 pub use machine::Machine;
+pub use machine::Watcher;
 pub use motor::{DriveMotor, SteadyMotor};
 pub use point::ReductionPoint;
 pub use scene::{Steady, steady};
@@ -35,4 +35,3 @@ pub use steady::{
 };
 pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};
 pub use unevenness::section_margin;
-pub use watched::Watcher;

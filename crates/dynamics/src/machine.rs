@@ -1,8 +1,10 @@
 //! The mechanism with its loads, without its drive, as an equation of motion.
 
+use std::ops::ControlFlow;
+
 use assur_force::{Loads, Phase};
 use assur_group::Order;
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 use assur_kinematics::{Linkage, Position};
 
 /// The equation of motion of a compiled mechanism under its loads. Evaluating it allocates nothing.
@@ -75,5 +77,41 @@ impl Motion for Machine<'_> {
                 .map_err(MotionError::mechanism)?;
         }
         Ok(reduced)
+    }
+}
+
+/// Called with every state in which an equation of motion is evaluated; breaks to stop the solution.
+pub type Watcher<'w> = dyn FnMut(&State) -> ControlFlow<()> + 'w;
+
+/// Why a motion that was stopped has no solution.
+#[derive(Debug, Clone, Copy, thiserror::Error)]
+#[error("stopped on request")]
+struct Stopped;
+
+/// An equation of motion and who watches it, if anybody.
+pub(crate) struct Watched<'a, 'w> {
+    pub(crate) motion: &'a mut dyn Motion,
+    pub(crate) watcher: Option<&'a mut Watcher<'w>>,
+}
+
+impl Motion for Watched<'_, '_> {
+    fn dependence(&self) -> Dependence {
+        self.motion.dependence()
+    }
+
+    fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
+        self.motion.enter(state)
+    }
+
+    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        let flow = self.watcher.as_mut().map_or(ControlFlow::Continue(()), |watcher| watcher(state));
+        if flow.is_break() {
+            return Err(MotionError::mechanism(Stopped));
+        }
+        self.motion.reduced(state)
+    }
+
+    fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {
+        self.motion.partials(state)
     }
 }

@@ -5,10 +5,10 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
 use assur_motor::{FlywheelSize, flywheel_sizes};
 
+use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
 use crate::unevenness::greatest;
-use crate::watched::{Watched, Watcher};
 use crate::{DynamicsError, Machine};
 
 /// The steady regime of a scene with its drive.

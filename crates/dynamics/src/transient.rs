@@ -12,8 +12,8 @@ use assur_mechanism::{
 
 use crate::drive::{Driven, InputDrive, Source};
 use crate::instant::Instant;
+use crate::machine::{Watched, Watcher};
 use crate::motor::DriveMotor;
-use crate::watched::{Watched, Watcher};
 use crate::{DynamicsError, Machine};
 
 /// A transient motion.

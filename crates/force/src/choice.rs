@@ -2,7 +2,7 @@
 
 use crate::law::Active;
 use crate::loads::{ArcContact, Loads};
-use crate::selection::Selection;
+use crate::state::Selection;
 use crate::state::Side;
 use crate::{Phase, State};
 

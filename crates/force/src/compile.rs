@@ -10,10 +10,10 @@ use assur_mechanism::{
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::formula::{FormulaLaw, Unlocated};
+use crate::grid::rests;
 use crate::grid::{Bodies, Span};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
-use crate::reversal::rests;
 use crate::stroke::{NoStroke, Stroke, Travel};
 use crate::{LoadError, Loads};
 

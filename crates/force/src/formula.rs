@@ -8,7 +8,7 @@ use crate::State;
 use crate::breaks::Breaks;
 use crate::grid::{GRID, Span};
 use crate::law::cut;
-use crate::selection::Selection;
+use crate::state::Selection;
 use crate::stroke::Travel;
 
 /// Relative difference below which an argument has the same value a cycle later.

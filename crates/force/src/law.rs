@@ -7,7 +7,7 @@ use crate::State;
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::formula::FormulaLaw;
-use crate::selection::Selection;
+use crate::state::Selection;
 use crate::stroke::{Segment, Stroke};
 
 /// The law of one load.

@@ -1,11 +1,11 @@
 //! Centers of the motion of a link in one position.
 
 use assur_group::Body;
-use assur_group::plane::{minus, mirrored, perp, plus, scaled, times};
+use assur_group::plane::{cross, minus, mirrored, perp, plus, scaled, times};
+use assur_kinematics::PointMotion;
 use serde::Serialize;
 
 use crate::centers::{CenterAt, center};
-use crate::relative::seen_from;
 
 /// Centers of the motion of one link as seen from another link (or from the ground), in the frame of that one, m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -45,4 +45,48 @@ pub fn centers_of(body: &Body<f64>, observer: &Body<f64>, scale: f64) -> Centers
         .then(|| plus(origin, scaled(1.0 / size, plus(scaled(w * w, second), scaled(e, perp(second))))));
     let acceleration_pole = acceleration_pole.filter(|pole| pole.iter().all(|x| x.is_finite()));
     Centers { center, on_link, inflection_pole, acceleration_pole }
+}
+
+/// Pose and derivatives of `body` in the frame of `observer`.
+pub(crate) fn seen_from(body: &Body<f64>, observer: &Body<f64>) -> Body<f64> {
+    let back = |vector: [f64; 2]| times(vector, mirrored([observer.c, observer.s]));
+    let (w, e) = (observer.w1, observer.w2);
+    let arm = minus([body.x, body.y], [observer.x, observer.y]);
+    // Velocity relative to the observer, along the axes of the ground; then Coriolis' theorem.
+    let first = minus(minus([body.x1, body.y1], [observer.x1, observer.y1]), scaled(w, perp(arm)));
+    let second = minus([body.x2, body.y2], [observer.x2, observer.y2]);
+    let carried = plus(scaled(e, perp(arm)), plus(scaled(-w * w, arm), scaled(2.0 * w, perp(first))));
+    let ([x, y], [c, s]) = (back(arm), back([body.c, body.s]));
+    let ([x1, y1], [x2, y2]) = (back(first), back(minus(second, carried)));
+    Body { x, y, c, s, x1, y1, w1: body.w1 - w, x2, y2, w2: body.w2 - e }
+}
+
+/// Sine of the angle between PF1 and PF2 below which the path is straight there.
+const STRAIGHT: f64 = 1e-13;
+
+/// Curvature of the path of a point in one position.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Curvature {
+    /// Signed curvature, 1/m: positive where the path turns left while the coordinate grows.
+    pub curvature: f64,
+    /// The center of curvature, m; `None` where the path is straight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub center: Option<[f64; 2]>,
+}
+
+impl Curvature {
+    /// Curvature from the motion of a point; `None` where the point rests (`speed`: the greatest modulus of its PF1).
+    pub fn of(motion: &PointMotion, speed: f64) -> Option<Self> {
+        let [pf1, pf2] = [motion.pf1, motion.pf2];
+        let size = pf1[0].hypot(pf1[1]);
+        if size <= 1e-9 * speed {
+            return None;
+        }
+        let turn = cross(pf1, pf2);
+        if turn.abs() <= STRAIGHT * size * (pf2[0].hypot(pf2[1])).max(speed) {
+            return Some(Self { curvature: 0.0, center: None });
+        }
+        let center = plus(motion.pf0, scaled(size * size / turn, perp(pf1)));
+        Some(Self { curvature: turn / size.powi(3), center: Some(center) })
+    }
 }

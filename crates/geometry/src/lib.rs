@@ -10,18 +10,16 @@
 
 mod centers;
 mod course;
-mod curvature;
 mod cycle;
 mod data;
 mod instant;
 mod measure;
-mod relative;
 mod stroke;
 
 pub use centers::{Center, CenterAt, instant_centers};
 pub use course::Extremes;
-pub use curvature::Curvature;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+pub use instant::Curvature;
 pub use instant::{Centers, centers_of};
 pub use measure::{GeometryError, geometry, output_strokes};
 pub use stroke::Stroke;

@@ -2,6 +2,8 @@
 
 use assur_number::{Lanes, Real};
 
+use crate::plane::is_zero;
+
 /// Pose of a link (PF0) and its first and second derivatives with respect to the input coordinate (PF1, PF2).
 ///
 /// The direction of the link's x axis is a unit vector, not an angle. Derivatives are per unit of the coordinate:
@@ -147,5 +149,119 @@ impl<T: Real> Body<T> {
         let square = self.w1 * self.w1;
         self.x2 = pf2[0] + self.w2 * arm[1] + square * arm[0];
         self.y2 = pf2[1] - self.w2 * arm[0] + square * arm[1];
+    }
+}
+
+/// A force (in the ground's frame) and a moment about a stated point, acting on a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wrench<T> {
+    /// Force along x, N.
+    pub fx: T,
+    /// Force along y, N.
+    pub fy: T,
+    /// Moment, N m, counter-clockwise positive. For loads it is about the origin of the link's frame; for reactions
+    /// about the pin, or about the sliding link's point on the guide.
+    pub m: T,
+}
+
+impl<T: Copy> Wrench<T> {
+    /// Force and moment in another number type.
+    pub fn map<U>(&self, number: impl Fn(T) -> U) -> Wrench<U> {
+        Wrench { fx: number(self.fx), fy: number(self.fy), m: number(self.m) }
+    }
+}
+
+impl Wrench<Lanes> {
+    /// The wrench of one lane.
+    pub fn lane(&self, lane: usize) -> Wrench<f64> {
+        self.map(|number| number.0[lane])
+    }
+
+    /// Sets the wrench of one lane.
+    pub fn set_lane(&mut self, lane: usize, wrench: &Wrench<f64>) {
+        (self.fx.0[lane], self.fy.0[lane], self.m.0[lane]) = (wrench.fx, wrench.fy, wrench.m);
+    }
+}
+
+impl<T: Real> Wrench<T> {
+    /// No force and no moment.
+    pub const ZERO: Self = Self { fx: T::ZERO, fy: T::ZERO, m: T::ZERO };
+
+    /// Adds a moment, and a force that acts at `arm` (m, from the point of reference).
+    #[inline(always)]
+    pub fn add_at(&mut self, arm: [T; 2], force: [T; 2], moment: T) {
+        self.fx += force[0];
+        self.fy += force[1];
+        self.m += moment + arm[0] * force[1] - arm[1] * force[0];
+    }
+
+    /// Moment about the point at `arm` from the point of reference.
+    #[inline(always)]
+    pub fn about(&self, arm: [T; 2]) -> T {
+        self.m - arm[0] * self.fy + arm[1] * self.fx
+    }
+
+    /// The force as a vector.
+    #[inline(always)]
+    pub fn force(&self) -> [T; 2] {
+        [self.fx, self.fy]
+    }
+}
+
+/// A point of a link whose motion is known first: the motion of the link follows from it and from the link's direction.
+///
+/// Most links have their origin there, which saves the arm.
+#[derive(Debug, Clone, Copy)]
+pub struct Anchor<T> {
+    /// In the frame of the link, m.
+    at: [T; 2],
+    is_origin: bool,
+}
+
+impl<T: Real> Anchor<T> {
+    /// A point in the frame of its link, m.
+    pub fn new(at: [T; 2]) -> Self {
+        Self { at, is_origin: is_zero(at) }
+    }
+
+    /// Arm from the origin of the link to the point, m.
+    #[inline(always)]
+    pub fn arm(&self, body: &Body<T>) -> [T; 2] {
+        if self.is_origin { [T::ZERO; 2] } else { body.arm(self.at) }
+    }
+
+    /// Sets the direction of the link, and its origin such that the point is at `place`; returns the arm of the point.
+    #[inline(always)]
+    pub fn put(&self, body: &mut Body<T>, direction: [T; 2], place: [T; 2]) -> [T; 2] {
+        if self.is_origin {
+            [body.c, body.s] = direction;
+            [body.x, body.y] = place;
+            return [T::ZERO; 2];
+        }
+        body.put(direction, self.at, place)
+    }
+
+    /// Sets the first derivative of the link's angle, and that of its origin such that the point, with this arm, has this
+    /// PF1.
+    #[inline(always)]
+    pub fn put_first(&self, body: &mut Body<T>, w1: T, arm: [T; 2], pf1: [T; 2]) {
+        body.w1 = w1;
+        if self.is_origin {
+            [body.x1, body.y1] = pf1;
+        } else {
+            body.hang_first(arm, pf1);
+        }
+    }
+
+    /// Sets the second derivative of the link's angle, and that of its origin such that the point, with this arm, has this
+    /// PF2.
+    #[inline(always)]
+    pub fn put_second(&self, body: &mut Body<T>, w2: T, arm: [T; 2], pf2: [T; 2]) {
+        body.w2 = w2;
+        if self.is_origin {
+            [body.x2, body.y2] = pf2;
+        } else {
+            body.hang_second(arm, pf2);
+        }
     }
 }

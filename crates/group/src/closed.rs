@@ -2,21 +2,25 @@
 
 use assur_number::{Formula, Real};
 
-use crate::{AssurGroup, Body, GroupError, GroupFrame, Order, Wrench};
+use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
 
 /// A group with closed forms; [`Closed`] makes an [`AssurGroup`] of it.
 ///
 /// The formulas for places, derivatives and reactions share lengths and directions of one position, such as the
 /// triangle of the pins. They are computed when the group is placed, or from links that are already placed.
-pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
+pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     /// The quantities of one position that the formulas share.
     type Position;
 
     /// Number of ways of assembly.
     const WAYS: usize;
 
-    /// Links and pairs of the group.
-    fn frame(&self) -> &GroupFrame;
+    /// The formulas with the lengths of one group.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`] if the group is not of this kind, or a length is impossible.
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError>;
 
     /// Places the links (PF0) in a way; returns the shared quantities and the health.
     ///
@@ -65,10 +69,38 @@ pub trait ClosedForm<T: Real>: std::fmt::Debug + Send + Sync {
 
 /// The kernel of a group with closed forms.
 #[derive(Debug, Clone)]
-pub struct Closed<K>(
-    /// The formulas, with the lengths of one group.
-    pub K,
-);
+pub struct Closed<K> {
+    form: K,
+    frame: GroupFrame,
+}
+
+impl<K> Closed<K> {
+    /// The kernel of one group.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`ClosedForm::new`].
+    pub fn new<T: Real>(frame: &GroupFrame) -> Result<Self, BuildError>
+    where
+        K: ClosedForm<T>,
+    {
+        Ok(Self { form: K::new(frame)?, frame: frame.clone() })
+    }
+}
+
+/// A kind of group with closed forms.
+pub trait ClosedKind {
+    /// Its formulas in one number type.
+    type Form<T: Number>: ClosedForm<T> + 'static;
+}
+
+impl<K: ClosedKind> GroupKind for K {
+    type Kernel<T: Number> = Closed<K::Form<T>>;
+
+    fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError> {
+        Closed::new(frame)
+    }
+}
 
 /// Places and, by the order, derivatives of a group.
 struct Solve<'a, T, K> {
@@ -124,7 +156,7 @@ impl<T: Real, K: ClosedForm<T>> Formula for Balance<'_, T, K> {
 
 impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     fn frame(&self) -> &GroupFrame {
-        self.0.frame()
+        &self.frame
     }
 
     fn ways(&self) -> usize {
@@ -136,19 +168,19 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place { Ok(()) } else { T::evaluate(Derive(&self.0, bodies, order)) }
+        if order == Order::Place { Ok(()) } else { T::evaluate(Derive(&self.form, bodies, order)) }
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        T::evaluate(Solve { form: &self.0, bodies, way, order })
+        T::evaluate(Solve { form: &self.form, bodies, way, order })
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
-        self.0.health(&self.0.read(bodies)).least()
+        self.form.health(&self.form.read(bodies)).least()
     }
 
     fn resolution(&self, bodies: &[Body<T>]) -> f64 {
-        self.0.resolution(bodies)
+        self.form.resolution(bodies)
     }
 
     fn reactions(
@@ -157,6 +189,6 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        T::evaluate(Balance { form: &self.0, bodies, loads, reactions })
+        T::evaluate(Balance { form: &self.form, bodies, loads, reactions })
     }
 }

@@ -10,7 +10,6 @@
 //!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
-mod anchor;
 mod body;
 mod builders;
 mod closed;
@@ -20,18 +19,17 @@ mod joint;
 mod kernel;
 mod linear;
 mod newton;
-mod one_by_one;
 mod pair;
 mod pattern;
 pub mod plane;
 mod registry;
-mod wrench;
 
-pub use anchor::Anchor;
 pub use assur_plugin::RegistryError;
+pub use body::Anchor;
 pub use body::Body;
+pub use body::Wrench;
 pub use builders::{Builders, GroupKind, Number};
-pub use closed::{Closed, ClosedForm};
+pub use closed::{Closed, ClosedForm, ClosedKind};
 pub use error::{BuildError, GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
@@ -40,7 +38,6 @@ pub use newton::{Iterated, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
 pub use registry::{ForceAngle, GroupPlugin, Ways, groups, kernel_of, plugin_for};
-pub use wrench::Wrench;
 
 pub use inventory;
 

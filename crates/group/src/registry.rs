@@ -100,15 +100,7 @@ pub struct GroupPlugin {
     pub builders: Builders,
 }
 
-inventory::collect!(GroupPlugin);
-
-impl Registered for GroupPlugin {
-    const WHAT: &'static str = "group";
-
-    fn registration(&self) -> (&'static str, &'static str) {
-        (self.name, self.crate_name)
-    }
-}
+assur_plugin::registry!(GroupPlugin, "group", name);
 
 /// All registered kinds, sorted by name.
 ///

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
     Attempt, Dense, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
-    Scale, State, Step, Stepper, Trajectory, first_step,
+    Scale, State, Step, Stepper, Trajectory, control,
 };
 
 mod events;
@@ -100,17 +100,11 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.update_bounds();
         self.step = match self.pace {
             Pace::Unlimited => f64::INFINITY,
-            Pace::Fixed => first_step::fixed(self.run.request, &self.run.node),
+            Pace::Fixed => control::fixed_step(self.run.request, &self.run.node),
             Pace::Adaptive(control) => {
                 let longest = self.run.request.latest() - self.run.node.state.time;
                 let tolerance = self.run.request.tolerance;
-                first_step::adaptive(
-                    &mut self.run.equation,
-                    &self.run.node,
-                    tolerance,
-                    control.order,
-                    longest,
-                )
+                control::first_step(&mut self.run.equation, &self.run.node, tolerance, control.order, longest)
             }
         };
     }
@@ -165,7 +159,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             return Ok(Plan { h, time: None, bound: Some(side) });
         }
         if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (self.pace, self.run.request.fixed_step) {
-            self.step = first_step::fixed(self.run.request, &self.run.node);
+            self.step = control::fixed_step(self.run.request, &self.run.node);
         }
         let mut plan = Plan { h: self.step, time: None, bound: None };
         let margin = if S::PARABOLIC { 1.0 } else { OVERSHOOT };

@@ -33,7 +33,6 @@ mod driver;
 mod equation;
 mod error;
 mod event_location;
-mod first_step;
 mod motion;
 mod piece_ahead;
 mod plugin;

@@ -1,6 +1,6 @@
 //! The registry of integrators: what each method declares about itself.
 
-use assur_plugin::{Registered, RegistryError};
+use assur_plugin::RegistryError;
 
 use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 
@@ -83,15 +83,7 @@ pub enum Cost {
     LastResort,
 }
 
-inventory::collect!(IntegratorPlugin);
-
-impl Registered for IntegratorPlugin {
-    const WHAT: &'static str = "integrator";
-
-    fn registration(&self) -> (&'static str, &'static str) {
-        (self.name, self.crate_name)
-    }
-}
+assur_plugin::registry!(IntegratorPlugin, "integrator", name);
 
 impl IntegratorPlugin {
     /// Whether the method can treat such an equation at all.

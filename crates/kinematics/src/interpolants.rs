@@ -4,8 +4,8 @@ use assur_group::{Body, Order};
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::guesses::Guesses;
 use crate::interpolant::{Interpolant, Interpolation, Site};
+use crate::poses::Guesses;
 use crate::ways::Ways;
 use crate::wide::{Assembly, Wide};
 

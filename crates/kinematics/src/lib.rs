@@ -18,7 +18,6 @@ mod first;
 mod follow;
 mod follower;
 mod gaps;
-mod guesses;
 mod interpolant;
 mod interpolants;
 mod lanes;
@@ -36,11 +35,11 @@ mod wide;
 
 pub use chain::{Chain, ChainError, Input};
 pub use error::{CompileError, PositionError};
-pub use guesses::iterated;
 pub use interpolant::Interpolation;
 pub use lanes::LanePosition;
 pub use linkage::{Linkage, Position};
 pub use motion::{PointMotion, ScalarMotion, continuous_angle};
+pub use poses::iterated;
 pub use rank::mobility_in;
 pub use ways::{Range, Transition, Ways};
 

@@ -7,9 +7,9 @@ use assur_structure::Structure;
 
 use crate::dependence::Dependence;
 use crate::follow::{coordinate_unit, follow};
-use crate::guesses::Guesses;
 use crate::interpolant::Interpolation;
 use crate::interpolants::Interpolants;
+use crate::poses::Guesses;
 use crate::ways::{END_ROUNDING, Transition, Ways};
 use crate::{Chain, ChainError, CompileError, PositionError, Range};
 

@@ -47,7 +47,6 @@ mod catalogue;
 mod characteristic;
 mod designation;
 mod error;
-mod filter;
 mod flag;
 mod flywheel;
 mod lookup;
@@ -55,24 +54,23 @@ mod motor;
 mod rated;
 mod selection;
 mod table;
-mod units;
 mod usual;
 mod warning;
 
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
 pub use catalogue::{CataloguePlugin, catalogues, find_catalogue, find_motor};
+pub use catalogue::{MotorFilter, list_motors};
 pub use characteristic::Characteristic;
 pub use designation::{latin_designation, normalize_designation, same_designation};
 pub use error::{CatalogueError, LookupError, RowFault};
-pub use filter::{MotorFilter, list_motors};
 pub use flag::flag_meaning;
 pub use flywheel::{FlywheelSize, flywheel_sizes};
 pub use lookup::find_designation;
 pub use motor::Motor;
+pub use motor::{rad_per_s, rpm};
 pub use rated::RatedDataError;
 pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
-pub use units::{rad_per_s, rpm};
 pub use usual::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,

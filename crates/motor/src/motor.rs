@@ -1,5 +1,7 @@
 //! One row of a catalogue.
 
+use std::f64::consts::PI;
+
 use crate::{RatedData, latin_designation};
 
 /// A three-phase asynchronous motor as its catalogue prints it, in SI units.
@@ -61,4 +63,14 @@ impl Motor {
     pub fn latin_designation(&self) -> String {
         latin_designation(&self.designation)
     }
+}
+
+/// Speed in rad/s of a speed in 1/min.
+pub fn rad_per_s(rpm: f64) -> f64 {
+    rpm * PI / 30.0
+}
+
+/// Speed in 1/min of a speed in rad/s.
+pub fn rpm(rad_per_s: f64) -> f64 {
+    rad_per_s * 30.0 / PI
 }

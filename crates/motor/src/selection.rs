@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::units::rpm;
+use crate::motor::rpm;
 use crate::{CharacteristicKind, Motor};
 
 /// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.

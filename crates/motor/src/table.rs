@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use serde::Deserialize;
 
 use crate::designation::normalize_latin;
-use crate::units::rad_per_s;
+use crate::motor::rad_per_s;
 use crate::{CatalogueError, Motor, RowFault};
 
 /// Highest breakdown or starting torque ratio, or current ratio, that is accepted.

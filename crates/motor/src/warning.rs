@@ -1,6 +1,6 @@
 //! Warnings about a motor that can be used nevertheless.
 
-use crate::units::rpm;
+use crate::motor::rpm;
 use crate::{Characteristic, Motor};
 
 /// A remark on the drive, with its numbers. Speeds and torques are those of the motor shaft.

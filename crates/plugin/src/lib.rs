@@ -2,6 +2,7 @@
 //!
 //! `inventory` returns the entries in the order of linking, which is arbitrary; results must not depend on it.
 
+pub use inventory;
 use inventory::Collect;
 
 /// A registry entry that plugins submit.
@@ -11,6 +12,22 @@ pub trait Registered: Collect {
 
     /// Its stable identifier, which users write, and the crate that registers it.
     fn registration(&self) -> (&'static str, &'static str);
+}
+
+/// Makes a registry of a type: its entries are collected, and go by the named field; they have a field `crate_name`, too.
+#[macro_export]
+macro_rules! registry {
+    ($entry:ty, $what:literal, $name:ident) => {
+        $crate::inventory::collect!($entry);
+
+        impl $crate::Registered for $entry {
+            const WHAT: &'static str = $what;
+
+            fn registration(&self) -> (&'static str, &'static str) {
+                (self.$name, self.crate_name)
+            }
+        }
+    };
 }
 
 /// A plugin that is missing, or registered twice.

@@ -1,11 +1,15 @@
 //! Facts about the rest of the scene that the readers of loads, motion and drive need.
 
+use std::collections::BTreeSet;
+
 use assur_mechanism::Input;
 
+use crate::error::Fault;
 use crate::input::coordinate_of;
 use crate::linkage::Linkage;
+use crate::text::shown;
 use crate::units::Dimension;
-use crate::walk::Entry;
+use crate::walk::{Entry, Section};
 
 /// What is known after links, slides and input have been read.
 #[derive(Debug)]
@@ -51,5 +55,24 @@ impl Context<'_> {
                 "add [motion] with `speed`",
             );
         }
+    }
+}
+
+/// The names used by loads that are already read.
+#[derive(Debug, Default)]
+pub(crate) struct LoadNames(BTreeSet<String>);
+
+impl LoadNames {
+    /// The `name` of a load, or its default name.
+    pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> String) -> String {
+        let entry = section.get("name");
+        let given = entry.as_ref().and_then(|entry| entry.text("a name"));
+        let name = given.map_or_else(default, str::to_owned);
+        if !self.0.insert(name.clone()) {
+            let span = entry.map_or(section.span.clone(), |entry| entry.span);
+            let fault = Fault::new(span, format!("two loads have the name `{}`", shown(&name)));
+            section.faults.push(fault.label("give this one a `name` of its own"));
+        }
+        name
     }
 }

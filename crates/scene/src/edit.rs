@@ -3,7 +3,6 @@
 
 mod find;
 mod key;
-mod number;
 #[cfg(test)]
 mod tests;
 mod values;
@@ -13,8 +12,8 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 pub use key::Key;
-pub use number::{decimal, quoted, split};
 pub use values::{SceneValue, bare};
+pub use values::{decimal, quoted, split};
 
 /// Place of a number or a text in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]

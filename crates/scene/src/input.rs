@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
 use crate::linkage::Linkage;
+use crate::links::on_ground;
 use crate::numbers::Bound;
-use crate::slides::on_ground;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};

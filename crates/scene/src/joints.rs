@@ -3,8 +3,8 @@
 use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
 
 use crate::context::Context;
+use crate::context::LoadNames;
 use crate::linkage::{Linkage, pair};
-use crate::names::LoadNames;
 use crate::numbers::Bound;
 use crate::text::{row, shown};
 use crate::units::Dimension;

@@ -14,11 +14,9 @@ mod linkage;
 mod links;
 mod loads;
 mod motion;
-mod names;
 mod note;
 mod numbers;
 mod render;
-mod slides;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -31,8 +29,8 @@ use assur_mechanism::{Input, InputPair, Mechanism, Range, Sense};
 use toml::de::{DeTable, DeValue};
 
 use context::Context;
+use context::LoadNames;
 use error::{Fault, Faults};
-use names::LoadNames;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -102,7 +100,7 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Op
 fn scene(root: &Section<'_>) -> Mechanism {
     let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
     let (mut linkage, firsts) = links::read(root);
-    slides::read(root, &mut linkage, &firsts);
+    links::read_slides(root, &mut linkage, &firsts);
     // A point with a fault is at the origin until then.
     if root.faults.is_empty() {
         links::refuse_points(root, &linkage);

@@ -3,8 +3,8 @@
 use assur_mechanism::{Brake, Direction, Force, Moment};
 
 use crate::context::Context;
+use crate::context::LoadNames;
 use crate::linkage::pair;
-use crate::names::LoadNames;
 use crate::numbers::Bound;
 use crate::text::shown;
 use crate::units::Dimension;

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::barrier::least_maximum;
+use crate::barrier::{Row, solve};
 use crate::data::Criterion;
-use crate::linear::{Row, solve};
 use crate::samples::Sample;
 
 /// Mass times radius (kg m, in the frames of the links) of the counterweights on the first `carriers` links that make the

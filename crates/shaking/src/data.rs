@@ -1,5 +1,7 @@
 //! Shaking force and counterweights as data that serializes itself.
 
+use assur_force::LoadError;
+use assur_kinematics::PositionError;
 use serde::Serialize;
 
 /// Shaking force and moment of a mechanism over its cycle.
@@ -100,4 +102,29 @@ pub struct AtPosition {
     pub torque: f64,
     /// Shaking force with the counterweights of each of [`Shaking::balances`], N.
     pub balanced: Vec<[f64; 2]>,
+}
+
+/// Why the shaking force of a scene is not found.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ShakingError {
+    /// The positions are no closed cycle.
+    #[error("the shaking force is found over a cycle: give `[input] cycle` instead of `to`")]
+    NoCycle,
+    /// Nothing moves.
+    #[error(
+        "the shaking force needs a motion over the cycle: give `[motion]` of the kind prescribed or steady"
+    )]
+    NoMotion,
+    /// No link has a mass.
+    #[error(
+        "no moving link has a mass or a moment of inertia, so there is no shaking force: give `[link.NAME] mass`"
+    )]
+    NoMass,
+    /// A load can't be compiled.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// A position of the cycle has no solution.
+    #[error(transparent)]
+    Position(#[from] PositionError),
 }

@@ -11,12 +11,9 @@
 mod barrier;
 mod counterweight;
 mod data;
-mod error;
-mod harmonics;
-mod linear;
 mod samples;
 mod study;
 
+pub use data::ShakingError;
 pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Shaking, Size};
-pub use error::ShakingError;
 pub use study::shaking;

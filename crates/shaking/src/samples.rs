@@ -1,10 +1,14 @@
 //! Shaking force and moment, and what a unit counterweight adds, at one coordinate.
 
+use std::f64::consts::TAU;
+
 use assur_force::{Loads, State};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_group::{Body, Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, LinkId};
+
+use crate::data::Harmonic;
 
 /// A link that turns about a pin on the ground, and so may carry a counterweight.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,4 +115,29 @@ impl<'a> Sampler<'a> {
         let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
         Ok(Sample { coordinate, force: total.force(), moment: total.m, torque, units: units.collect() })
     }
+}
+
+/// Greatest order that is given.
+const GREATEST: usize = 12;
+
+/// Harmonics of samples that are equally spaced over a cycle of this length.
+pub(crate) fn harmonics(samples: &[Sample], period: f64) -> Vec<Harmonic> {
+    let count = samples.len() as f64;
+    let of = |order: usize| {
+        let factor = if order == 0 { 1.0 / count } else { 2.0 / count };
+        let mut sum = Harmonic { order, ..Harmonic::default() };
+        for sample in samples {
+            let (sin, cos) = (order as f64 * TAU * sample.coordinate / period).sin_cos();
+            let add = |to: &mut [f64; 2], value: f64| {
+                to[0] += factor * value * cos;
+                to[1] += factor * value * sin;
+            };
+            add(&mut sum.x, sample.force[0]);
+            add(&mut sum.y, sample.force[1]);
+            add(&mut sum.moment, sample.moment);
+            add(&mut sum.torque, sample.torque);
+        }
+        sum
+    };
+    (0..=GREATEST).map(of).collect()
 }

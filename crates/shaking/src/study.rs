@@ -7,7 +7,7 @@ use assur_mechanism::{Motion, Range};
 use crate::ShakingError;
 use crate::counterweight::counterweights;
 use crate::data::{AtPosition, Balanced, Counterweight, Criterion, Shaking, Size};
-use crate::harmonics::harmonics;
+use crate::samples::harmonics;
 use crate::samples::{Carrier, Sample, Sampler};
 
 /// Version of the format of the JSON.

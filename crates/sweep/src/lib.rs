@@ -25,7 +25,6 @@
 
 mod angles;
 mod axis;
-mod csv;
 mod error;
 mod layout;
 mod measure;
@@ -33,7 +32,6 @@ pub mod parquet;
 mod point;
 mod points;
 mod positions;
-mod range;
 mod rows;
 mod statistics;
 mod sweep;

@@ -1,8 +1,7 @@
 //! A parameter as a user writes it.
 
-use assur_scene::edit::Key;
+use assur_scene::edit::{Key, decimal};
 
-use crate::range::{self, Range};
 use crate::{Points, SweepError};
 
 /// One parameter of a sweep: its key in the scene, and its values.
@@ -35,12 +34,55 @@ impl Vary {
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: String| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
-        let range = range::parse(range, points).map_err(fault)?;
+        let range = parse_range(range, points).map_err(fault)?;
         Ok(Self { key: Key::parse(key).map_err(fault)?, range })
     }
 
     /// The key.
     pub fn key(&self) -> String {
         self.key.to_string()
+    }
+}
+
+/// The values of a parameter as they are written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Range {
+    /// First value.
+    pub(crate) from: String,
+    /// Last value.
+    pub(crate) to: String,
+    /// How many values of a grid, at least 1; of a sample 1.
+    pub(crate) count: usize,
+}
+
+pub(crate) fn parse_range(text: &str, points: Points) -> Result<Range, String> {
+    let wrong = || match points {
+        Points::Grid => "write it as KEY=FROM..TO:N, such as \"link.crank.mass=1 kg..5 kg:9\"".to_owned(),
+        Points::Sample { .. } => {
+            "of a sample write it as KEY=FROM..TO, such as \"link.crank.mass=1 kg..5 kg\"".to_owned()
+        }
+    };
+    let (ends, count) = match points {
+        Points::Grid => text.rsplit_once(':').ok_or_else(wrong)?,
+        Points::Sample { .. } => (text, "1"),
+    };
+    let (from, to) = ends.split_once("..").ok_or_else(wrong)?;
+    let (from, to) = (from.trim(), to.trim());
+    if from.is_empty() || to.is_empty() || to.contains(':') {
+        return Err(wrong());
+    }
+    let found: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
+    let count = found.ok_or_else(|| format!("N is `{}`: write a whole number from 1", count.trim()))?;
+    Ok(Range { from: from.to_owned(), to: to.to_owned(), count })
+}
+
+/// Value `index` of `count` equally spaced ones; the ends are exact.
+pub(crate) fn between(from: f64, to: f64, index: usize, count: usize) -> f64 {
+    if index == 0 || count < 2 {
+        from
+    } else if index + 1 == count {
+        to
+    } else {
+        decimal(from + (to - from) * (index as f64) / ((count - 1) as f64))
     }
 }

@@ -13,7 +13,6 @@ mod general;
 mod input;
 mod loads;
 mod names;
-mod statics;
 
 use assur_force::{Loads, State};
 use assur_group::{Body, Order};

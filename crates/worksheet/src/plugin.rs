@@ -1,7 +1,7 @@
 //! The registry entry by which a kind of group provides its own equations.
 
-use assur_group::{Body, BuildError, GroupFrame, inventory};
-use assur_plugin::{Registered, RegistryError};
+use assur_group::{Body, BuildError, GroupFrame};
+use assur_plugin::RegistryError;
 
 use crate::Sheet;
 
@@ -23,15 +23,7 @@ pub struct WorkingPlugin {
     pub reactions: Write,
 }
 
-inventory::collect!(WorkingPlugin);
-
-impl Registered for WorkingPlugin {
-    const WHAT: &'static str = "working of group";
-
-    fn registration(&self) -> (&'static str, &'static str) {
-        (self.group, self.crate_name)
-    }
-}
+assur_plugin::registry!(WorkingPlugin, "working of group", group);
 
 /// The working of a kind of group; `None` if the kind provides none.
 ///

@@ -11,7 +11,6 @@ use crate::PATTERN;
 /// One group PRP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Prp<T> {
-    frame: GroupFrame,
     pub(crate) links: [usize; 2],
     pub(crate) slides: [SlideJoint<T>; 2],
     pub(crate) inner: PinJoint<T>,
@@ -43,29 +42,6 @@ fn meet<T: Real>(t: &[[T; 2]; 2], b: [T; 2], inverse: T) -> [T; 2] {
 }
 
 impl<T: Real> Prp<T> {
-    /// Compiles a group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for pairs that are not P-R-P.
-    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let slides = [SlideJoint::<T>::new(&group.outer[0])?, SlideJoint::new(&group.outer[1])?];
-        let inner = PinJoint::<T>::new(&group.inner[0])?;
-        let pin = [inner.own, inner.at];
-        let heights = [0, 1].map(|i| slides[i].height() + slides[i].offset(pin[i]));
-        Ok(Self {
-            frame: frame.clone(),
-            links: [group.links[0], group.links[1]],
-            slides,
-            anchors: pin.map(Anchor::new),
-            inner,
-            levers: [0, 1].map(|i| slides[i].lever(pin[i])),
-            pin,
-            heights,
-        })
-    }
-
     /// Directions of the guides, and the sine of the angle between them.
     #[inline(always)]
     fn guides(&self, bodies: &[Body<T>]) -> ([[T; 2]; 2], T) {
@@ -84,8 +60,21 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
     type Position = Crossing<T>;
     const WAYS: usize = 1;
 
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let group = PATTERN.read(frame)?;
+        let slides = [SlideJoint::<T>::new(&group.outer[0])?, SlideJoint::new(&group.outer[1])?];
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
+        let pin = [inner.own, inner.at];
+        let heights = [0, 1].map(|i| slides[i].height() + slides[i].offset(pin[i]));
+        Ok(Self {
+            links: [group.links[0], group.links[1]],
+            slides,
+            anchors: pin.map(Anchor::new),
+            inner,
+            levers: [0, 1].map(|i| slides[i].lever(pin[i])),
+            pin,
+            heights,
+        })
     }
 
     #[inline(always)]

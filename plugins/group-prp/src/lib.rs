@@ -13,10 +13,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{
-    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
-    inventory,
-};
+use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
 
 pub use kernel::Prp;
 
@@ -26,12 +23,8 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 #[derive(Debug, Clone, Copy)]
 pub struct PrpKind;
 
-impl GroupKind for PrpKind {
-    type Kernel<T: Number> = Closed<Prp<T>>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Prp<T>>, BuildError> {
-        Prp::new(frame).map(Closed)
-    }
+impl ClosedKind for PrpKind {
+    type Form<T: Number> = Prp<T>;
 }
 
 inventory::submit! {

@@ -39,7 +39,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn two_lines_at_45_degrees() {
-    let group = Closed(Prp::new(&frame(FRAC_PI_4)).unwrap());
+    let group = Closed::<Prp<f64>>::new(&frame(FRAC_PI_4)).unwrap();
     let mut bodies = bodies();
     assert!(close(group.place(&mut bodies, 0).unwrap(), FRAC_1_SQRT_2));
     assert!(close(bodies[2].x, 1.0) && close(bodies[2].y, 0.0) && close(bodies[2].c, 1.0));
@@ -49,7 +49,7 @@ fn two_lines_at_45_degrees() {
 #[test]
 fn a_line_that_turns_moves_the_crossing_as_the_cotangent() {
     // x = cot(45 degrees + q): x' = -2, x'' = 2 * 2 * cot = 4.
-    let group = Closed(Prp::new(&frame(FRAC_PI_4)).unwrap());
+    let group = Closed::<Prp<f64>>::new(&frame(FRAC_PI_4)).unwrap();
     let mut bodies = bodies();
     bodies[1].w1 = 1.0;
     group.solve(&mut bodies, 0, Order::Second).unwrap();
@@ -60,7 +60,7 @@ fn a_line_that_turns_moves_the_crossing_as_the_cotangent() {
 
 #[test]
 fn a_wedge_holds_a_push() {
-    let group = Closed(Prp::new(&frame(FRAC_PI_4)).unwrap());
+    let group = Closed::<Prp<f64>>::new(&frame(FRAC_PI_4)).unwrap();
     let mut bodies = bodies();
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -74,7 +74,7 @@ fn a_wedge_holds_a_push() {
 
 #[test]
 fn parallel_guides_give_no_place() {
-    let group = Closed(Prp::new(&frame(0.0)).unwrap());
+    let group = Closed::<Prp<f64>>::new(&frame(0.0)).unwrap();
     assert_eq!(group.place(&mut bodies(), 0), Err(GroupError::Singular { health: 0.0 }));
 }
 

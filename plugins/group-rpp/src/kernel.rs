@@ -11,7 +11,6 @@ use crate::PATTERN;
 /// One group RPP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rpp<T> {
-    frame: GroupFrame,
     /// The link with the pin, and the link between the guides.
     pub(crate) links: [usize; 2],
     pub(crate) end: PinJoint<T>,
@@ -48,12 +47,17 @@ pub struct Lines<T> {
 }
 
 impl<T: Real> Rpp<T> {
-    /// Builds the kernel from a group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for pairs that are not R-P-P.
-    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+    #[inline(always)]
+    fn guides(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+        [self.outer.carried(bodies, self.inner_along), self.outer.guide(bodies)]
+    }
+}
+
+impl<T: Real> ClosedForm<T> for Rpp<T> {
+    type Position = Lines<T>;
+    const WAYS: usize = 1;
+
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
         let group = PATTERN.read(frame)?;
         let end = PinJoint::<T>::new(&group.outer[0])?;
         let inner = SlideJoint::<T>::new(&group.inner[0])?;
@@ -65,7 +69,6 @@ impl<T: Real> Rpp<T> {
         let (sine, cosine) = between.sin_cos();
         let d = -sine;
         Ok(Self {
-            frame: frame.clone(),
             links: [group.links[0], group.links[1]],
             anchors: [end.own, outer.own].map(Anchor::new),
             end,
@@ -80,20 +83,6 @@ impl<T: Real> Rpp<T> {
             inverse: T::ONE / d,
             cosine,
         })
-    }
-
-    #[inline(always)]
-    fn guides(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        [self.outer.carried(bodies, self.inner_along), self.outer.guide(bodies)]
-    }
-}
-
-impl<T: Real> ClosedForm<T> for Rpp<T> {
-    type Position = Lines<T>;
-    const WAYS: usize = 1;
-
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
     }
 
     #[inline(always)]

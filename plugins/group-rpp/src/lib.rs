@@ -11,10 +11,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{
-    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
-    inventory,
-};
+use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
 
 pub use kernel::Rpp;
 
@@ -24,12 +21,8 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &
 #[derive(Debug, Clone, Copy)]
 pub struct RppKind;
 
-impl GroupKind for RppKind {
-    type Kernel<T: Number> = Closed<Rpp<T>>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rpp<T>>, BuildError> {
-        Rpp::new(frame).map(Closed)
-    }
+impl ClosedKind for RppKind {
+    type Form<T: Number> = Rpp<T>;
 }
 
 inventory::submit! {

@@ -39,7 +39,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn a_scotch_yoke_moves_as_the_cosine() {
-    let group = Closed(Rpp::new(&frame(FRAC_PI_2)).unwrap());
+    let group = Closed::<Rpp<f64>>::new(&frame(FRAC_PI_2)).unwrap();
     for step in 0..12 {
         let q = f64::from(step) * std::f64::consts::TAU / 12.0;
         let mut bodies = bodies(q);
@@ -53,7 +53,7 @@ fn a_scotch_yoke_moves_as_the_cosine() {
 
 #[test]
 fn a_push_on_the_yoke_reaches_the_crank_across_the_guide() {
-    let group = Closed(Rpp::new(&frame(FRAC_PI_2)).unwrap());
+    let group = Closed::<Rpp<f64>>::new(&frame(FRAC_PI_2)).unwrap();
     let mut bodies = bodies(FRAC_PI_2);
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -77,7 +77,7 @@ fn nearly_parallel_guides_keep_the_digits_of_their_angle() {
                 *turned = tilt;
             }
             let between = (angle - tilt) + tilt;
-            let group = Closed(Rpp::new(&frame).unwrap());
+            let group = Closed::<Rpp<f64>>::new(&frame).unwrap();
             let mut bodies = bodies(q);
             let health = group.solve(&mut bodies, 0, Order::Second).unwrap();
             let relative = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 4e-15;
@@ -94,7 +94,7 @@ fn nearly_parallel_guides_keep_the_digits_of_their_angle() {
 
 #[test]
 fn parallel_guides_give_no_place() {
-    let group = Closed(Rpp::new(&frame(0.0)).unwrap());
+    let group = Closed::<Rpp<f64>>::new(&frame(0.0)).unwrap();
     assert_eq!(group.place(&mut bodies(1.0), 0), Err(GroupError::Singular { health: 0.0 }));
 }
 

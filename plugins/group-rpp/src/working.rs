@@ -1,6 +1,6 @@
 //! The working of type 5 by hand.
 
-use assur_group::{Body, BuildError, GroupFrame, inventory};
+use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 

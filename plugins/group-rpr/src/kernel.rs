@@ -18,7 +18,6 @@ const SLACK: f64 = 8.0;
 /// mechanism or the distance of the pins, whichever is greater.
 #[derive(Debug, Clone)]
 pub struct Rpr<T> {
-    frame: GroupFrame,
     /// The sliding link, and the link with the guide.
     pub(crate) links: [usize; 2],
     pub(crate) ends: [PinJoint<T>; 2],
@@ -52,32 +51,6 @@ pub struct Triangle<T> {
 }
 
 impl<T: Real> Rpr<T> {
-    /// Builds the kernel from a group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for pairs that are not R-P-R.
-    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
-        let inner = SlideJoint::<T>::new(&group.inner[0])?;
-        let reach = times(inner.tilt, minus(inner.own, ends[0].own));
-        let line = cross(inner.along, minus(inner.through, ends[1].own));
-        let e = line - reach[1];
-        let rounding = SLACK * T::EPSILON * frame.scale.max(e.abs().to_f64());
-        Ok(Self {
-            frame: frame.clone(),
-            links: [group.links[0], group.links[1]],
-            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
-            ends,
-            inner,
-            reach,
-            e,
-            scale: T::from_f64(frame.scale * frame.scale),
-            slack: rounding * (e.abs().to_f64() + rounding),
-        })
-    }
-
     #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         [self.ends[0].place(bodies), self.ends[1].place(bodies)]
@@ -105,8 +78,24 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
     type Position = Triangle<T>;
     const WAYS: usize = 2;
 
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let group = PATTERN.read(frame)?;
+        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
+        let inner = SlideJoint::<T>::new(&group.inner[0])?;
+        let reach = times(inner.tilt, minus(inner.own, ends[0].own));
+        let line = cross(inner.along, minus(inner.through, ends[1].own));
+        let e = line - reach[1];
+        let rounding = SLACK * T::EPSILON * frame.scale.max(e.abs().to_f64());
+        Ok(Self {
+            links: [group.links[0], group.links[1]],
+            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
+            ends,
+            inner,
+            reach,
+            e,
+            scale: T::from_f64(frame.scale * frame.scale),
+            slack: rounding * (e.abs().to_f64() + rounding),
+        })
     }
 
     #[inline(always)]

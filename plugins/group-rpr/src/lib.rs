@@ -16,10 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{
-    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
-    inventory,
-};
+use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
 
 pub use kernel::Rpr;
 
@@ -29,12 +26,8 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &
 #[derive(Debug, Clone, Copy)]
 pub struct RprKind;
 
-impl GroupKind for RprKind {
-    type Kernel<T: Number> = Closed<Rpr<T>>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rpr<T>>, BuildError> {
-        Rpr::new(frame).map(Closed)
-    }
+impl ClosedKind for RprKind {
+    type Form<T: Number> = Rpr<T>;
 }
 
 inventory::submit! {

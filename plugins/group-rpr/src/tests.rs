@@ -35,7 +35,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn a_rocker_points_at_the_pin_or_away_from_it() {
-    let group = Closed(Rpr::new(&frame(0.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(0.0)).unwrap();
     let mut bodies = bodies(3.0, 4.0);
     for (way, side) in [(0, 1.0), (1, -1.0)] {
         // Distance 5 against the scale 12: 5/13.
@@ -49,7 +49,7 @@ fn a_rocker_points_at_the_pin_or_away_from_it() {
 
 #[test]
 fn an_offset_makes_a_right_triangle() {
-    let group = Closed(Rpr::new(&frame(3.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(3.0)).unwrap();
     let mut bodies = bodies(4.0, 3.0);
     group.place(&mut bodies, 0).unwrap();
     assert!(close(bodies[3].c, 1.0) && close(bodies[3].s, 0.0));
@@ -58,7 +58,7 @@ fn an_offset_makes_a_right_triangle() {
 #[test]
 fn a_pin_on_a_line_turns_the_rocker_as_the_tangent_says() {
     // Pin at (3, 4 + q): tan(angle) = (4 + q)/3; angle' = 3/25, angle'' = -2 * 3 * 4/25².
-    let group = Closed(Rpr::new(&frame(0.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(0.0)).unwrap();
     let mut bodies = bodies(3.0, 4.0);
     bodies[1].y1 = 1.0;
     for way in [0, 1] {
@@ -72,7 +72,7 @@ fn a_pin_on_a_line_turns_the_rocker_as_the_tangent_says() {
 
 #[test]
 fn a_moment_on_the_rocker_presses_the_stone() {
-    let group = Closed(Rpr::new(&frame(0.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(0.0)).unwrap();
     let mut bodies = bodies(3.0, 4.0);
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -86,18 +86,18 @@ fn a_moment_on_the_rocker_presses_the_stone() {
 
 #[test]
 fn says_by_how_much_the_pin_is_too_near() {
-    let group = Closed(Rpr::new(&frame(-6.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(-6.0)).unwrap();
     let error = group.place(&mut bodies(3.0, 4.0), 0).unwrap_err();
     assert_eq!(error, GroupError::NoAssembly { gap_m: 1.0 });
 }
 
 #[test]
 fn pins_at_the_distance_of_the_offset_are_singular() {
-    let group = Closed(Rpr::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rpr<f64>>::new(&frame(5.0)).unwrap();
     let mut bodies = bodies(3.0, 4.0);
     assert!(close(group.place(&mut bodies, 0).unwrap(), 0.0));
     assert!(matches!(group.derive(&mut bodies, Order::First), Err(GroupError::Singular { .. })));
-    let central = Closed(Rpr::new(&frame(0.0)).unwrap());
+    let central = Closed::<Rpr<f64>>::new(&frame(0.0)).unwrap();
     (bodies[1].x, bodies[1].y) = (0.0, 0.0);
     assert_eq!(central.place(&mut bodies, 0), Err(GroupError::Singular { health: 0.0 }));
 }

@@ -14,7 +14,6 @@ const SLACK: f64 = 8.0;
 /// One group RRP, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rrp<T> {
-    frame: GroupFrame,
     /// The rod, and the sliding link.
     pub(crate) links: [usize; 2],
     pub(crate) end: PinJoint<T>,
@@ -59,43 +58,6 @@ pub struct Triangle<T> {
 }
 
 impl<T: Real> Rrp<T> {
-    /// Compiles a group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for pairs that are not R-R-P, and for a rod whose two pins coincide.
-    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let end = PinJoint::<T>::new(&group.outer[0])?;
-        let inner = PinJoint::<T>::new(&group.inner[0])?;
-        let slide = SlideJoint::<T>::new(&group.outer[1])?;
-        let rod = minus(inner.own, end.own);
-        let square = dot(rod, rod);
-        let length = square.sqrt();
-        if length.to_f64().is_nan() || length.to_f64() <= 0.0 {
-            return Err(BuildError::new(
-                "the rod of a group RRP needs its two pins apart; their distance is 0",
-            ));
-        }
-        let size = frame.scale.max(length.to_f64());
-        Ok(Self {
-            frame: frame.clone(),
-            links: [group.links[0], group.links[1]],
-            anchors: [end.own, inner.at].map(Anchor::new),
-            end,
-            inner,
-            lever: slide.lever(inner.at),
-            slide,
-            rod,
-            unrod: scaled(T::ONE / square, mirrored(rod)),
-            length,
-            inverse_length: T::ONE / length,
-            height: slide.height() + slide.offset(inner.at),
-            slack: SLACK * T::EPSILON * size,
-            sensitivity: T::from_f64(size) / square,
-        })
-    }
-
     /// Directions along and across the guide.
     #[inline(always)]
     fn guide(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
@@ -121,8 +83,35 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     type Position = Triangle<T>;
     const WAYS: usize = 2;
 
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let group = PATTERN.read(frame)?;
+        let end = PinJoint::<T>::new(&group.outer[0])?;
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
+        let slide = SlideJoint::<T>::new(&group.outer[1])?;
+        let rod = minus(inner.own, end.own);
+        let square = dot(rod, rod);
+        let length = square.sqrt();
+        if length.to_f64().is_nan() || length.to_f64() <= 0.0 {
+            return Err(BuildError::new(
+                "the rod of a group RRP needs its two pins apart; their distance is 0",
+            ));
+        }
+        let size = frame.scale.max(length.to_f64());
+        Ok(Self {
+            links: [group.links[0], group.links[1]],
+            anchors: [end.own, inner.at].map(Anchor::new),
+            end,
+            inner,
+            lever: slide.lever(inner.at),
+            slide,
+            rod,
+            unrod: scaled(T::ONE / square, mirrored(rod)),
+            length,
+            inverse_length: T::ONE / length,
+            height: slide.height() + slide.offset(inner.at),
+            slack: SLACK * T::EPSILON * size,
+            sensitivity: T::from_f64(size) / square,
+        })
     }
 
     #[inline(always)]

@@ -16,10 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{
-    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
-    inventory,
-};
+use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
 
 pub use kernel::Rrp;
 
@@ -29,12 +26,8 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 #[derive(Debug, Clone, Copy)]
 pub struct RrpKind;
 
-impl GroupKind for RrpKind {
-    type Kernel<T: Number> = Closed<Rrp<T>>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rrp<T>>, BuildError> {
-        Rrp::new(frame).map(Closed)
-    }
+impl ClosedKind for RrpKind {
+    type Form<T: Number> = Rrp<T>;
 }
 
 inventory::submit! {

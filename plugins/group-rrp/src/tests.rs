@@ -36,7 +36,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn ladder_3_4_5() {
-    let group = Closed(Rrp::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rrp<f64>>::new(&frame(5.0)).unwrap();
     let mut bodies = bodies(3.0);
     for (way, side) in [(0, 1.0), (1, -1.0)] {
         assert!(close(group.place(&mut bodies, way).unwrap(), 0.8));
@@ -48,7 +48,7 @@ fn ladder_3_4_5() {
 #[test]
 fn the_foot_of_a_ladder_that_is_lifted() {
     // x² + (3 + q)² = 25: x' = -3/x, x'' = -(1 + x'²)/x.
-    let group = Closed(Rrp::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rrp<f64>>::new(&frame(5.0)).unwrap();
     let mut bodies = bodies(3.0);
     bodies[1].y1 = 1.0;
     group.solve(&mut bodies, 0, Order::Second).unwrap();
@@ -59,7 +59,7 @@ fn the_foot_of_a_ladder_that_is_lifted() {
 
 #[test]
 fn a_push_on_the_slider_goes_along_the_rod() {
-    let group = Closed(Rrp::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rrp<f64>>::new(&frame(5.0)).unwrap();
     let mut bodies = bodies(3.0);
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -75,7 +75,7 @@ fn a_push_on_the_slider_goes_along_the_rod() {
 
 #[test]
 fn says_by_how_much_the_rod_is_too_short() {
-    let group = Closed(Rrp::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rrp<f64>>::new(&frame(5.0)).unwrap();
     for y in [5.25, -5.25] {
         let error = group.place(&mut bodies(y), 0).unwrap_err();
         assert_eq!(error, GroupError::NoAssembly { gap_m: 0.25 });
@@ -84,7 +84,7 @@ fn says_by_how_much_the_rod_is_too_short() {
 
 #[test]
 fn an_upright_rod_is_placed_but_not_differentiated() {
-    let group = Closed(Rrp::new(&frame(5.0)).unwrap());
+    let group = Closed::<Rrp<f64>>::new(&frame(5.0)).unwrap();
     let mut bodies = bodies(5.0);
     assert!(close(group.place(&mut bodies, 0).unwrap(), 0.0));
     assert!(close(bodies[3].s, -1.0) && close(bodies[2].x, 0.0));
@@ -95,12 +95,12 @@ fn an_upright_rod_is_placed_but_not_differentiated() {
     let turned = Body { c: FRAC_PI_2.cos(), s: 1.0, ..Body::ground() };
     let [ground, end, ..] = bodies;
     let mut bodies = [ground, end, ground, ground, turned];
-    assert!(close(Closed(Rrp::new(&frame).unwrap()).place(&mut bodies, 0).unwrap(), 1.0));
+    assert!(close(Closed::<Rrp<f64>>::new(&frame).unwrap().place(&mut bodies, 0).unwrap(), 1.0));
 }
 
 #[test]
 fn a_rod_needs_its_pins_apart() {
-    let error = Rrp::<f64>::new(&frame(0.0)).unwrap_err();
+    let error = Closed::<Rrp<f64>>::new(&frame(0.0)).unwrap_err();
     assert_eq!(error.to_string(), "the rod of a group RRP needs its two pins apart; their distance is 0");
 }
 

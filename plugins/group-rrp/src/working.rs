@@ -1,7 +1,7 @@
 //! The working of type 2 by hand.
 
 use assur_group::plane::dot;
-use assur_group::{Body, BuildError, GroupFrame, inventory};
+use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 

@@ -12,7 +12,6 @@ const SLACK: f64 = 8.0;
 /// One group RRR, with its lengths in the number type `T`.
 #[derive(Debug, Clone)]
 pub struct Rrr<T> {
-    frame: GroupFrame,
     pub(crate) links: [usize; 2],
     /// Outer pins of link 1 and link 2.
     pub(crate) ends: [PinJoint<T>; 2],
@@ -55,47 +54,6 @@ pub struct Triangle<T> {
 }
 
 impl<T: Real> Rrr<T> {
-    /// Compiles a group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for pairs that are not R-R-R, and for a link whose two pins coincide.
-    pub fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
-        let group = PATTERN.read(frame)?;
-        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
-        let inner = PinJoint::<T>::new(&group.inner[0])?;
-        let rods = [minus(inner.own, ends[0].own), minus(inner.at, ends[1].own)];
-        let squares = rods.map(|rod| dot(rod, rod));
-        let [l1, l2] = squares.map(Real::sqrt);
-        let lengths = [l1.to_f64(), l2.to_f64()];
-        if let Some(i) = lengths.iter().position(|&l| l.is_nan() || l <= 0.0) {
-            let what = format!("link {} of a group RRR needs its two pins apart; their distance is 0", i + 1);
-            return Err(BuildError::new(what));
-        }
-        let (sum, difference) = (l1 + l2, l1 - l2);
-        let size = frame.scale.max(sum.to_f64());
-        let rounding = SLACK * T::EPSILON * size;
-        Ok(Self {
-            frame: frame.clone(),
-            links: [group.links[0], group.links[1]],
-            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
-            ends,
-            inner,
-            rods,
-            unrods: [0, 1].map(|i| scaled(T::ONE / squares[i], mirrored(rods[i]))),
-            stretched: sum * sum,
-            folded: difference * difference,
-            excess: difference * sum,
-            inverse_product: T::ONE / (l1 * l2),
-            lengths,
-            sensitivity: {
-                let condition = T::from_f64(size) / (l1 * l2);
-                condition * condition
-            },
-            slack: [rounding * sum.to_f64(), rounding * (difference.abs().to_f64() + rounding)],
-        })
-    }
-
     #[inline(always)]
     fn pins(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         [self.ends[0].place(bodies), self.ends[1].place(bodies)]
@@ -128,8 +86,39 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     type Position = Triangle<T>;
     const WAYS: usize = 2;
 
-    fn frame(&self) -> &GroupFrame {
-        &self.frame
+    fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let group = PATTERN.read(frame)?;
+        let ends = [PinJoint::<T>::new(&group.outer[0])?, PinJoint::new(&group.outer[1])?];
+        let inner = PinJoint::<T>::new(&group.inner[0])?;
+        let rods = [minus(inner.own, ends[0].own), minus(inner.at, ends[1].own)];
+        let squares = rods.map(|rod| dot(rod, rod));
+        let [l1, l2] = squares.map(Real::sqrt);
+        let lengths = [l1.to_f64(), l2.to_f64()];
+        if let Some(i) = lengths.iter().position(|&l| l.is_nan() || l <= 0.0) {
+            let what = format!("link {} of a group RRR needs its two pins apart; their distance is 0", i + 1);
+            return Err(BuildError::new(what));
+        }
+        let (sum, difference) = (l1 + l2, l1 - l2);
+        let size = frame.scale.max(sum.to_f64());
+        let rounding = SLACK * T::EPSILON * size;
+        Ok(Self {
+            links: [group.links[0], group.links[1]],
+            anchors: [0, 1].map(|i| Anchor::new(ends[i].own)),
+            ends,
+            inner,
+            rods,
+            unrods: [0, 1].map(|i| scaled(T::ONE / squares[i], mirrored(rods[i]))),
+            stretched: sum * sum,
+            folded: difference * difference,
+            excess: difference * sum,
+            inverse_product: T::ONE / (l1 * l2),
+            lengths,
+            sensitivity: {
+                let condition = T::from_f64(size) / (l1 * l2);
+                condition * condition
+            },
+            slack: [rounding * sum.to_f64(), rounding * (difference.abs().to_f64() + rounding)],
+        })
     }
 
     #[inline(always)]

@@ -16,10 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::Pin;
-use assur_group::{
-    BuildError, Builders, Closed, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, Pattern, Ways,
-    inventory,
-};
+use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
 
 pub use kernel::Rrr;
 
@@ -29,12 +26,8 @@ const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(
 #[derive(Debug, Clone, Copy)]
 pub struct RrrKind;
 
-impl GroupKind for RrrKind {
-    type Kernel<T: Number> = Closed<Rrr<T>>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Closed<Rrr<T>>, BuildError> {
-        Rrr::new(frame).map(Closed)
-    }
+impl ClosedKind for RrrKind {
+    type Form<T: Number> = Rrr<T>;
 }
 
 inventory::submit! {

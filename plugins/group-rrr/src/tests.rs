@@ -32,7 +32,7 @@ fn passes_the_conformance_suite() {
 
 #[test]
 fn triangle_3_4_5() {
-    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
+    let group = Closed::<Rrr<f64>>::new(&frame(3.0, 4.0)).unwrap();
     let mut bodies = bodies();
     for (way, side) in [(0, 1.0), (1, -1.0)] {
         let health = group.place(&mut bodies, way).unwrap();
@@ -45,7 +45,7 @@ fn triangle_3_4_5() {
 
 #[test]
 fn derivatives_of_triangle_3_4_5() {
-    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
+    let group = Closed::<Rrr<f64>>::new(&frame(3.0, 4.0)).unwrap();
     let mut bodies = bodies();
     // Relative to B, A moves along x.
     bodies[1].x1 = -1.0;
@@ -60,7 +60,7 @@ fn derivatives_of_triangle_3_4_5() {
 
 #[test]
 fn two_force_members_carry_along_themselves() {
-    let group = Closed(Rrr::new(&frame(3.0, 4.0)).unwrap());
+    let group = Closed::<Rrr<f64>>::new(&frame(3.0, 4.0)).unwrap();
     let mut bodies = bodies();
     group.place(&mut bodies, 0).unwrap();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 4], [Wrench::ZERO; 3]);
@@ -76,7 +76,7 @@ fn two_force_members_carry_along_themselves() {
 #[test]
 fn says_by_how_much_it_misses() {
     for (l1, l2, gap) in [(2.0, 2.5, 0.5), (1.0, 6.25, 0.25), (7.0, 1.5, 0.5)] {
-        let group = Closed(Rrr::new(&frame(l1, l2)).unwrap());
+        let group = Closed::<Rrr<f64>>::new(&frame(l1, l2)).unwrap();
         let GroupError::NoAssembly { gap_m } = group.place(&mut bodies(), 0).unwrap_err() else {
             panic!("must say that there is no assembly");
         };
@@ -86,7 +86,7 @@ fn says_by_how_much_it_misses() {
 
 #[test]
 fn stretched_is_placed_but_not_differentiated() {
-    let group = Closed(Rrr::new(&frame(2.0, 3.0)).unwrap());
+    let group = Closed::<Rrr<f64>>::new(&frame(2.0, 3.0)).unwrap();
     let mut bodies = bodies();
     assert!(close(group.place(&mut bodies, 0).unwrap(), 0.0));
     assert_eq!(group.derive(&mut bodies, Order::First), Err(GroupError::Singular { health: 0.0 }));
@@ -94,7 +94,7 @@ fn stretched_is_placed_but_not_differentiated() {
 
 #[test]
 fn equal_links_upon_each_other_point_anywhere() {
-    let group = Closed(Rrr::new(&frame(2.0, 2.0)).unwrap());
+    let group = Closed::<Rrr<f64>>::new(&frame(2.0, 2.0)).unwrap();
     let mut bodies = [Body::ground(); 4];
     assert_eq!(group.place(&mut bodies, 0), Err(GroupError::Singular { health: 0.0 }));
     bodies[1].x = f64::NAN;
@@ -103,7 +103,7 @@ fn equal_links_upon_each_other_point_anywhere() {
 
 #[test]
 fn a_link_needs_its_pins_apart() {
-    let error = Rrr::<f64>::new(&frame(0.0, 2.0)).unwrap_err();
+    let error = Closed::<Rrr<f64>>::new(&frame(0.0, 2.0)).unwrap_err();
     assert_eq!(error.to_string(), "link 1 of a group RRR needs its two pins apart; their distance is 0");
 }
 

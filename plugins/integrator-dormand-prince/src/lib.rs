@@ -9,7 +9,6 @@ use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, invento
 mod dop853;
 mod dop853_table;
 mod dopri5;
-mod dopri5_table;
 mod stages;
 
 #[cfg(test)]

@@ -11,7 +11,6 @@
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
 
 mod collocation;
-mod table;
 
 /// The method.
 pub const RADAU5: IntegratorPlugin = IntegratorPlugin {

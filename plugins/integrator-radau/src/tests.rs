@@ -5,7 +5,7 @@ use assur_integrator::{Request, State, Until};
 use nalgebra::Matrix3;
 
 use super::*;
-use crate::table::{A, C, E, GAMMA};
+use crate::collocation::{A, C, E, GAMMA};
 
 fn assert_close(found: f64, wanted: f64, allowed: f64) {
     assert!((found - wanted).abs() <= allowed, "{found} is not {wanted}: off by {:e}", found - wanted);

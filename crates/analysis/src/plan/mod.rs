@@ -5,7 +5,6 @@
 
 mod carry;
 mod needs;
-mod order;
 
 pub(crate) use carry::is_heavy;
 
@@ -113,7 +112,7 @@ impl Plan {
             basis: Basis::of(mechanism),
         };
         plan.groups_needed = needs::groups(mechanism, structure, &plan);
-        (plan.order, plan.order_for) = order::order(mechanism, structure, &plan);
+        (plan.order, plan.order_for) = needs::order(mechanism, structure, &plan);
         plan
     }
 

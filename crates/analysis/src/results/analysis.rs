@@ -1,9 +1,11 @@
 //! The whole result.
 
 use assur_check::Check;
+use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
+use assur_integrator::{Event, State, Statistics};
 use serde::Serialize;
 
-use crate::results::{Cycle, Dynamics, Integration, Starts, StructureReport, Survey, Table};
+use crate::results::{Dynamics, Named, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,4 +74,79 @@ pub struct Failure {
     pub coordinate: f64,
     /// What is missing, where and by how much.
     pub message: String,
+}
+
+/// Reactions over the cycle, geometry of the contacts, plans of the requested positions. Sections that don't apply are
+/// absent.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Cycle {
+    /// Greatest modulus and root mean square of each reaction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reaction_extremes: Vec<Extreme>,
+    /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an
+    /// empty list.
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    pub sign_changes: Named<Vec<SignChange>>,
+    /// The straight line that the arc of each contact envelopes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub enveloping: Vec<Enveloping>,
+    /// Polar diagrams of the reactions, if requested.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub hodographs: Vec<Hodograph>,
+    /// The plans of the requested positions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub plans: Vec<PositionPlans>,
+}
+
+/// The plans of one position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PositionPlans {
+    /// Number of the position.
+    pub index: usize,
+    /// All plans.
+    #[serde(flatten)]
+    pub sheet: Sheet,
+}
+
+/// How a transient motion was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Integration {
+    /// Name of the integrator.
+    pub method: String,
+    /// D's case of the equation, 1 to 5 (D 3.21).
+    pub case: u8,
+    /// What inertia and moment depend on: `J(q), M(q, w)`.
+    pub equation: String,
+    /// Why this integrator.
+    pub reason: String,
+    /// Requested relative tolerance.
+    pub tolerance: f64,
+    /// Cost of the solution.
+    #[serde(flatten)]
+    pub statistics: Statistics,
+    /// The state in which the motion ended.
+    pub end: State,
+    /// What happened between, in order of time.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<Event>,
+    /// Energies at both ends.
+    pub energy: Energy,
+}
+
+/// The balance of energy over a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Energy {
+    /// Whether nothing but weights and springs acts, so that the sum of energies must be constant.
+    pub conservative: bool,
+    /// Kinetic energy at the start, flywheel and rotor included, J.
+    pub kinetic_start: f64,
+    /// Kinetic energy at the end, flywheel and rotor included, J.
+    pub kinetic_end: f64,
+    /// Potential energy of weights and springs at the start, J.
+    pub potential_start: f64,
+    /// Potential energy of weights and springs at the end, J.
+    pub potential_end: f64,
+    /// Largest change of the sum of kinetic and potential energy, divided by the largest kinetic energy: the drift of
+    /// the solution where the machine is conservative, else the work of the other loads.
+    pub change: f64,
 }

@@ -22,28 +22,26 @@
 
 mod analysis;
 mod column;
-mod cycle;
 mod dynamics;
-mod motion;
 mod named;
 mod residual;
 mod schema;
-mod structure;
+pub(crate) mod structure;
 mod survey;
 mod table;
 
 pub use crate::angles::Starts;
 pub use analysis::{Analysis, Failure, InputReport};
+pub use analysis::{Cycle, PositionPlans};
+pub use analysis::{Energy, Integration};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};
 pub use column::{Base, Column, Owner, Part, Quantity, Unit};
-pub use cycle::{Cycle, PositionPlans};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
     RegimePoint, RegimeReport, RunnerUp,
 };
-pub use motion::{Energy, Integration};
 pub use named::Named;
 pub use residual::{Checks, Residual};
 pub use schema::{Schema, Section};

@@ -16,7 +16,6 @@ mod extremes;
 mod newton;
 mod path;
 mod regime;
-mod report;
 mod request;
 mod run;
 mod segment;
@@ -24,9 +23,8 @@ mod shooting;
 mod solution;
 mod solver;
 mod tuning;
-mod working_point;
 
 pub use regime::Regime;
-pub use report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
+pub use regime::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
 pub use request::{CycleRequest, DriveRequest, TorqueRequest};
 pub use solver::RegimeSolver;

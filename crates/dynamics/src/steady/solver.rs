@@ -6,13 +6,13 @@ use super::collocation::S;
 use super::diagram::{FlywheelTask, WorkDiagram};
 use super::path::{Cycle, Panel, Path};
 use super::regime::{Context, Regime};
-use super::report::{Effort, Iteration};
+use super::regime::{Effort, Iteration};
 use super::request::{CycleRequest, DriveRequest, TorqueRequest};
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution};
 use super::tuning::{Target, Tuned, Tuner, Unknowns};
-use super::working_point::{working_ratio, working_speed};
+use super::tuning::{working_ratio, working_speed};
 use crate::DynamicsError;
 use crate::drive::Source;
 

@@ -2,7 +2,6 @@
 
 mod analysis;
 mod geometry;
-mod shaking;
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -14,7 +13,7 @@ use crate::to_ascii;
 
 pub use analysis::{FILES, Sheet, of_positions, of_trajectory};
 pub use geometry::geometry;
-pub use shaking::shaking;
+pub use geometry::shaking;
 
 /// A table can't be written as CSV.
 #[derive(Debug, thiserror::Error)]

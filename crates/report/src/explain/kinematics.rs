@@ -4,7 +4,7 @@ use assur_group::Order;
 use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 
-use super::stage::{Stage, left_out, run};
+use super::words::{Stage, left_out, run};
 use super::words::{count, others};
 use assur_analysis::plan::Plan;
 

@@ -3,7 +3,6 @@
 mod kinematics;
 mod missing;
 mod model;
-mod stage;
 mod stages;
 mod words;
 

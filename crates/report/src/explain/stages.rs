@@ -3,7 +3,7 @@
 use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
 use assur_structure::Structure;
 
-use super::stage::{Stage, left_out, run};
+use super::words::{Stage, left_out, run};
 use super::{kinematics, words};
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;

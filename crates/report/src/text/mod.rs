@@ -9,7 +9,6 @@ mod drive;
 mod forces;
 mod geometry;
 mod layout;
-mod loads;
 mod measured;
 mod motion;
 mod number;
@@ -82,7 +81,7 @@ pub fn report(
     motion::write(&source, &mut page);
     course::write(&source, &mut page);
     drive::write(&source, &mut page);
-    loads::write(&source, &mut page);
+    forces::write_loads(&source, &mut page);
     forces::write(&source, &mut page);
     contact::write(&source, &mut page);
     motion::condition(&source, &mut page);

@@ -1,14 +1,13 @@
 //! Forces: every registered analyzer, and the groups in other forms and numbers.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State, analyzers};
-use assur_group::{Body, Number, Order, Wrench};
-use assur_kinematics::{Chain, Position};
+use assur_force::{AnalyzerPlugin, Loads, Reactions, State, Unsolved, analyzers, group_by_group};
+use assur_group::{AssurGroup, Body, Number, Order, Wrench, reactions_generally};
+use assur_kinematics::{Chain, Linkage, Position};
 use assur_mechanism::{Mechanism, Motion};
 use assur_number::{Dd, Real};
 
 use super::data::GIVES;
 use super::entry::{Entry, Field};
-use super::reaction::{Forms, solve};
 use super::ruler::{difference, greater};
 use super::work::Work;
 use super::{ChartError, Reference, Row, Setting, Stage, Value};
@@ -171,5 +170,33 @@ fn by_groups<'a, T: Number>(
         let solved = solve(linkage, &groups, &bodies[index], &loaded.loads[index], forms, &mut own, &mut out);
         solved.map_err(|reason| reason.explain(linkage, loaded.work.coordinates[index]).to_string())?;
         Ok(if judged { loaded.deviation(index, &out.pairs, out.balancing) } else { 0.0 })
+    })
+}
+
+/// The source of the reactions of a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Forms {
+    /// The closed forms of its kind.
+    Closed,
+    /// The transposed linear system of its constraints.
+    General,
+}
+
+/// Solves one position. `loads`: about the origins of the bodies; `own`: scratch memory, one wrench for each body.
+pub(crate) fn solve<T: Number>(
+    linkage: &Linkage,
+    groups: &[Box<dyn AssurGroup<T>>],
+    bodies: &[Body<T>],
+    loads: &[Wrench<f64>],
+    forms: Forms,
+    own: &mut [Wrench<T>],
+    out: &mut Reactions<T>,
+) -> Result<(), Unsolved> {
+    for (own, load) in own.iter_mut().zip(loads) {
+        *own = load.map(T::from_f64);
+    }
+    group_by_group(linkage, groups, bodies, own, out, |group, bodies, loads, pairs| match forms {
+        Forms::Closed => group.reactions(bodies, loads, pairs),
+        Forms::General => reactions_generally(group.frame(), bodies, loads, pairs),
     })
 }

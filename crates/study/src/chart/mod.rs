@@ -9,7 +9,6 @@
 //! * **Times** are medians of repeated runs in one process, the methods taking turns so that drift hits all alike. The
 //!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
 
-mod auto;
 mod csv;
 mod data;
 mod entry;
@@ -20,7 +19,6 @@ mod motion;
 mod options;
 mod pareto;
 mod race;
-mod reaction;
 mod ruler;
 mod run;
 mod steady;

@@ -1,5 +1,9 @@
 //! The Pareto front.
 
+use assur_integrator::{AUTO, Dependence, choose};
+
+use super::{Row, Stage, Value};
+
 /// Indices of the points for which no other point is better in both coordinates (smaller is better), from the fastest
 /// to the most exact. Of equal points the first is on the front.
 pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
@@ -30,5 +34,18 @@ pub(crate) fn mark(rows: &mut [super::Row]) {
         for index in front(&points) {
             rows[known[index].0].front = true;
         }
+    }
+}
+
+/// Marks the rows that `auto` would choose for their tolerance; a method without one is chosen for every tolerance.
+pub(super) fn mark_choice(rows: &mut [Row], dependence: Dependence) {
+    for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
+        let tolerance = match row.setting.get("tolerance") {
+            Some(Value::Number(tolerance)) => tolerance,
+            None if row.setting.0.is_empty() => f64::EPSILON,
+            _ => continue,
+        };
+        row.auto = choose(AUTO, &dependence, tolerance)
+            .is_ok_and(|choice| choice.first.integrator.name == row.method);
     }
 }

@@ -8,7 +8,6 @@ use assur_integrator::{Motion, Request, Until};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
-use super::auto;
 use super::entry::Field;
 use super::forces::{self, Loaded};
 use super::kinematics;
@@ -179,7 +178,7 @@ impl Charting<'_> {
         }
         let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
-        auto::mark(&mut self.data.rows, task.motion.dependence());
+        pareto::mark_choice(&mut self.data.rows, task.motion.dependence());
         Ok(())
     }
 }

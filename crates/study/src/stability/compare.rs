@@ -6,16 +6,6 @@ use assur_number::{Dd, Real};
 /// The three orders of transfer functions, as rows name them.
 pub(crate) const ORDERS: [&str; 3] = ["pf0", "pf1", "pf2"];
 
-/// Converts a body to double-double, with the same numbers.
-pub(crate) fn lifted(body: &Body<f64>) -> Body<Dd> {
-    body.map(Dd::from_f64)
-}
-
-/// Converts a load to double-double, with the same numbers.
-pub(crate) fn lifted_load(of: &Wrench<f64>) -> Wrench<Dd> {
-    Wrench { fx: Dd::from_f64(of.fx), fy: Dd::from_f64(of.fy), m: Dd::from_f64(of.m) }
-}
-
 /// The numbers of a body that belong to an order, lengths in units of `scale`, angles and directions unchanged.
 fn of_order<T: Real>(body: &Body<T>, order: usize, scale: f64) -> [T; 4] {
     let unit = T::from_f64(1.0 / scale);
@@ -40,7 +30,7 @@ pub(crate) fn transfer(
     let (mut deviation, mut size) = (0.0, floor);
     for &link in links {
         let exact = of_order(&reference[link], order, scale);
-        let mine = of_order(&lifted(&found[link]), order, scale);
+        let mine = of_order(&found[link].map(Dd::from_f64), order, scale);
         for (exact, mine) in exact.into_iter().zip(mine) {
             size = f64::max(size, exact.to_f64().abs());
             deviation = worst(deviation, (mine - exact).to_f64().abs());

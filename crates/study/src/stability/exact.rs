@@ -6,7 +6,6 @@ use assur_group::{Body, Wrench};
 use assur_kinematics::{Chain, Interpolation, Linkage};
 use assur_number::{Dd, Real};
 
-use super::compare::lifted_load;
 use crate::chart::work::closed;
 
 /// Number of nodes on each side of the interpolation across a change point, from its reach to six times as far, at the
@@ -42,7 +41,7 @@ impl<'a> Exact<'a> {
             Some(across) => self.interpolated(across, q)?,
             None => closed(self.linkage, &self.chain, q)?,
         };
-        let mut loads: Vec<_> = loads.iter().map(lifted_load).collect();
+        let mut loads: Vec<_> = loads.iter().map(|one| one.map(Dd::from_f64)).collect();
         let mut pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         for kernel in self.chain.groups.iter().rev() {
             kernel.reactions(&bodies, &mut loads, &mut pairs).ok()?;

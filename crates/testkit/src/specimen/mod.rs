@@ -4,7 +4,6 @@
 //! arrangement is equally easy to construct: groups of all registered kinds in any order on any earlier bodies,
 //! guides on either link, offset and tilted, multiple joints, links of many points, pinned and sliding inputs.
 
-mod chains;
 mod draft;
 mod loads;
 mod recipe;

@@ -104,7 +104,7 @@ impl<const MISTAKE: u8> GroupKind for Kind<MISTAKE> {
     type Kernel<T: Number> = Faulty<T, MISTAKE>;
 
     fn build<T: Number>(frame: &GroupFrame) -> Result<Faulty<T, MISTAKE>, BuildError> {
-        Rrr::new(frame).map(|rrr| Faulty(Closed(rrr)))
+        Closed::new(frame).map(Faulty)
     }
 }
 

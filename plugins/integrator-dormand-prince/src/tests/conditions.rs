@@ -1,7 +1,7 @@
 //! The coefficients against the conditions that define them.
 
 use crate::dop853_table as eight;
-use crate::dopri5_table as five;
+use crate::dopri5 as five;
 
 fn sum(row: &[f64]) -> f64 {
     row.iter().sum()

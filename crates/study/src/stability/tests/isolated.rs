@@ -9,8 +9,6 @@ use assur_group::{Body, GroupFrame, Pair, PairGeometry, PinJoint, Reading, SeenP
 use assur_number::{Dd, Real};
 use assur_structure::Group;
 
-use crate::stability::compare::lifted;
-
 /// A way to fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
@@ -165,7 +163,7 @@ impl Isolated {
     /// Moves body 1 such that the outer pins are this far apart.
     fn apart(&self, bodies: &mut [Body<f64>; 5], distance: Dd) -> Option<()> {
         let (first, second) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.outer[1])?);
-        let a = lifted(&bodies[4]).point(vector(first.at));
+        let a = bodies[4].map(Dd::from_f64).point(vector(first.at));
         let b = plus(a, scaled(distance, direction(0.7)));
         put(&mut bodies[1], &second, b);
         Some(())
@@ -175,11 +173,11 @@ impl Isolated {
     fn across(&self, bodies: &mut [Body<f64>; 5], wanted: Dd) -> Option<()> {
         let (first, inner) = (pin_of(&self.dyad.outer[0])?, pin_of(&self.dyad.inner[0])?);
         let slide = slide_of(&self.dyad.outer[1])?;
-        let a = lifted(&bodies[4]).point(vector(first.at));
+        let a = bodies[4].map(Dd::from_f64).point(vector(first.at));
         let along = direction::<Dd>(slide.along_angle);
         let offset = times(direction::<Dd>(slide.tilt_angle), minus(vector(inner.at), vector(slide.own)))[1];
         let height = dot(perp(along), vector(slide.through)) + offset;
-        let t = lifted(&bodies[1]).turned(along);
+        let t = bodies[1].map(Dd::from_f64).turned(along);
         let shift = scaled(Dd::from_f64(0.3 * self.size), t);
         let origin = plus(plus(a, scaled(wanted - height, perp(t))), shift);
         (bodies[1].x, bodies[1].y) = (origin[0].to_f64(), origin[1].to_f64());
@@ -214,7 +212,7 @@ fn moving(body: &mut Body<f64>, angle: f64, size: f64, [x1, y1, w1, x2, y2, w2]:
 
 /// Puts a body such that its pin lies there.
 fn put(body: &mut Body<f64>, pin: &PinJoint<f64>, place: [Dd; 2]) {
-    let origin = minus(place, lifted(body).arm(vector(pin.at)));
+    let origin = minus(place, body.map(Dd::from_f64).arm(vector(pin.at)));
     (body.x, body.y) = (origin[0].to_f64(), origin[1].to_f64());
 }
 

@@ -8,7 +8,7 @@ use assur_structure::Group;
 
 use super::Law;
 use super::isolated::{Isolated, Side};
-use crate::stability::compare::{ORDERS, lifted, lifted_load, reactions, size, transfer};
+use crate::stability::compare::{ORDERS, reactions, size, transfer};
 use crate::stability::row::{DISTANCES, FACTOR, Row, Subject, accept_without_digits};
 
 const LINKS: [usize; 2] = [2, 3];
@@ -98,9 +98,9 @@ fn loads(size: f64) -> [Wrench<f64>; 5] {
 
 impl Place<'_> {
     fn reference(&self, kernel: &dyn AssurGroup<Dd>, way: usize) -> Result<Reference, GroupError> {
-        let mut bodies: Vec<_> = self.bodies.iter().map(lifted).collect();
+        let mut bodies: Vec<_> = self.bodies.iter().map(|one| one.map(Dd::from_f64)).collect();
         let health = kernel.solve(&mut bodies, way, Order::Second)?.to_f64().abs();
-        let mut loads = loads(self.size).each_ref().map(lifted_load);
+        let mut loads = loads(self.size).each_ref().map(|load| load.map(Dd::from_f64));
         let mut pairs = [Wrench::ZERO; 3];
         kernel.reactions(&bodies, &mut loads, &mut pairs)?;
         Ok(Reference { health, bodies, pairs })
