@@ -123,6 +123,14 @@ impl Calculation {
         }
     }
 
+    /// Relative tolerance of a transient motion; 0 for another one.
+    pub(crate) fn tolerance(&self) -> f64 {
+        match self.linkage.mechanism.motion {
+            Some(Motion::Transient { tolerance, .. }) => tolerance,
+            _ => 0.0,
+        }
+    }
+
     /// State of the input at the coordinate of a position: as prescribed, or in the steady regime.
     pub fn state(&self, coordinate: f64) -> State {
         self.motion.state(&self.linkage.mechanism, coordinate)

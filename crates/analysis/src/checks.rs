@@ -99,16 +99,12 @@ impl Calculation {
 
     fn transient_checks(&self, found: &Transient) -> Vec<Check> {
         let mut rows = Vec::new();
-        let tolerance = match self.linkage.mechanism.motion {
-            Some(Motion::Transient { tolerance, .. }) => tolerance,
-            _ => 0.0,
-        };
         if found.energy.conservative {
             let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
                  of the coordinate and of its own terms makes of the potential energy";
             // The energy goes with the square of the speed.
             let steps = 4.0 * found.error_of_fixed_steps();
-            let limit = (100.0 * tolerance).max(1e-10) + found.energy.rounding + steps;
+            let limit = (100.0 * self.tolerance()).max(1e-10) + found.energy.rounding + steps;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
         rows.extend(self.work_check(found));

@@ -102,16 +102,12 @@ impl Calculation {
     /// How a transient motion was found; `None` without one.
     pub(crate) fn integration(&self) -> Option<Integration> {
         let InputMotion::Transient(found) = &self.motion else { return None };
-        let tolerance = match self.linkage.mechanism.motion {
-            Some(Motion::Transient { tolerance, .. }) => tolerance,
-            _ => 0.0,
-        };
         Some(Integration {
             method: found.integrator.to_owned(),
             case: found.dependence.case(),
             equation: found.dependence.words(),
             reason: found.reason.clone(),
-            tolerance,
+            tolerance: self.tolerance(),
             statistics: found.trajectory.statistics,
             end: found.trajectory.end,
             events: found.trajectory.events.clone(),

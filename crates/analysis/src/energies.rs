@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use assur_dynamics::{Machine, Steady, Transient, equation, request};
+use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Order};
-use assur_integrator::{Motion as _, Request, Sample, State as Place, Until, solve};
+use assur_integrator::{Motion as _, Request, Sample, State as Place, Trajectory, Until, solve};
 
 use crate::motion::CYCLE_INTERVALS;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
@@ -49,19 +49,30 @@ impl Calculation {
         table
     }
 
-    /// The motion is solved once more with more samples, because works need the moments between the samples.
-    fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
+    /// A transient motion solved once more, with another number of samples.
+    pub(crate) fn solved_again<'a>(
+        &'a self,
+        loads: &'a Loads,
+        found: &Transient,
+        samples: usize,
+    ) -> Option<(Driven<Machine<'a>>, Trajectory)> {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
-        let parts = 4 * FEWEST.div_ceil(4 * asked.samples);
-        let finer = Request { samples: asked.samples * parts, until, ..asked };
+        let finer = Request { samples, until, ..asked };
         let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
-        let mut position = self.linkage.position();
+        Some((motion, trajectory))
+    }
+
+    /// Works need the moments between the samples.
+    fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
+        let samples = found.instants.len() - 1;
+        let parts = 4 * FEWEST.div_ceil(4 * samples);
+        let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
         let mut at = |sample: &Sample, is_before: bool| {
             let state = motion.instant(sample, is_before).ok()?.state;
-            self.linkage.solve(state.coordinate, Order::First, &mut position).ok()?;
-            let moments = split(loads, &state, &position.bodies, motion.drive().torque(&state), 1.0);
+            let torque = motion.drive().torque(&state);
+            let moments = split(loads, &state, motion.machine().bodies(state.coordinate).ok()?, torque, 1.0);
             let State { time, coordinate, speed, .. } = state;
             Some(Acting { time, coordinate, speed, moments })
         };

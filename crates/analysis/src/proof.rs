@@ -1,7 +1,7 @@
 //! Independent checks of motions: work against energy, and a cycle repeated by steps in time.
 
 use assur_check::Check;
-use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
+use assur_dynamics::{Driven, Machine, Steady, Transient};
 use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve};
 
 use crate::Calculation;
@@ -20,16 +20,12 @@ impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
-        let mut motion = equation(&self.linkage, loads).ok()?;
-        let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
-        let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
         let mut worst = (f64::NAN, f64::NAN);
         for samples in INTERVALS {
-            let finer = Request { samples, until, ..asked };
-            let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
+            let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
             let balance = Balance::of(&mut motion, &trajectory)?;
-            let own = 2.0
-                * (asked.tolerance * (trajectory.statistics.steps + 1) as f64 + found.error_of_fixed_steps());
+            let steps = (trajectory.statistics.steps + 1) as f64;
+            let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
             worst = balance.worst(own);
             let (residual, limit) = worst;
             // The error of the quadrature is no greater than that of the motion.

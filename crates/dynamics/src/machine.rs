@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use assur_force::{Loads, Phase};
-use assur_group::Order;
+use assur_group::{Body, Order};
 use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 use assur_kinematics::{Linkage, Position};
 
@@ -30,9 +30,19 @@ impl<'a> Machine<'a> {
     ///
     /// [`MotionError`] if there is no such position.
     pub fn potential_energy(&mut self, coordinate: f64) -> Result<[f64; 2], MotionError> {
+        let loads = self.loads;
+        let bodies = self.bodies(coordinate)?;
+        Ok([loads.potential_energy(bodies), loads.terms_of_potential_energy(bodies)])
+    }
+
+    /// The bodies at a coordinate, with their first derivatives.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if there is no such position.
+    pub fn bodies(&mut self, coordinate: f64) -> Result<&[Body<f64>], MotionError> {
         self.solve(coordinate)?;
-        let Self { loads, position, .. } = self;
-        Ok([loads.potential_energy(&position.bodies), loads.terms_of_potential_energy(&position.bodies)])
+        Ok(&self.position.bodies)
     }
 
     /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
@@ -45,9 +55,17 @@ impl<'a> Machine<'a> {
         if !coordinate.is_finite() {
             return Err(MotionError::OutOfRange);
         }
+        // Often what is asked for next is at the same coordinate.
+        if coordinate.to_bits() == self.position.coordinate.to_bits() {
+            return Ok(());
+        }
         // The second derivatives are for dJ/dq alone.
         let order = if self.dependence.inertia_constant { Order::First } else { Order::Second };
-        self.linkage.solve(coordinate, order, &mut self.position).map_err(MotionError::mechanism)
+        let solved = self.linkage.solve(coordinate, order, &mut self.position);
+        solved.map_err(|error| {
+            self.position.coordinate = f64::NAN;
+            MotionError::mechanism(error)
+        })
     }
 }
 

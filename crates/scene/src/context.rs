@@ -62,6 +62,28 @@ impl Context<'_> {
 #[derive(Debug, Default)]
 pub(crate) struct LoadNames(BTreeSet<String>);
 
+/// Reads one load from its section, by its index in the list of its sort.
+type ReadLoad<T> = fn(&Section<'_>, usize, &Context<'_>, &mut LoadNames) -> Option<T>;
+
+/// A sort of loads: a list of tables in the scene.
+pub(crate) struct Sort<T> {
+    /// Name of the list.
+    pub(crate) key: &'static str,
+    /// One of them, for messages: `a force`.
+    pub(crate) what: &'static str,
+    pub(crate) keys: &'static [&'static str],
+    pub(crate) one: ReadLoad<T>,
+}
+
+impl<T> Sort<T> {
+    /// All loads of this sort.
+    pub(crate) fn read(&self, root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<T> {
+        let sections = root.get(self.key).map(|entry| entry.sections(self.what, self.keys));
+        let each = sections.iter().flatten().enumerate();
+        each.filter_map(|(index, section)| (self.one)(section, index, context, names)).collect()
+    }
+}
+
 impl LoadNames {
     /// The `name` of a load, or its default name.
     pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> String) -> String {

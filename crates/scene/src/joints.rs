@@ -2,8 +2,7 @@
 
 use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
 
-use crate::context::Context;
-use crate::context::LoadNames;
+use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
 use crate::text::{row, shown};
@@ -11,19 +10,14 @@ use crate::units::Dimension;
 use crate::value;
 use crate::walk::{Entry, Section};
 
-const SPRING_KEYS: &[&str] = &["name", "between", "stiffness", "length", "damping"];
-const CONTACT_KEYS: &[&str] = &["name", "link", "center", "radius", "angle", "force", "friction", "during"];
 
 /// Reads a `[[spring]]`.
-pub(crate) fn springs(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Spring> {
-    let sections =
-        root.get("spring").map(|entry| entry.sections("a spring", SPRING_KEYS)).unwrap_or_default();
-    sections
-        .iter()
-        .enumerate()
-        .filter_map(|(index, section)| spring(section, index, context, names))
-        .collect()
-}
+pub(crate) const SPRINGS: Sort<Spring> = Sort {
+    key: "spring",
+    what: "a spring",
+    keys: &["name", "between", "stiffness", "length", "damping"],
+    one: spring,
+};
 
 fn spring(
     section: &Section<'_>,
@@ -90,15 +84,12 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) fn contacts(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Contact> {
-    let sections =
-        root.get("contact").map(|entry| entry.sections("a contact", CONTACT_KEYS)).unwrap_or_default();
-    sections
-        .iter()
-        .enumerate()
-        .filter_map(|(index, section)| contact(section, index, context, names))
-        .collect()
-}
+pub(crate) const CONTACTS: Sort<Contact> = Sort {
+    key: "contact",
+    what: "a contact",
+    keys: &["name", "link", "center", "radius", "angle", "force", "friction", "during"],
+    one: contact,
+};
 
 fn contact(
     section: &Section<'_>,

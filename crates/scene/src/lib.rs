@@ -114,13 +114,13 @@ fn scene(root: &Section<'_>) -> Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),
         gravity: loads::gravity(root),
-        forces: loads::forces(root, &context, names),
+        forces: loads::FORCES.read(root, &context, names),
         moments: {
-            let moments = loads::moments(root, &context, names);
-            moments.into_iter().chain(loads::brakes(root, &context, names)).collect()
+            let moments = loads::MOMENTS.read(root, &context, names);
+            moments.into_iter().chain(loads::BRAKES.read(root, &context, names)).collect()
         },
-        springs: joints::springs(root, &context, names),
-        contacts: joints::contacts(root, &context, names),
+        springs: joints::SPRINGS.read(root, &context, names),
+        contacts: joints::CONTACTS.read(root, &context, names),
         balance: wishes::balance(root, &linkage),
         drive: drive::read(root, motion.as_ref(), &context),
         motion,

@@ -2,8 +2,7 @@
 
 use assur_mechanism::{Brake, Direction, Force, Moment};
 
-use crate::context::Context;
-use crate::context::LoadNames;
+use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::pair;
 use crate::numbers::Bound;
 use crate::text::shown;
@@ -11,9 +10,6 @@ use crate::units::Dimension;
 use crate::value;
 use crate::walk::Section;
 
-const FORCE_KEYS: &[&str] = &["name", "link", "at", "angle", "frame", "value", "against_motion"];
-const BRAKE_KEYS: &[&str] = &["name", "link", "radius", "force", "friction"];
-const MOMENT_KEYS: &[&str] = &["name", "link", "value"];
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
@@ -29,10 +25,12 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
 }
 
 /// Reads a `[[force]]`.
-pub(crate) fn forces(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Force> {
-    let sections = root.get("force").map(|entry| entry.sections("a force", FORCE_KEYS)).unwrap_or_default();
-    sections.iter().enumerate().filter_map(|(index, section)| force(section, index, context, names)).collect()
-}
+pub(crate) const FORCES: Sort<Force> = Sort {
+    key: "force",
+    what: "a force",
+    keys: &["name", "link", "at", "angle", "frame", "value", "against_motion"],
+    one: force,
+};
 
 fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut LoadNames) -> Option<Force> {
     let direction = direction(section, context);
@@ -68,15 +66,12 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 }
 
 /// Reads a `[[moment]]`.
-pub(crate) fn moments(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Moment> {
-    let sections =
-        root.get("moment").map(|entry| entry.sections("a moment", MOMENT_KEYS)).unwrap_or_default();
-    sections
-        .iter()
-        .enumerate()
-        .filter_map(|(index, section)| moment(section, index, context, names))
-        .collect()
-}
+pub(crate) const MOMENTS: Sort<Moment> = Sort {
+    key: "moment",
+    what: "a moment",
+    keys: &["name", "link", "value"],
+    one: moment,
+};
 
 fn moment(
     section: &Section<'_>,
@@ -94,10 +89,12 @@ fn moment(
 }
 
 /// Reads a `[[brake]]`: a moment against the motion.
-pub(crate) fn brakes(root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<Moment> {
-    let sections = root.get("brake").map(|entry| entry.sections("a brake", BRAKE_KEYS)).unwrap_or_default();
-    sections.iter().enumerate().filter_map(|(index, section)| brake(section, index, context, names)).collect()
-}
+pub(crate) const BRAKES: Sort<Moment> = Sort {
+    key: "brake",
+    what: "a brake",
+    keys: &["name", "link", "radius", "force", "friction"],
+    one: brake,
+};
 
 fn brake(
     section: &Section<'_>,
