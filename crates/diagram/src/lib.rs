@@ -13,14 +13,12 @@ mod construction;
 mod cycle;
 mod enveloping;
 mod error;
-mod images;
 mod joint;
 mod motion_plan;
 mod plan;
 mod polygon;
 mod sheet;
 mod sign;
-mod split;
 
 pub use construction::{construction_plan, construction_plans};
 pub use cycle::{Extreme, Hodograph, Sizes};
@@ -30,9 +28,9 @@ pub use joint::{JointForce, joint_forces};
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
+pub use sheet::{Share, Split, split};
 pub use sheet::{Sheet, constructions, sheet};
 pub use sign::{SignChange, Solver, sign_changes};
-pub use split::{Share, Split, split};
 
 #[cfg(test)]
 mod tests;

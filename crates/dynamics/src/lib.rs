@@ -6,7 +6,6 @@
 //!
 //! Knows no scene file and no terminal. SI units; angles, speeds and moments counter-clockwise positive.
 
-mod advice;
 mod drive;
 mod error;
 mod instant;
@@ -18,9 +17,7 @@ mod steady;
 #[cfg(test)]
 mod tests;
 mod transient;
-mod unevenness;
 
-pub use advice::{Advice, advise};
 pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
@@ -28,10 +25,11 @@ pub use machine::Machine;
 pub use machine::Watcher;
 pub use motor::{DriveMotor, SteadyMotor};
 pub use point::ReductionPoint;
+pub use scene::section_margin;
+pub use scene::{Advice, advise};
 pub use scene::{Steady, steady};
 pub use steady::{
     CycleRequest, DriveRequest, Effort, FlywheelByMethod, Iteration, Regime, RegimeSolver, RegimeState,
     TorqueRequest, Trial,
 };
 pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};
-pub use unevenness::section_margin;

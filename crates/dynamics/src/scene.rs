@@ -1,14 +1,16 @@
 //! The steady regime that a scene asks for.
 
+use std::cell::RefCell;
+
 use assur_force::Loads;
 use assur_kinematics::Linkage;
-use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
-use assur_motor::{FlywheelSize, flywheel_sizes};
+use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
+use assur_motor::{Characteristic, FlywheelSize, Motor, flywheel_sizes};
+use assur_number::search;
 
 use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
-use crate::unevenness::greatest;
 use crate::{DynamicsError, Machine};
 
 /// The steady regime of a scene with its drive.
@@ -144,4 +146,98 @@ fn sizes(regime: &Regime, has_motor: bool, on_motor: bool) -> Vec<FlywheelSize> 
         let inertia = if on_motor { regime.flywheel * ratio * ratio } else { regime.flywheel };
         flywheel_sizes(inertia, ratio, regime.speed_max.abs()).to_vec()
     })
+}
+
+/// Least unevenness that is tried: no machine is built for less.
+const LEAST: f64 = 1e-3;
+/// Greatest unevenness that is tried: at 2 the input would stand still once in a cycle.
+const MOST: f64 = 1.9;
+/// Width of the natural logarithm of the unevenness to which the greatest one is found.
+const WIDTH: f64 = 1e-11;
+
+/// How far the speeds of the motor stay inside the stable section of its characteristic, as a part of the section; negative
+/// where they leave it.
+pub fn section_margin(regime: &Regime, characteristic: &Characteristic) -> f64 {
+    let [low, high] = characteristic.stable_section();
+    let ratio = regime.ratio.unwrap_or(1.0);
+    let [slow, fast] = [regime.speed_min, regime.speed_max].map(|speed| ratio * speed.abs());
+    (slow - low).min(high - fast) / (high - low)
+}
+
+/// The regime of the greatest unevenness at which the motor stays on the stable section of its characteristic; a flywheel is
+/// found for it.
+pub(crate) fn greatest(
+    solver: &mut RegimeSolver<'_>,
+    request: &DriveRequest,
+    characteristic: &Characteristic,
+) -> Result<Regime, DynamicsError> {
+    let mut solve = |unevenness| solver.solve(&DriveRequest { unevenness: Some(unevenness), ..*request });
+    let least = solve(LEAST)?;
+    let inside = section_margin(&least, characteristic);
+    if inside < 0.0 {
+        let [low, high] = characteristic.stable_section();
+        let speed = least.ratio.unwrap_or(1.0) * least.mean_speed.abs();
+        return Err(DynamicsError::OffSection { speed, low, high });
+    }
+    let kept = RefCell::new((least, solve));
+    let margin_at = |logarithm: f64| {
+        let (best, solve) = &mut *kept.borrow_mut();
+        // Where the machine stalls, it has left the section long before.
+        let Ok(regime) = solve(logarithm.exp()) else { return -1.0 };
+        let inside = section_margin(&regime, characteristic);
+        if inside >= 0.0 && regime.unevenness > best.unevenness {
+            *best = regime;
+        }
+        inside
+    };
+    if margin_at(MOST.ln()) < 0.0 {
+        search::root(LEAST.ln(), MOST.ln(), WIDTH, margin_at);
+    }
+    Ok(kept.into_inner().0)
+}
+
+/// A motor in the place of that of a scene.
+#[derive(Debug)]
+pub struct Advice {
+    /// The row of its catalogue.
+    pub motor: &'static Motor,
+    /// The regime of the greatest unevenness that it allows, or why there is none.
+    pub found: Result<Steady, DynamicsError>,
+}
+
+/// The motors that have the power which a scene needs and keep its limit of speed, the best first, at most `most` of them;
+/// each with the greatest unevenness at which it stays on the stable section of its characteristic. Also returns how many
+/// such motors there are.
+///
+/// # Errors
+///
+/// [`DynamicsError`]: no steady motion with a motor in the scene, or no motor that fits.
+pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advice>, usize), DynamicsError> {
+    let mut mechanism = linkage.mechanism.clone();
+    set_motor(&mut mechanism, Asked::Auto, None);
+    let chosen = chosen_motor(linkage, loads, &mechanism)?;
+    let others = chosen.runners_up.iter().map(|candidate| candidate.motor);
+    let all: Vec<_> = chosen.row.into_iter().chain(others).collect();
+    let advice = all.iter().take(most).map(|motor| {
+        let (designation, catalogue) = (motor.designation.clone(), motor.catalogue.clone());
+        set_motor(&mut mechanism, Asked::Designation(designation), Some(catalogue));
+        Advice { motor, found: steady_of(linkage, loads, &mechanism, None) }
+    });
+    Ok((advice.collect(), all.len()))
+}
+
+/// Sets the motor of a scene, whose flywheel is to be found for the greatest unevenness that it allows.
+fn set_motor(mechanism: &mut Mechanism, new: Asked, from: Option<String>) {
+    if let Some(Motion::Steady { unevenness, .. }) = &mut mechanism.motion {
+        *unevenness = Some(Solve::Wanted);
+    }
+    let Some(Drive { torque: Torque::Motor { motor, catalogue, .. }, flywheel, ratio, .. }) =
+        &mut mechanism.drive
+    else {
+        return;
+    };
+    (*motor, *flywheel, *ratio) = (new, Some(Solve::Wanted), Solve::Wanted);
+    if from.is_some() {
+        *catalogue = from;
+    }
 }

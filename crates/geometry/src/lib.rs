@@ -8,7 +8,6 @@
 //! SI units, angles in rad. Derivatives are by the input coordinate, so that nothing here needs a motion; only mean
 //! speeds do.
 
-mod centers;
 mod course;
 mod cycle;
 mod data;
@@ -16,10 +15,10 @@ mod instant;
 mod measure;
 mod stroke;
 
-pub use centers::{Center, CenterAt, instant_centers};
 pub use course::Extremes;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::Curvature;
+pub use instant::{Center, CenterAt, instant_centers};
 pub use instant::{Centers, centers_of};
 pub use measure::{GeometryError, geometry, output_strokes};
 pub use stroke::Stroke;

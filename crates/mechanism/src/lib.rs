@@ -5,12 +5,11 @@
 
 mod drive;
 mod load;
-mod motion;
 mod numbers;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
+pub use drive::{Motion, StepLength, Until, passage};
 pub use load::{Balance, Brake, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
-pub use motion::{Motion, StepLength, Until, passage};
 pub use numbers::links_of_length_zero;
 
 /// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.

@@ -10,7 +10,6 @@ use crate::units::Dimension;
 use crate::value;
 use crate::walk::{Entry, Section};
 
-
 /// Reads a `[[spring]]`.
 pub(crate) const SPRINGS: Sort<Spring> = Sort {
     key: "spring",

@@ -14,7 +14,6 @@ mod linkage;
 mod links;
 mod loads;
 mod motion;
-mod note;
 mod numbers;
 mod render;
 #[cfg(test)]
@@ -34,8 +33,8 @@ use error::{Fault, Faults};
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
-pub use note::Note;
 pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
+pub use wishes::Note;
 
 /// A commented, complete scene as a start for a new one.
 pub const STARTER: &str = include_str!("starter.toml");
@@ -71,7 +70,7 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 ///
 /// [`SceneErrors`] with the faults of the TOML syntax and of `[note]`.
 pub fn note(file_name: &str, text: &str) -> Result<Note, SceneErrors> {
-    document::read(file_name, text, "a scene", KEYS, |root| note::read(root, None))
+    document::read(file_name, text, "a scene", KEYS, |root| wishes::read(root, None))
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
@@ -109,7 +108,7 @@ fn scene(root: &Section<'_>) -> Mechanism {
     let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
     let names = &mut LoadNames::default();
     let motion = motion::read(root, &context);
-    note::read(root, input.as_ref().map(|input| input.positions));
+    wishes::read(root, input.as_ref().map(|input| input.positions));
     let mechanism = Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),

@@ -10,7 +10,6 @@ use crate::units::Dimension;
 use crate::value;
 use crate::walk::Section;
 
-
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
@@ -66,12 +65,8 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 }
 
 /// Reads a `[[moment]]`.
-pub(crate) const MOMENTS: Sort<Moment> = Sort {
-    key: "moment",
-    what: "a moment",
-    keys: &["name", "link", "value"],
-    one: moment,
-};
+pub(crate) const MOMENTS: Sort<Moment> =
+    Sort { key: "moment", what: "a moment", keys: &["name", "link", "value"], one: moment };
 
 fn moment(
     section: &Section<'_>,

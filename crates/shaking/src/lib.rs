@@ -9,7 +9,6 @@
 //! SI units, angles in rad.
 
 mod barrier;
-mod counterweight;
 mod data;
 mod samples;
 mod study;

@@ -36,7 +36,6 @@ mod rows;
 mod statistics;
 mod sweep;
 mod tally;
-mod unit;
 mod variants;
 mod vary;
 

@@ -21,7 +21,6 @@ mod place;
 mod plugin;
 mod render;
 mod sheet;
-mod show;
 
 pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};

@@ -29,7 +29,7 @@ fn digits_grow_where_a_difference_needs_them() {
 #[test]
 fn minus_and_parentheses() {
     let [a, b, c] = [-2.0, 3.0, 4.0].map(|v| Expr::symbol("s", v));
-    let shown = |expr: &Expr| expr.show(crate::show::Show::Digits(6));
+    let shown = |expr: &Expr| expr.show(crate::line::Show::Digits(6));
     assert_eq!(shown(&(&b - (&a - &c))), "3 - (-2 - 4)");
     assert_eq!(shown(&(&a * &b)), "-2*3");
     assert_eq!(shown(&(&b * &a)), "3*(-2)");

@@ -3,10 +3,9 @@
 //! [`Plan::of`] examines the content of a mechanism and the requested results, and decides which stages are run, which
 //! groups must be solved, and up to which order. The calculation follows the plan. Nothing is calculated here.
 
-mod carry;
 mod needs;
 
-pub(crate) use carry::is_heavy;
+pub(crate) use needs::is_heavy;
 
 use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
@@ -90,7 +89,7 @@ impl Plan {
     /// a load can be left out.
     pub fn of(mechanism: &Mechanism, structure: &Structure, by_groups: bool) -> Self {
         let moves = mechanism.motion.is_some();
-        let heavy = (1..mechanism.links.len()).any(|link| carry::is_heavy(mechanism, link));
+        let heavy = (1..mechanism.links.len()).any(|link| needs::is_heavy(mechanism, link));
         let wanted = needs::wanted(mechanism, structure);
         // With `[output]`, forces are requested only where reactions are.
         let asked = mechanism.output.is_none() || !wanted.reactions.is_empty();
@@ -98,7 +97,7 @@ impl Plan {
         let forces = asked && (moves || mechanism.has_loads());
         let mut plan = Self {
             groups_needed: Vec::new(),
-            groups_carrying: carry::groups(mechanism, structure),
+            groups_carrying: needs::groups_carrying(mechanism, structure),
             by_groups,
             inertia_constant: mechanism.has_constant_reduced_inertia(),
             order: Order::Second,

@@ -24,7 +24,6 @@ mod analysis;
 mod column;
 mod dynamics;
 mod named;
-mod residual;
 mod schema;
 pub(crate) mod structure;
 mod survey;
@@ -32,6 +31,7 @@ mod table;
 
 pub use crate::angles::Starts;
 pub use analysis::{Analysis, Failure, InputReport};
+pub use analysis::{Checks, Residual};
 pub use analysis::{Cycle, PositionPlans};
 pub use analysis::{Energy, Integration};
 pub use assur_check::Check;
@@ -43,7 +43,6 @@ pub use dynamics::{
     RegimePoint, RegimeReport, RunnerUp,
 };
 pub use named::Named;
-pub use residual::{Checks, Residual};
 pub use schema::{Schema, Section};
 pub use structure::{GroupReport, StructureReport};
 pub use survey::Survey;

@@ -10,7 +10,6 @@
 //! kinetic energy T(x) is the integral of the moment (E eq. 1). On each panel it is found by collocation.
 
 mod collocation;
-mod crossing;
 mod diagram;
 mod extremes;
 mod newton;

@@ -2,7 +2,6 @@
 
 pub(crate) mod differences;
 mod general;
-mod lanes;
 
 use assur_group::{Number, Order};
 use assur_kinematics::{Chain, Linkage};
@@ -20,7 +19,7 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
     let mut entries = vec![
         work.entry(number("closed-form", "f64"), 1, own(work)),
         work.entry(number("closed-form", "f32"), 1, closed::<f32>(work)?),
-        lanes::entry(work, number("closed-form", "f64x8")),
+        general::entry(work, number("closed-form", "f64x8")),
     ];
     for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
         entries.push(work.entry(number(name, "f64"), 1, general::<f64>(work, places)?));

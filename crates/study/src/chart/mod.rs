@@ -9,7 +9,6 @@
 //! * **Times** are medians of repeated runs in one process, the methods taking turns so that drift hits all alike. The
 //!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
 
-mod csv;
 mod data;
 mod entry;
 mod figure;
@@ -22,16 +21,15 @@ mod race;
 mod ruler;
 mod run;
 mod steady;
-mod text;
 pub mod units;
 pub(crate) mod work;
 
-pub use csv::csv;
+pub use data::csv;
 pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
 pub use figure::figure;
+pub use figure::{WIDTH, stage_text, text};
 pub use options::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
-pub use text::{WIDTH, stage_text, text};
 
 #[cfg(test)]
 mod tests;

@@ -8,7 +8,6 @@
 mod length;
 mod search;
 mod survey;
-mod trial;
 
 use std::ops::ControlFlow;
 

@@ -2,7 +2,6 @@
 
 mod forces;
 mod motion;
-mod numbers;
 mod places;
 mod refusals;
 
@@ -50,8 +49,8 @@ pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(
     motion::agrees_with_the_general_solution(case, way, health)?;
     motion::solve_is_place_and_derive(case, way, health)?;
     forces::all(case, way, health, rng)?;
-    numbers::lanes(case, way)?;
-    numbers::precisions(case, way, health)?;
+    motion::lanes(case, way)?;
+    motion::precisions(case, way, health)?;
     refusals::not_a_number(case, way)?;
     // With two links the least change of a length equals a displacement of one outer body; with more links it need
     // not.

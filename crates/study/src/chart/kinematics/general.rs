@@ -1,11 +1,15 @@
 //! The general solution: derivatives from the one linear system of a group, and places by Newton's method.
 
+use std::hint::black_box;
+
 use assur_group::{Body, Number, Order};
-use assur_kinematics::Chain;
+use assur_kinematics::{Chain, PositionError};
+use assur_number::Lanes;
 
 use super::failure;
-use crate::chart::ChartError;
+use crate::chart::entry::{Entry, Verdict};
 use crate::chart::work::{Work, solve_generally};
+use crate::chart::{ChartError, Row};
 
 /// Distance before a position at which Newton's method begins, rad or parts of the scale: as in following a mechanism
 /// in some 300 steps per turn.
@@ -54,4 +58,30 @@ fn start<T: Number>(work: &Work<'_>, chain: &Chain<T>, q: f64) -> Vec<Body<T>> {
         }
     }
     bodies
+}
+
+/// The closed forms over all positions, block by block; the last block repeats the last position.
+pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Entry<'a> {
+    let (linkage, coordinates) = (work.linkage, &work.coordinates);
+    let (mut block, mut position) = (linkage.lane_position(), linkage.position());
+    let groups = linkage.groups().len() as u64;
+    let run = move |judged: bool| {
+        let mut errors = vec![Ok(0.0); if judged { coordinates.len() } else { 0 }];
+        for (index, eight) in coordinates.chunks(Lanes::WIDTH).enumerate() {
+            let lanes = Lanes::of(|lane| eight[lane.min(eight.len() - 1)]);
+            let solved = linkage.solve_lanes(lanes, Order::Second, &mut block);
+            for (lane, error) in errors.iter_mut().skip(index * Lanes::WIDTH).take(Lanes::WIDTH).enumerate() {
+                block.copy_lane(lane, &mut position);
+                *error = Ok(work.deviation(index * Lanes::WIDTH + lane, &position.bodies));
+            }
+            for (lane, failure) in solved.err().unwrap_or_default() {
+                if let Some(error) = errors.get_mut(index * Lanes::WIDTH + lane) {
+                    *error = Err(PositionError::to_string(&failure));
+                }
+            }
+            black_box(&block);
+        }
+        Verdict::of_positions(groups, errors.into_iter())
+    };
+    Entry { units: coordinates.len() as f64, ..Entry::run(row, run) }
 }
