@@ -7,8 +7,10 @@
 //! missed between two samples. Crates for expressions evaluate, but do not show where a formula jumps; so only the parsing
 //! of operators and their precedence is borrowed (`winnow`).
 
+mod evaluate;
 mod formula;
 mod interval;
+mod locate;
 mod number;
 mod parse;
 mod program;

@@ -15,7 +15,7 @@
 use super::collocation::{RULE, S, Values};
 use super::extremes::{Piece, extremes};
 use super::path::{Coefficients, Panel};
-use super::regime::FlywheelByMethod;
+use super::report::FlywheelByMethod;
 
 /// The data of a cycle that the methods need: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]

@@ -15,6 +15,7 @@ mod extremes;
 mod newton;
 mod path;
 mod regime;
+mod report;
 mod request;
 mod run;
 mod segment;
@@ -24,6 +25,6 @@ mod solver;
 mod tuning;
 
 pub use regime::Regime;
-pub use regime::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
+pub use report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
 pub use request::{CycleRequest, DriveRequest, TorqueRequest};
 pub use solver::RegimeSolver;

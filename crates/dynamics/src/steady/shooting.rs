@@ -2,7 +2,7 @@
 
 use super::extremes::{Piece, extremes};
 use super::path::{Panel, Path};
-use super::regime::Iteration;
+use super::report::Iteration;
 use super::run::run_cycle;
 use super::segment::{BY_DRIVE, Setup};
 use super::solution::{Closing, CycleSolution};

@@ -4,7 +4,7 @@
 use super::collocation::{RULE, S, Values};
 use super::extremes::{Extreme, Piece, extremes};
 use super::path::Cycle;
-use super::regime::{Iteration, RegimeState};
+use super::report::{Iteration, RegimeState};
 use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
 
 /// What makes the cycle close.

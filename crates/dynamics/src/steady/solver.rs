@@ -6,7 +6,7 @@ use super::collocation::S;
 use super::diagram::{FlywheelTask, WorkDiagram};
 use super::path::{Cycle, Panel, Path};
 use super::regime::{Context, Regime};
-use super::regime::{Effort, Iteration};
+use super::report::{Effort, Iteration};
 use super::request::{CycleRequest, DriveRequest, TorqueRequest};
 use super::segment::Setup;
 use super::shooting::Shooting;
