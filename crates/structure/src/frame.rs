@@ -39,21 +39,15 @@ fn common(of: &[Vec<usize>], links: &[LinkId]) -> Vec<usize> {
 /// The greatest distance between two joints of one link or of the ground; between two points where the joints coincide,
 /// and 1 m if all points do. A far point that only draws a path or carries a load says nothing about the size of a mechanism.
 pub(crate) fn typical_length(mechanism: &Mechanism) -> f64 {
-    let joined = mechanism.points.iter().filter(|point| point.places.len() > 1);
-    let pins: Vec<Place> = joined.flat_map(|point| &point.places).copied().collect();
-    // A guide is a line of either body: how far from a pin it is given says nothing, but its distance does.
-    let lines = mechanism
-        .slides
-        .iter()
-        .flat_map(|slide| [(slide.link, slide.point, -slide.tilt), (slide.on, slide.through, slide.angle)]);
-    let from_lines = lines.flat_map(|(link, [x, y], angle)| {
-        let of_link = pins.iter().filter(move |pin| pin.link == link);
-        of_link.map(move |pin| ((pin.at[0] - x) * angle.sin() - (pin.at[1] - y) * angle.cos()).abs())
-    });
-    let joints = from_lines.fold(greatest_distance(pins.clone()), f64::max);
-    let of_points =
-        || greatest_distance(mechanism.points.iter().flat_map(|point| &point.places).copied().collect());
-    [joints].into_iter().chain(std::iter::once_with(of_points)).find(|length| *length > 0.0).unwrap_or(1.0)
+    let places = |least: usize| -> Vec<Place> {
+        let joined = mechanism.points.iter().filter(|point| point.places.len() >= least);
+        joined.flat_map(|point| point.places.iter().copied()).collect()
+    };
+    let mut joints = places(2);
+    // Where on its line a guide is given says nothing.
+    joints.extend(mechanism.slides.iter().map(|slide| Place { link: slide.link, at: slide.point }));
+    let mut lengths = [joints, places(1)].into_iter().map(greatest_distance);
+    lengths.find(|length| *length > 0.0).unwrap_or(1.0)
 }
 
 /// The greatest distance between two places of one link.
