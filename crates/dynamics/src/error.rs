@@ -16,18 +16,18 @@ pub enum DynamicsError {
     /// The machine has no cycle.
     #[error("a steady regime needs a cycle of the input; give `input.cycle`")]
     NoCycle,
-    /// The mechanism is not the same again after a cycle.
+    /// The machine is not the same again after a cycle.
     #[error(
-        "the machine does not repeat with its cycle: the reduced inertia is {:.6e} at coordinate {start:.6} and {:.6e} at {end:.6}; \
-         give `input.cycle` whole turns", inertia[0], inertia[1]
+        "the machine does not repeat with its cycle: the reduced {what} is {:.6e} at coordinate {:.6} and {:.6e} at {:.6}; \
+         give `input.cycle` whole turns, and loads that are the same after a cycle", values[0], coordinates[0], values[1], coordinates[1]
     )]
     NotRepeating {
-        /// Coordinate at the start of the cycle, rad or m.
-        start: f64,
-        /// Coordinate at its end.
-        end: f64,
-        /// Reduced inertia at both, kg m² (kg).
-        inertia: [f64; 2],
+        /// Inertia, its derivative, or moment.
+        what: &'static str,
+        /// Coordinates a cycle apart, rad or m.
+        coordinates: [f64; 2],
+        /// The values there, kg m² (kg), per unit of the coordinate, or N m (N).
+        values: [f64; 2],
     },
     /// Loads over time don't repeat with the cycle.
     #[error(

@@ -124,7 +124,8 @@ impl<'a> Path<'a> {
         })
     }
 
-    fn reduced(&mut self, x: f64, v: f64) -> Result<Coefficients, DynamicsError> {
+    /// Coefficients at `x` and the speed `v` by the formulas entered last, the whole moment in its first part.
+    pub(crate) fn reduced(&mut self, x: f64, v: f64) -> Result<Coefficients, DynamicsError> {
         self.evaluations += 1;
         let state = self.state(x, v);
         let found = self.motion.reduced(&state).map_err(|source| self.failed(x, source))?;

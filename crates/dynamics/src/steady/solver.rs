@@ -2,7 +2,7 @@
 
 use assur_integrator::Motion;
 
-use super::collocation::S;
+use super::collocation::RULE;
 use super::diagram::{FlywheelTask, WorkDiagram};
 use super::path::{Cycle, Panel, Path};
 use super::regime::{Context, Regime};
@@ -25,24 +25,38 @@ const ACCURACY: f64 = 2e-13;
 /// Rounds of refinement.
 const MOST_ROUNDS: usize = 12;
 
-/// Rejects a cycle after which the mechanism is another one than at its start, such as a part of a turn of a crank.
-fn check_repeats(cycle: &Cycle, panels: &[Panel]) -> Result<(), DynamicsError> {
-    /// Part of the inertia: it is known much better, and changes by much more within any cycle that is wrong.
+/// Rejects a cycle after which the machine is another one than at its start: after a part of a turn of a crank, or under a
+/// load that depends on how many turns there were.
+fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<(), DynamicsError> {
+    /// Part of the greatest value: all are known much better, and change by much more after any cycle that is wrong.
     const SAME: f64 = 1e-6;
-    let (Some(first), Some(last)) = (panels.first(), panels.last()) else { return Ok(()) };
-    let (start, end) = (&first.coefficients.nodes[0], &last.coefficients.nodes[S]);
-    let same = |a: f64, b: f64, size: f64| (a - b).abs() <= SAME * size;
-    let nodes = panels.iter().flat_map(|panel| &panel.coefficients.nodes);
-    let inertia = nodes.map(|node| node.inertia.abs()).fold(0.0, f64::max);
-    let slopes = [start, end].map(|at| at.slope * cycle.length);
-    if same(start.inertia, end.inertia, inertia) && same(slopes[0], slopes[1], slopes[0].abs().max(inertia)) {
-        return Ok(());
+    let nodes = || panels.iter().flat_map(|panel| &panel.coefficients.nodes);
+    let inertia = nodes().map(|node| node.inertia.abs()).fold(0.0, f64::max);
+    let moment = nodes().map(|node| node.moment_at(speed).abs()).fold(0.0, f64::max);
+    let length = path.cycle.length;
+    let moment = moment.max(inertia * speed * speed / length);
+    for panel in panels {
+        let (x, before) = (panel.x + RULE.middle * panel.h, &panel.coefficients.middle);
+        path.enter(x + length, speed)?;
+        let after = path.reduced(x + length, speed)?;
+        let compared = [
+            ("inertia", before.inertia, after.inertia, inertia),
+            (
+                "inertia's derivative",
+                before.slope,
+                after.slope,
+                (before.slope * length).abs().max(inertia) / length,
+            ),
+            ("moment", before.moment_at(speed), after.moment, moment),
+        ];
+        for (what, before, after, size) in compared {
+            if (before - after).abs() > SAME * size {
+                let coordinates = [x, x + length].map(|x| path.cycle.coordinate(x));
+                return Err(DynamicsError::NotRepeating { what, coordinates, values: [before, after] });
+            }
+        }
     }
-    Err(DynamicsError::NotRepeating {
-        start: cycle.start,
-        end: cycle.coordinate(cycle.length),
-        inertia: [start.inertia, end.inertia],
-    })
+    Ok(())
 }
 
 /// Finds steady regimes of one machine over one cycle.
@@ -71,7 +85,7 @@ impl<'a> RegimeSolver<'a> {
         let CycleRequest { start, length, mean_speed, .. } = request;
         let mut path = Path::new(motion, Cycle { start, sense: mean_speed.signum(), length });
         let panels = path.panels(mean_speed.abs(), RESOLVE)?;
-        check_repeats(&path.cycle, &panels)?;
+        check_repeats(&mut path, &panels, mean_speed.abs())?;
         let diagram = WorkDiagram::new(&panels, length, mean_speed.abs());
         Ok(Self { shooting: Shooting { path, panels, cycles: 0 }, diagram, request })
     }

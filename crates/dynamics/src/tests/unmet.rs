@@ -111,6 +111,23 @@ fn a_cycle_after_which_the_machine_is_another_is_refused() {
     }
     for part in ["100 deg", "500 deg"] {
         let error = found(part).unwrap_err();
-        assert!(matches!(error, DynamicsError::NotRepeating { .. }), "{part}: {error}");
+        assert!(
+            matches!(error, DynamicsError::NotRepeating { what: "inertia" | "inertia's derivative", .. }),
+            "{part}: {error}"
+        );
+    }
+    let loaded = |formula: &str| {
+        let load =
+            format!("[[moment]]\nlink = \"crank\"\nvalue = {{ formula = \"{formula}\", unit = \"N*m\" }}\n");
+        let (linkage, loads) =
+            compiled(&scene.replace("CYCLE", "360 deg").replace("[motion]", &format!("{load}[motion]")));
+        steady(&linkage, &loads, None)
+    };
+    for repeating in ["5*sin(q)", "-5*step(cos(q))"] {
+        assert!(loaded(repeating).is_ok(), "{repeating}");
+    }
+    for once in ["5*step(q - 7)", "-q"] {
+        let error = loaded(once).unwrap_err();
+        assert!(matches!(error, DynamicsError::NotRepeating { what: "moment", .. }), "{once}: {error}");
     }
 }
