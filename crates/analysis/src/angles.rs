@@ -1,16 +1,9 @@
 //! Angles of links without jumps from position to position.
 
-use std::f64::consts::PI;
-
-use assur_group::Order;
-use assur_kinematics::{Linkage, Position, continuous_angle};
+use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
 
 use crate::results::{Column, Owner, Quantity, Schema, Table};
-
-/// Longest step of the coordinate, rad (or parts of the scale for a sliding input), between two angles that are joined:
-/// a link turns less than half a turn in it unless it turns sixty times as fast as the input.
-const LONGEST_STEP: f64 = 0.05;
 
 /// Stands for the coordinate before the first row.
 const NONE: f64 = f64::INFINITY;
@@ -59,19 +52,9 @@ impl Angles {
     /// The angles just before a row.
     fn before(&mut self, linkage: &Linkage, coordinate: f64, table: &Table, row: usize) -> Vec<f64> {
         let Some((from, mut angles)) = self.last.take() else {
-            return self.followed.iter().map(|(column, _)| first(table.values(*column)[row])).collect();
+            return self.followed.iter().map(|(column, _)| first_angle(table.values(*column)[row])).collect();
         };
-        let way = coordinate - from;
-        let steps = steps(way / linkage.coordinate_unit());
-        if steps > 1 {
-            let mut position = linkage.position();
-            for step in 1..steps {
-                let between = from + way * (f64::from(step) / f64::from(steps));
-                if linkage.solve(between, Order::Place, &mut position).is_ok() {
-                    self.join(&mut angles, &position);
-                }
-            }
-        }
+        linkage.each_between([from, coordinate], |position| self.join(&mut angles, position));
         angles
     }
 
@@ -104,16 +87,4 @@ impl Starts {
         let last = last.filter(|last| last[0] < NONE).map(|last| (last[0], last[1..].to_vec()));
         Angles { last, ..angles }
     }
-}
-
-/// Number of steps for a change of the coordinate, limited for very large changes.
-fn steps(way: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 10000")]
-    let steps = (way.abs() / LONGEST_STEP).ceil().clamp(1.0, 1e4) as u32;
-    steps
-}
-
-/// -pi becomes pi.
-fn first(angle: f64) -> f64 {
-    if angle <= -PI { PI } else { angle }
 }

@@ -63,7 +63,7 @@ impl Calculation {
     ///
     /// [`AnalysisError`]: the scene has no steady motion with a motor, or no motor fits.
     pub fn advice(&self, most: usize) -> Result<(Vec<MotorAdvice>, usize), AnalysisError> {
-        let no_motion = DynamicsError::NoMotion { kind: "steady" };
+        let no_motion = DynamicsError::NoMotion("steady");
         let loads = self.loads.as_ref().ok_or(no_motion)?;
         let (found, count) = advise(&self.linkage, loads, most)?;
         Ok((found.iter().map(advised).collect(), count))

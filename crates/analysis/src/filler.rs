@@ -122,7 +122,7 @@ impl<'a> Filler<'a> {
             for (lane, error) in &refused {
                 determined[*lane] = false;
                 balancing[*lane] = match error {
-                    ForceError::ChangePoint { .. } => forces.balancing_alone(*lane, &states[*lane], position),
+                    ForceError::ChangePoint(_) => forces.balancing_alone(*lane, &states[*lane], position),
                     _ => None,
                 };
             }
@@ -145,7 +145,7 @@ impl<'a> Filler<'a> {
             cells.end_at(*end);
         }
         obstacles.extend(refused.into_iter().map(|(lane, error)| match error {
-            ForceError::ChangePoint { .. } => (lane, Obstacle::ChangePoint),
+            ForceError::ChangePoint(_) => (lane, Obstacle::ChangePoint),
             _ => (lane, Obstacle::Refused(error)),
         }));
         obstacles

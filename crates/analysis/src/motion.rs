@@ -186,18 +186,18 @@ pub(crate) fn is_usage(error: &DynamicsError) -> bool {
     use DynamicsError as D;
     matches!(
         error,
-        D::NoMotion { .. }
+        D::NoMotion(_)
             | D::NoCycle
             | D::NotRepeating { .. }
             | D::OverTime
-            | D::SteadyOnly { .. }
+            | D::SteadyOnly(_)
             | D::Rated(_)
             | D::Lookup(_)
             | D::Catalogue(_)
             | D::Integration(
-                IntegrationError::Request { .. }
+                IntegrationError::Request(_)
                     | IntegrationError::Unsupported { .. }
-                    | IntegrationError::NoMethod { .. }
+                    | IntegrationError::NoMethod(_)
                     | IntegrationError::Registry(_)
             )
     )

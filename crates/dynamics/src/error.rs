@@ -8,11 +8,8 @@ use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
 #[non_exhaustive]
 pub enum DynamicsError {
     /// The scene defines no such motion.
-    #[error("the scene has no motion of kind \"{kind}\"")]
-    NoMotion {
-        /// The kind.
-        kind: &'static str,
-    },
+    #[error("the scene has no motion of kind \"{0}\"")]
+    NoMotion(&'static str),
     /// The machine has no cycle.
     #[error("a steady regime needs a cycle of the input; give `input.cycle`")]
     NoCycle,
@@ -35,11 +32,8 @@ pub enum DynamicsError {
     )]
     OverTime,
     /// A key that a transient motion can't have.
-    #[error("{what} needs a motion of kind \"steady\": give a number")]
-    SteadyOnly {
-        /// What.
-        what: &'static str,
-    },
+    #[error("{0} needs a motion of kind \"steady\": give a number")]
+    SteadyOnly(&'static str),
     /// The mechanism has no such position, or its equation no value.
     #[error("the equation of motion has no value at coordinate {coordinate:.9}: {source}")]
     Equation {
@@ -59,38 +53,26 @@ pub enum DynamicsError {
         /// Inertia, kg m².
         inertia: f64,
     },
-    /// The speed falls to zero in the cycle.
+    /// The speed falls to zero in the cycle (coordinate, rad or m).
     #[error(
-        "the machine comes to rest at coordinate {coordinate:.6}: the drive is too weak there; take a stronger motor or a \
+        "the machine comes to rest at coordinate {0:.6}: the drive is too weak there; take a stronger motor or a \
          larger flywheel"
     )]
-    Stalled {
-        /// Coordinate, rad or m.
-        coordinate: f64,
-    },
-    /// The speed stays at a jump of a moment over speed.
+    Stalled(f64),
+    /// The speed stays at a jump of a moment over speed (coordinate, rad or m).
     #[error(
-        "the speed is held at coordinate {coordinate:.6} by a jump in a table over speed; join its rows by a steep line"
+        "the speed is held at coordinate {0:.6} by a jump in a table over speed; join its rows by a steep line"
     )]
-    Held {
-        /// Coordinate, rad or m.
-        coordinate: f64,
-    },
-    /// The moment is not linear in the speed on a smooth piece.
+    Held(f64),
+    /// The moment is not linear in the speed on a smooth piece (coordinate, rad or m).
     #[error(
-        "the moment of the loads at coordinate {coordinate:.6} is not linear in the speed between two jumps or kinks: this \
+        "the moment of the loads at coordinate {0:.6} is not linear in the speed between two jumps or kinks: this \
          method needs that"
     )]
-    NotLinear {
-        /// Coordinate, rad or m.
-        coordinate: f64,
-    },
-    /// The collocation fails.
-    #[error("the speed can't be followed at coordinate {coordinate:.6}: the moments change too steeply")]
-    NoPath {
-        /// Coordinate, rad or m.
-        coordinate: f64,
-    },
+    NotLinear(f64),
+    /// The collocation fails (coordinate, rad or m).
+    #[error("the speed can't be followed at coordinate {0:.6}: the moments change too steeply")]
+    NoPath(f64),
     /// The work of a cycle is not zero and nothing restores the speed.
     #[error(
         "there is no steady regime: the work of a cycle is {work:.6e} J and nothing depends on the speed (a cycle begins \
@@ -162,14 +144,11 @@ pub enum DynamicsError {
     /// The drive has no motor.
     #[error("the scene has no motor; give [drive] a `motor`, such as \"auto\"")]
     NoMotor,
-    /// The machine drives its drive: no motor is needed.
+    /// The machine drives its drive: no motor is needed (work of the loads over a cycle, J).
     #[error(
-        "the loads do {work:.6e} J of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor"
+        "the loads do {0:.6e} J of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor"
     )]
-    NoLoad {
-        /// Work of the loads over a cycle, J.
-        work: f64,
-    },
+    NoLoad(f64),
     /// The integrator failed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
@@ -192,8 +171,8 @@ impl DynamicsError {
     /// position of it.
     pub fn key(&self) -> Option<&'static [&'static str]> {
         match self {
-            Self::NoMotion { .. }
-            | Self::Integration(IntegrationError::Request { .. } | IntegrationError::TooManySteps { .. }) => {
+            Self::NoMotion(_)
+            | Self::Integration(IntegrationError::Request(_) | IntegrationError::TooManySteps { .. }) => {
                 Some(&["motion"])
             }
             Self::Integration(IntegrationError::NotReached { .. }) => Some(&["motion", "until"]),
@@ -201,11 +180,11 @@ impl DynamicsError {
             Self::OtherSpeed { .. } => Some(&["motion", "mean_speed"]),
             Self::NoCycle => Some(&["input"]),
             Self::NotRepeating { .. } => Some(&["input", "cycle"]),
-            Self::SteadyOnly { .. } | Self::Stalled { .. } | Self::NotTuned { .. } => Some(&["drive"]),
+            Self::SteadyOnly(_) | Self::Stalled(_) | Self::NotTuned { .. } => Some(&["drive"]),
             Self::TooWeak { .. }
             | Self::OffSection { .. }
             | Self::NoMotor
-            | Self::NoLoad { .. }
+            | Self::NoLoad(_)
             | Self::Rated(_)
             | Self::Lookup(_)
             | Self::Selection(_) => Some(&["drive", "motor"]),

@@ -83,7 +83,7 @@ pub(crate) fn chosen_motor(
 /// The cycle of a scene, and its unevenness.
 fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
     let Some(Motion::Steady { mean_speed, unevenness }) = mechanism.motion else {
-        return Err(DynamicsError::NoMotion { kind: "steady" });
+        return Err(DynamicsError::NoMotion("steady"));
     };
     let request = CycleRequest {
         start: mechanism.input.from,
@@ -121,7 +121,7 @@ fn drive_request(
         if power > 0.0 {
             Ok([power, solver.wanted_speed()])
         } else {
-            Err(DynamicsError::NoLoad { work: -solver.resistance_work() })
+            Err(DynamicsError::NoLoad(-solver.resistance_work()))
         }
     })?;
     let torque = match (&drive.torque, &motor) {

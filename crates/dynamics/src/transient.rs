@@ -85,7 +85,7 @@ pub fn transient(
 ) -> Result<Transient, DynamicsError> {
     let mechanism = &linkage.mechanism;
     let Some(Asked::Transient { integrator: named, tolerance, .. }) = &mechanism.motion else {
-        return Err(DynamicsError::NoMotion { kind: "transient" });
+        return Err(DynamicsError::NoMotion("transient"));
     };
     let mut motion = equation(linkage, loads)?;
     let mut request = request(mechanism, &mut motion)?;
@@ -143,7 +143,7 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
     let Some(Asked::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
     else {
-        return Err(DynamicsError::NoMotion { kind: "transient" });
+        return Err(DynamicsError::NoMotion("transient"));
     };
     let fixed_step = step.map(|step| match step {
         StepLength::Time(step) => FixedStep::Time(step),
@@ -178,7 +178,7 @@ fn heading(initial: &State, mechanism: &Mechanism, motion: &mut dyn Motion) -> R
 fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let Some(drive) = &mechanism.drive else { return Ok(InputDrive::NONE) };
     let sense = mechanism.input.sign();
-    let steady_only = |what| DynamicsError::SteadyOnly { what };
+    let steady_only = |what| DynamicsError::SteadyOnly(what);
     let given = |solve: Solve, what| match solve {
         Solve::Given(value) => Ok(value),
         Solve::Wanted => Err(steady_only(what)),

@@ -73,12 +73,9 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ForceError {
-    /// Two ways of a group meet there.
-    #[error("coordinate {coordinate:.9}: a change point; the reactions have the form 0/0 there")]
-    ChangePoint {
-        /// The coordinate, rad or m.
-        coordinate: f64,
-    },
+    /// Two ways of a group meet there (the coordinate, rad or m).
+    #[error("coordinate {0:.9}: a change point; the reactions have the form 0/0 there")]
+    ChangePoint(f64),
     /// A group can't be solved.
     #[error("{group}, coordinate {coordinate:.9}: {source}; the reactions are not determined there")]
     Group {
@@ -197,5 +194,5 @@ pub fn choose(name: Option<&str>) -> Result<&'static AnalyzerPlugin, RegistryErr
         return find(name);
     }
     let all = analyzers()?.into_iter().filter(|plugin| plugin.gives_reactions);
-    all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty { what: AnalyzerPlugin::WHAT })
+    all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty(AnalyzerPlugin::WHAT))
 }

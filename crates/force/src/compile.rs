@@ -188,7 +188,7 @@ impl<'a> Compiler<'a> {
             }
             Value::Formula { formula, factor, axis } => self.formula(name, at, formula, *factor, *axis),
             Value::Stroke { axis, forward, back } => {
-                let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
+                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
                 self.stroke(name, at, *axis, [forward, back])
             }
         }
@@ -214,7 +214,7 @@ impl<'a> Compiler<'a> {
         };
         let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
         if let (Some(axis), true) = (axis, used.place) {
-            let at = at.ok_or_else(|| LoadError::StrokeOfMoment { name: name.to_owned() })?;
+            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
             let scale = self.linkage.structure.scale;
             let found = self.over_stroke(name, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;

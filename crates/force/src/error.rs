@@ -14,14 +14,11 @@ pub enum LoadError {
         /// The part of the load that needs a motion.
         what: &'static str,
     },
-    /// A moment acts at no point, so it has no stroke.
+    /// A moment acts at no point, so it has no stroke (the load).
     #[error(
-        "moment `{name}` follows a stroke, but a moment has no point that could move; use a table over the angle"
+        "moment `{0}` follows a stroke, but a moment has no point that could move; use a table over the angle"
     )]
-    StrokeOfMoment {
-        /// The load.
-        name: String,
-    },
+    StrokeOfMoment(String),
     /// The point of the load stands still along the axis.
     #[error(
         "load `{name}` follows a stroke, but its point moves only {travel:.3e} m along the axis; turn the axis"
@@ -84,7 +81,7 @@ impl LoadError {
     pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
         let (name, part) = match self {
             Self::NeedsMotion { name, .. } => (name, None),
-            Self::StrokeOfMoment { name }
+            Self::StrokeOfMoment(name)
             | Self::NoStroke { name, .. }
             | Self::InfiniteStroke { name, .. }
             | Self::NotFinite { name, .. }

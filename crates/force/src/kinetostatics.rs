@@ -38,7 +38,7 @@ impl<'a> Kinetostatics<'a> {
     #[inline]
     pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
         if self.linkage.is_at_change_point(position) {
-            return Err(ForceError::ChangePoint { coordinate: position.coordinate });
+            return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions)

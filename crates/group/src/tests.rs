@@ -136,7 +136,7 @@ fn no_number_is_no_health() {
 
 #[test]
 fn a_program_without_plugins_is_told_so() {
-    assert_eq!(groups().unwrap_err(), RegistryError::Empty { what: "group" });
+    assert_eq!(groups().unwrap_err(), RegistryError::Empty("group"));
 }
 
 #[test]

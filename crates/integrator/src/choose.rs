@@ -95,7 +95,7 @@ fn ranked(
         let reason = format!("case {case} of D ({words}): {}", suitability.reason);
         Candidate { integrator, reason }
     });
-    let first = candidates.next().ok_or(IntegrationError::NoMethod { equation: dependence.words() })?;
+    let first = candidates.next().ok_or(IntegrationError::NoMethod(dependence.words()))?;
     let stiff = methods.iter().map(|(plugin, _)| *plugin).find(|plugin| plugin.stiff);
     Ok(Choice { first, others: candidates.collect(), stiff })
 }

@@ -8,12 +8,9 @@ use crate::{MotionError, Request, State, Until};
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum IntegrationError {
-    /// The request itself is impossible.
-    #[error("bad request: {what}")]
-    Request {
-        /// What is wrong and what is allowed.
-        what: String,
-    },
+    /// The request itself is impossible (what is wrong and what is allowed).
+    #[error("bad request: {0}")]
+    Request(String),
     /// The method can't treat this equation.
     #[error("integrator `{integrator}` can't treat this equation: {reason}")]
     Unsupported {
@@ -22,12 +19,9 @@ pub enum IntegrationError {
         /// Why not.
         reason: String,
     },
-    /// No linked method can treat the equation.
-    #[error("no linked integrator can treat this equation ({equation})")]
-    NoMethod {
-        /// What the equation depends on, in words.
-        equation: String,
-    },
+    /// No linked method can treat the equation (what the equation depends on, in words).
+    #[error("no linked integrator can treat this equation ({0})")]
+    NoMethod(String),
     /// There is no such method, or the registry is faulty.
     #[error(transparent)]
     Registry(#[from] RegistryError),

@@ -112,7 +112,7 @@ impl Reduced {
     #[inline]
     pub fn acceleration(&self, speed: f64) -> Result<f64, MotionError> {
         if self.inertia <= 0.0 {
-            return Err(MotionError::Inertia { inertia: self.inertia });
+            return Err(MotionError::Inertia(self.inertia));
         }
         let acceleration = (self.moment - 0.5 * self.inertia_derivative * speed * speed) / self.inertia;
         if acceleration.is_finite() {
@@ -206,12 +206,9 @@ pub trait Motion {
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// The reduced inertia is zero or negative.
-    #[error("the reduced inertia is {}: it must be positive (give some moving link a mass)", scientific(*inertia))]
-    Inertia {
-        /// The reduced inertia, kg m².
-        inertia: f64,
-    },
+    /// The reduced inertia is zero or negative, kg m² (kg).
+    #[error("the reduced inertia is {}: it must be positive (give some moving link a mass)", scientific(*.0))]
+    Inertia(f64),
     /// The acceleration is not a number.
     #[error(
         "the acceleration is not finite, with the reduced inertia {} and the reduced moment {}: where the links that move have \

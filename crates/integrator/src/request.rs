@@ -72,7 +72,7 @@ impl Request {
     #[expect(clippy::float_cmp, reason = "an end is refused only where it is the very same number")]
     pub fn check(&self) -> Result<(), IntegrationError> {
         let State { time, coordinate, speed } = self.initial;
-        let refuse = |what: String| Err(IntegrationError::Request { what });
+        let refuse = |what: String| Err(IntegrationError::Request(what));
         if !(time.is_finite() && coordinate.is_finite() && speed.is_finite()) {
             return refuse(format!("the initial state ({}) is not finite", self.initial));
         }

@@ -38,7 +38,7 @@ pub use error::{CompileError, PositionError};
 pub use interpolant::Interpolation;
 pub use lanes::LanePosition;
 pub use linkage::{Linkage, Position};
-pub use motion::{PointMotion, ScalarMotion, continuous_angle};
+pub use motion::{PointMotion, ScalarMotion, continuous_angle, first_angle};
 pub use poses::iterated;
 pub use rank::mobility_in;
 pub use ways::{Range, Transition, Ways};

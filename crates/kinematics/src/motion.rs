@@ -1,9 +1,9 @@
 //! Motion of points, links and slides in a solved position.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
-use assur_group::Body;
 use assur_group::plane::{dot, minus, perp, plus, vector};
+use assur_group::{Body, Order};
 use assur_mechanism::{LinkId, Place, PointId, Slide, SlideId};
 use assur_number::Real;
 use serde::Serialize;
@@ -39,6 +39,11 @@ pub fn continuous_angle(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
+/// An angle in [-pi, pi] as the first one of a motion: -pi becomes pi.
+pub fn first_angle(angle: f64) -> f64 {
+    if angle <= -PI { PI } else { angle }
+}
+
 impl<T: Real> PointMotion<T> {
     /// Motion of a point of a body, given in the body's frame.
     #[inline]
@@ -71,7 +76,29 @@ impl<T: Real> ScalarMotion<T> {
     }
 }
 
+/// Longest step of the coordinate, in its units, between two places over which an angle is followed.
+const LONGEST_STEP: f64 = 0.05;
+/// Most steps between two coordinates.
+const MOST_STEPS: f64 = 1e4;
+
 impl Linkage {
+    /// Shows the places between two coordinates in short steps, so that what is continuous can be followed from one to the
+    /// other; those that can't be assembled are left out.
+    pub fn each_between(&self, [from, to]: [f64; 2], mut see: impl FnMut(&Position)) {
+        let way = to - from;
+        let steps = (way.abs() / self.coordinate_unit() / LONGEST_STEP).ceil().clamp(1.0, MOST_STEPS);
+        if steps <= 1.0 {
+            return;
+        }
+        let mut position = self.position();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 10000")]
+        for step in 1..steps as u32 {
+            if self.solve(from + way * (f64::from(step) / steps), Order::Place, &mut position).is_ok() {
+                see(&position);
+            }
+        }
+    }
+
     /// Motion of a place fixed in a link.
     pub fn place_motion(&self, place: Place, position: &Position) -> PointMotion {
         PointMotion::of(&position.bodies[place.link], place.at)

@@ -248,11 +248,6 @@ impl Mechanism {
         self.links.iter().position(|link| link.name == name)
     }
 
-    /// The slide of this name.
-    pub fn slide(&self, name: &str) -> Option<SlideId> {
-        self.slides.iter().position(|slide| slide.name == name)
-    }
-
     /// Coordinates of a named point in the frame of a link, m.
     pub fn place_in(&self, point: PointId, link: LinkId) -> Option<[f64; 2]> {
         self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)

@@ -153,14 +153,9 @@ pub enum RatedDataError {
         /// Synchronous speed, rad/s.
         synchronous_speed: f64,
     },
-    /// Kloss's formula has no solution.
-    #[error(
-        "breakdown torque / rated torque is {value}, must be finite and greater than 1 (usual: 1.7 to 4)"
-    )]
-    MaxTorqueRatio {
-        /// The value.
-        value: f64,
-    },
+    /// Kloss's formula has no solution (the value).
+    #[error("breakdown torque / rated torque is {0}, must be finite and greater than 1 (usual: 1.7 to 4)")]
+    MaxTorqueRatio(f64),
     /// Kloss's formula needs the breakdown torque.
     #[error(
         "the breakdown torque of the motor is not known: give max_torque_ratio, or take the linear characteristic"
@@ -186,7 +181,7 @@ pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
         return Err(RatedDataError::NoSlip { rated_speed, synchronous_speed });
     }
     match rated.max_torque_ratio {
-        Some(value) if !(value > 1.0 && value.is_finite()) => Err(RatedDataError::MaxTorqueRatio { value }),
+        Some(value) if !(value > 1.0 && value.is_finite()) => Err(RatedDataError::MaxTorqueRatio(value)),
         _ => Ok(()),
     }
 }

@@ -14,12 +14,9 @@ pub enum CatalogueError {
         /// What the CSV reader says, with the line.
         reason: String,
     },
-    /// The table has no rows.
-    #[error("catalogue `{catalogue}` has no rows")]
-    Empty {
-        /// Name of the catalogue.
-        catalogue: String,
-    },
+    /// The table has no rows (name of the catalogue).
+    #[error("catalogue `{0}` has no rows")]
+    Empty(String),
     /// A row holds an impossible value.
     #[error("catalogue `{catalogue}`, line {line}, `{designation}`: {fault}")]
     Row {
@@ -61,12 +58,9 @@ pub enum RowFault {
         /// Inclusive upper limit.
         most: f64,
     },
-    /// The number of poles is odd or zero.
-    #[error("poles = {poles}, must be even and positive")]
-    Poles {
-        /// The value.
-        poles: u32,
-    },
+    /// The number of poles is odd or zero (the value).
+    #[error("poles = {0}, must be even and positive")]
+    Poles(u32),
     /// The synchronous speed does not belong to the number of poles.
     #[error("synchronous_speed_rpm = {rpm} does not belong to {poles} poles at 50 Hz or 60 Hz")]
     SynchronousSpeed {

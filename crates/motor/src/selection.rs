@@ -54,15 +54,12 @@ pub enum SelectionError {
     /// There is nothing to choose from.
     #[error("cannot choose a motor: the list of motors is empty")]
     NoMotors,
-    /// No row has the data for the characteristic.
+    /// No row has the data for the characteristic (how many rows there are).
     #[error(
-        "none of {count} motors prints its breakdown torque, which Kloss's formula needs; take another catalogue \
+        "none of {0} motors prints its breakdown torque, which Kloss's formula needs; take another catalogue \
          or the linear characteristic"
     )]
-    NoMaxTorqueRatio {
-        /// How many rows there are.
-        count: usize,
-    },
+    NoMaxTorqueRatio(usize),
     /// All are too fast.
     #[error(
         "no motor keeps the speed limit of {:.1} rpm: the slowest, {designation}, has {:.1} rpm, {:.1} rpm too many; \
@@ -154,7 +151,7 @@ impl SelectionRequest {
         let known: Vec<&Motor> = motors.iter().copied().filter(|m| self.has_data(m)).collect();
         let Some(slowest) = known.iter().min_by(|a, b| a.synchronous_speed.total_cmp(&b.synchronous_speed))
         else {
-            return SelectionError::NoMaxTorqueRatio { count: motors.len() };
+            return SelectionError::NoMaxTorqueRatio(motors.len());
         };
         let slow = known.iter().filter(|m| self.keeps_limit(m));
         let strongest = slow.max_by(|a, b| a.rated_power.total_cmp(&b.rated_power));

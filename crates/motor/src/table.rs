@@ -67,7 +67,7 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
         }
         motors.push(row.into_motor(catalogue));
     }
-    if motors.is_empty() { Err(CatalogueError::Empty { catalogue: catalogue.into() }) } else { Ok(motors) }
+    if motors.is_empty() { Err(CatalogueError::Empty(catalogue.into())) } else { Ok(motors) }
 }
 
 /// One row, in the units of the table. Columns that a [`Motor`] does not hold are checked only.
@@ -104,7 +104,7 @@ impl Row {
     /// The first impossible value, if any.
     fn fault(&self) -> Option<RowFault> {
         if self.poles == 0 || !self.poles.is_multiple_of(2) {
-            return Some(RowFault::Poles { poles: self.poles });
+            return Some(RowFault::Poles(self.poles));
         }
         let rpm = self.synchronous_speed_rpm;
         let at = |hertz: f64| (rpm - 120.0 * hertz / f64::from(self.poles)).abs() <= 0.5;

@@ -40,11 +40,6 @@ fn two_product(a: f64, b: f64) -> Dd {
 }
 
 impl Dd {
-    /// The sum of two f64, exactly.
-    pub fn new(hi: f64, lo: f64) -> Self {
-        two_sum(hi, lo)
-    }
-
     /// A quotient of two f64, to the full precision.
     pub fn ratio(a: f64, b: f64) -> Self {
         Self::from_f64(a) / Self::from_f64(b)

@@ -20,7 +20,7 @@ fn double_double_knows_32_digits_of_sqrt_2() {
 fn sine_of_known_angles() {
     // sin(1) = 0.84147098480789650665250232163029899962256...; sin(1) - fl(sin(1)) from these digits.
     let (s, c) = Dd::ONE.sin_cos();
-    let digits = Dd::new(0.841_470_984_807_896_5, 0.0);
+    let digits = Dd::from_f64(0.841_470_984_807_896_5);
     let rest = s - digits;
     // 0.84147098480789650665250232163029900 - 0.8414709848078965048756572286947630345821380615234375
     assert!((rest.to_f64() - 1.776_845_092_935_6e-18).abs() < 1e-30, "{rest:?}");

@@ -60,11 +60,8 @@ pub enum RegistryError {
         second: (&'static str, &'static str),
     },
     /// Nothing is registered: a mistake of the build.
-    #[error("no {what} is registered; the program must link the plugins (`use assur_all as _;`)")]
-    Empty {
-        /// The sort of entry.
-        what: &'static str,
-    },
+    #[error("no {0} is registered; the program must link the plugins (`use assur_all as _;`)")]
+    Empty(&'static str),
     /// Nothing has this name.
     #[error("no {what} is called `{name}`; there are: {}", known.join(", "))]
     Unknown {
@@ -107,7 +104,7 @@ where
 fn sorted<P: Registered>(mut all: Vec<&'static P>) -> Result<Vec<&'static P>, RegistryError> {
     all.sort_by_key(|plugin| plugin.registration());
     if all.is_empty() {
-        return Err(RegistryError::Empty { what: P::WHAT });
+        return Err(RegistryError::Empty(P::WHAT));
     }
     let mut twins = all.windows(2).map(|two| (two[0].registration(), two[1].registration()));
     match twins.find(|(first, second)| first.0 == second.0) {

@@ -44,6 +44,6 @@ fn two_of_one_name_and_none_at_all_are_refused() {
     assert_eq!(error, RegistryError::Duplicate { what: "tool", name: "saw", first: "a", second: "c" });
     assert_eq!(error.to_string(), "two plugins are registered as tool `saw`: a and c; rename one");
     let error = all::<Nothing>().unwrap_err();
-    assert_eq!(error, RegistryError::Empty { what: "nothing" });
+    assert_eq!(error, RegistryError::Empty("nothing"));
     assert!(error.to_string().starts_with("no nothing is registered; the program must link the plugins"));
 }

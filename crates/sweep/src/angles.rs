@@ -1,20 +1,11 @@
 //! Angles of links without jumps from position to position.
 
-use std::f64::consts::PI;
-
-use assur_group::Order;
-use assur_kinematics::{Linkage, continuous_angle};
+use assur_kinematics::{Linkage, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
 
 /// An angle that differs by more than this (rad) from what the transfer functions at both ends of a step let expect is
 /// not joined over the whole step.
 const UNCLEAR: f64 = 0.5;
-
-/// Longest step of the coordinate, in its units, between two angles that are joined without regard to transfer functions.
-const LONGEST_STEP: f64 = 0.05;
-
-/// Most steps between two positions.
-const MOST_STEPS: f64 = 1e4;
 
 /// The angles of some links, followed along the coordinate.
 #[derive(Debug, Default)]
@@ -42,7 +33,7 @@ impl Angles {
         poses: impl Iterator<Item = (LinkId, [f64; 3])>,
     ) -> &[[f64; 2]] {
         let Some(from) = self.last.replace(coordinate) else {
-            self.links.extend(poses.map(|(_, [c, s, w])| [first(s.atan2(c)), w]));
+            self.links.extend(poses.map(|(_, [c, s, w])| [first_angle(s.atan2(c)), w]));
             return &self.links;
         };
         let way = coordinate - from;
@@ -61,23 +52,11 @@ impl Angles {
 
 /// The angle of a link at the end of a step, joined in short steps to that at its start; where the mechanism can't be
 /// assembled in between, the nearest angle is used.
-fn in_steps(linkage: &Linkage, link: LinkId, [from, to]: [f64; 2], start: f64, end: f64) -> f64 {
-    let way = to - from;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 10000")]
-    let steps = (way.abs() / linkage.coordinate_unit() / LONGEST_STEP).ceil().clamp(1.0, MOST_STEPS) as u32;
-    let mut position = linkage.position();
+fn in_steps(linkage: &Linkage, link: LinkId, ends: [f64; 2], start: f64, end: f64) -> f64 {
     let mut angle = start;
-    for step in 1..steps {
-        let between = from + way * (f64::from(step) / f64::from(steps));
-        if linkage.solve(between, Order::Place, &mut position).is_ok() {
-            let body = &position.bodies[link];
-            angle = continuous_angle(body.s.atan2(body.c), angle);
-        }
-    }
+    linkage.each_between(ends, |position| {
+        let body = &position.bodies[link];
+        angle = continuous_angle(body.s.atan2(body.c), angle);
+    });
     continuous_angle(end, angle)
-}
-
-/// -pi becomes pi.
-fn first(angle: f64) -> f64 {
-    if angle <= -PI { PI } else { angle }
 }

@@ -46,12 +46,9 @@ pub enum SweepError {
         /// How many there may be.
         most: usize,
     },
-    /// There is no such measure.
-    #[error("there is no measure `{name}`: name some of {}, or `default` or `all`", measures())]
-    Measure {
-        /// The name.
-        name: String,
-    },
+    /// There is no such measure (the name).
+    #[error("there is no measure `{0}`: name some of {measures}, or `default` or `all`", measures = measures())]
+    Measure(String),
     /// No point makes a scene that can be calculated.
     #[error("no point of the sweep can be calculated; the first, {point}:\n{problem}")]
     AllRefused {

@@ -165,7 +165,7 @@ impl Measure {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);
         if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !known(name)) {
-            return Err(SweepError::Measure { name: name.to_owned() });
+            return Err(SweepError::Measure(name.to_owned()));
         }
         let wanted = |measure: &&Self| {
             let mut names = names.iter().map(AsRef::as_ref);

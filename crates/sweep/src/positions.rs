@@ -202,7 +202,7 @@ impl<'a, 'w> Positions<'a, 'w> {
             }
         }
         failures.retain(|(lane, error)| {
-            let change_point = matches!(error, ForceError::ChangePoint { .. });
+            let change_point = matches!(error, ForceError::ChangePoint(_));
             let state = &states[*lane];
             let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
             if let Some(balancing) = alone {

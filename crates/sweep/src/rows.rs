@@ -177,11 +177,6 @@ impl Rows {
         self.columns.names()
     }
 
-    /// Whether a column holds texts; otherwise numbers.
-    pub fn is_text(&self, column: usize) -> bool {
-        self.columns.is_text(column)
-    }
-
     /// How many rows there are.
     pub fn len(&self) -> usize {
         self.outcomes.len()

@@ -33,7 +33,7 @@ assur_plugin::registry!(WorkingPlugin, "working of group", group);
 pub fn plugin_for(group: &str) -> Result<Option<&'static WorkingPlugin>, RegistryError> {
     match assur_plugin::find(group) {
         Ok(plugin) => Ok(Some(plugin)),
-        Err(RegistryError::Empty { .. } | RegistryError::Unknown { .. }) => Ok(None),
+        Err(RegistryError::Empty(_) | RegistryError::Unknown { .. }) => Ok(None),
         Err(fault) => Err(fault),
     }
 }

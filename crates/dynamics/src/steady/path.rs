@@ -174,7 +174,7 @@ impl<'a> Path<'a> {
         let (found, expected) = (self.reduced(x, 1.5 * v)?.moment, at.moment_at(1.5 * v));
         let scale = at.moment.abs() + (at.by_speed * v).abs() + at.inertia * v * v;
         if (found - expected).abs() > ROUNDING * scale {
-            return Err(DynamicsError::NotLinear { coordinate: self.cycle.coordinate(x) });
+            return Err(DynamicsError::NotLinear(self.cycle.coordinate(x)));
         }
         Ok(())
     }

@@ -119,8 +119,8 @@ impl Run<'_, '_> {
             }
             Err(Failure { stalled }) => {
                 let coordinate = self.path.cycle.coordinate(x);
-                let stall = DynamicsError::Stalled { coordinate };
-                Err(if stalled { stall } else { DynamicsError::NoPath { coordinate } })
+                let stall = DynamicsError::Stalled(coordinate);
+                Err(if stalled { stall } else { DynamicsError::NoPath(coordinate) })
             }
         }
     }
@@ -148,14 +148,14 @@ impl Run<'_, '_> {
         let coordinate = self.path.cycle.coordinate(x);
         self.crossings += 1;
         if self.crossings > MOST {
-            return Err(DynamicsError::NoPath { coordinate });
+            return Err(DynamicsError::NoPath(coordinate));
         }
         let (mut at, mut before) = (segment.coefficients.nodes[0], segment.moment[0]);
         if theta > AT_START {
             let stretch = [segment.x, theta * segment.h];
             let coefficients = self.beside(stretch[0], stretch[1], &at)?;
             let part = solve(&self.setup, &self.state, stretch, &coefficients, None)
-                .map_err(|_| DynamicsError::NoPath { coordinate })?;
+                .map_err(|_| DynamicsError::NoPath(coordinate))?;
             (at, before) = (part.coefficients.nodes[S], part.moment[S]);
             self.keep(&part);
         }
@@ -167,7 +167,7 @@ impl Run<'_, '_> {
         let coefficients = self.choose(x, h, &coefficients)?;
         let after = Moment::at(&self.setup, self.state.factor, &coefficients.nodes[0], self.state.energy);
         if !self.state.carry_over(&self.setup, &at, [before, after.value], side) {
-            return Err(DynamicsError::Held { coordinate });
+            return Err(DynamicsError::Held(coordinate));
         }
         self.advance(x, h, &coefficients, None, halvings)
     }

@@ -202,7 +202,7 @@ impl Tuner<'_, '_> {
                         return Ok((next, solution, range));
                     }
                 }
-                Err(error @ (DynamicsError::Equation { .. } | DynamicsError::Held { .. })) => {
+                Err(error @ (DynamicsError::Equation { .. } | DynamicsError::Held(_))) => {
                     return Err(error);
                 }
                 Err(error) => last = Some(error),

@@ -81,7 +81,7 @@ fn impossible_data_are_refused() {
     }
     for bad in [1.0, 0.5, -2.0, f64::NAN, f64::INFINITY] {
         let data = RatedData { max_torque_ratio: Some(bad), ..good };
-        assert!(matches!(new(data), RatedDataError::MaxTorqueRatio { .. }));
+        assert!(matches!(new(data), RatedDataError::MaxTorqueRatio(_)));
         assert!(Characteristic::new(CharacteristicKind::Linear, &data).is_err());
     }
     assert_eq!(new(RatedData { max_torque_ratio: None, ..good }), RatedDataError::NoMaxTorqueRatio);

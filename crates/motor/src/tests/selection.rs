@@ -99,5 +99,5 @@ fn senseless_requests_are_refused() {
     assert_eq!(select(&[], &request(1.0, None)).unwrap_err(), SelectionError::NoMotors);
     let silent = motors(&["no data,4,1.2,1500,1410,"]);
     let none = select(&silent, &request(1.0, None)).unwrap_err();
-    assert_eq!(none, SelectionError::NoMaxTorqueRatio { count: 1 });
+    assert_eq!(none, SelectionError::NoMaxTorqueRatio(1));
 }

@@ -22,12 +22,9 @@ pub enum UnitError {
         /// What was wanted.
         wanted: Dimension,
     },
-    /// The number contains a comma.
-    #[error("has a comma in the number `{}`: the decimal sign is a point", shown(text))]
-    Comma {
-        /// The text.
-        text: String,
-    },
+    /// The number contains a comma (the text).
+    #[error("has a comma in the number `{}`: the decimal sign is a point", shown(.0))]
+    Comma(String),
     /// The number is so great that results would have no correct digits.
     #[error("is too large: `{}`, at most {:e} {}", shown(text), wanted.most(), wanted.si())]
     TooLarge {

@@ -69,7 +69,7 @@ pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitEr
     let (number, unit) = text.split_at(number_length(text));
     let unit = unit.trim();
     if unit.starts_with(',') && !number.is_empty() {
-        return Err(UnitError::Comma { text: text.to_owned() });
+        return Err(UnitError::Comma(text.to_owned()));
     }
     let value: f64 = number
         .replace('\u{2212}', "-")
