@@ -129,14 +129,14 @@ impl Calculation {
         // A given ratio or moment determines the speed: whether it is the requested one is then no question of
         // numerical error.
         let fixed = matches!(drive.map(|drive| &drive.torque), Some(Torque::Constant(_)));
-        if !fixed && (regime.ratio.is_none() || wanted(drive.map(|drive| drive.ratio))) {
-            let miss = ((regime.mean_speed - mean_speed) / mean_speed).abs();
+        if !fixed && (regime.figures.ratio.is_none() || wanted(drive.map(|drive| drive.ratio))) {
+            let miss = ((regime.figures.mean_speed - mean_speed) / mean_speed).abs();
             rows.push(Check::of("mean speed", miss, 1e-9, "(max + min) / 2", "the search ends below 1e-10"));
         }
         if let (Some(Solve::Given(wanted_unevenness)), true, false) =
             (unevenness, wanted(drive.and_then(|drive| drive.flywheel)), regime.flywheel_needless)
         {
-            let miss = ((regime.unevenness - wanted_unevenness) / wanted_unevenness).abs();
+            let miss = ((regime.figures.unevenness - wanted_unevenness) / wanted_unevenness).abs();
             rows.push(Check::of(
                 "unevenness",
                 miss,

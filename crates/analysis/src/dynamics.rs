@@ -28,18 +28,7 @@ impl Calculation {
         let methods = regime.flywheel_by_method.iter().filter(|row| has_flywheel && row.flywheel.is_finite());
         Some(Dynamics {
             flywheel: has_flywheel.then_some(regime.flywheel),
-            ratio: regime.ratio,
-            mean_speed: regime.mean_speed,
-            unevenness: regime.unevenness,
-            speed_min: regime.speed_min,
-            speed_max: regime.speed_max,
-            coordinate_at_min: regime.coordinate_at_min,
-            coordinate_at_max: regime.coordinate_at_max,
-            excess_work: regime.excess_work,
-            // Infinite where both extremes are at one place.
-            dynamic_unevenness: Some(regime.dynamic_unevenness).filter(|value| value.is_finite()),
-            required_power: regime.required_power,
-            torque: regime.torque,
+            figures: regime.figures.clone(),
             motor: found.motor.as_ref().map(motor),
             flywheel_by_method: methods.clone().map(|row| (Arc::from(row.method), row.flywheel)).collect(),
             flywheel_methods: methods.copied().collect(),
@@ -120,7 +109,10 @@ fn energy_mass(regime: &Regime, from: f64, course: impl Iterator<Item = RegimePo
     let energy = |inertia: f64, speed: f64| 0.5 * (inertia + regime.drive_inertia) * speed * speed;
     let first = regime.state(from);
     let start = energy(first.inertia, first.speed);
-    let ends = [(regime.speed_max, regime.coordinate_at_max), (regime.speed_min, regime.coordinate_at_min)];
+    let ends = [
+        (regime.figures.speed_max, regime.figures.coordinate_at_max),
+        (regime.figures.speed_min, regime.figures.coordinate_at_min),
+    ];
     EnergyMass {
         curve: course.map(|at| [at.inertia, energy(at.inertia, at.speed) - start]).collect(),
         tangents: ends.map(|(speed, coordinate)| {
@@ -150,8 +142,8 @@ fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
         let greatest_torque = found.motor.as_ref()?.torque[1];
         let breakdown = found.motor.as_ref()?.motor.characteristic.breakdown_torque;
         Some(AdvisedRegime {
-            unevenness: found.regime.unevenness,
-            ratio: found.regime.ratio?,
+            unevenness: found.regime.figures.unevenness,
+            ratio: found.regime.figures.ratio?,
             flywheel: found.regime.flywheel,
             greatest_torque,
             torque_reserve: breakdown

@@ -57,18 +57,18 @@ impl Calculation {
         let Some(Motion::Steady { mean_speed: wanted, .. }) = mechanism.motion else { return Vec::new() };
         let mut notes = Vec::new();
         let unit = if self.linkage.angular() { "rad/s" } else { "m/s" };
-        if ((regime.mean_speed - wanted) / wanted).abs() > MET {
-            let given = if regime.ratio.is_some() { "ratio" } else { "moment" };
+        if ((regime.figures.mean_speed - wanted) / wanted).abs() > MET {
+            let given = if regime.figures.ratio.is_some() { "ratio" } else { "moment" };
             notes.push(format!(
                 "The requested mean speed of {wanted:.6} {unit} is not met: with the given {given} it is {:.6} {unit}. Power, \
                  flywheel and the course are those of the regime found.",
-                regime.mean_speed
+                regime.figures.mean_speed
             ));
         }
-        if regime.required_power < 0.0 {
+        if regime.figures.required_power < 0.0 {
             notes.push(format!(
                 "The loads drive: over a cycle they do {:.6} J of work, and the motor has to brake with {:.6} W.",
-                -found.resistance_work, -regime.required_power
+                -found.resistance_work, -regime.figures.required_power
             ));
         }
         notes

@@ -29,7 +29,7 @@ pub use scene::section_margin;
 pub use scene::{Advice, advise};
 pub use scene::{Steady, steady};
 pub use steady::{
-    CycleRequest, DriveRequest, Effort, FlywheelByMethod, Iteration, Regime, RegimeSolver, RegimeState,
-    TorqueRequest, Trial,
+    CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeSolver,
+    RegimeState, TorqueRequest, Trial,
 };
 pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};

@@ -89,8 +89,8 @@ impl SteadyMotor {
     /// The motor in a regime. `resistance`: greatest resisting moment over the cycle, reduced to the input, N m; `efficiency`: of
     /// the reducer.
     pub(crate) fn new(motor: DriveMotor, regime: &Regime, resistance: f64, efficiency: f64) -> Self {
-        let (characteristic, ratio) = (motor.characteristic, regime.ratio.unwrap_or(1.0));
-        let speed = [ratio * regime.speed_min.abs(), ratio * regime.speed_max.abs()];
+        let (characteristic, ratio) = (motor.characteristic, regime.figures.ratio.unwrap_or(1.0));
+        let speed = [ratio * regime.figures.speed_min.abs(), ratio * regime.figures.speed_max.abs()];
         let of_nodes = regime.solution().weighted_speeds().into_iter();
         let nodes: Vec<(f64, f64)> =
             of_nodes.map(|(v, time)| (characteristic.torque(ratio * v), time)).collect();

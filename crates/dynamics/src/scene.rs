@@ -141,10 +141,10 @@ fn drive_request(
 }
 
 fn sizes(regime: &Regime, has_motor: bool, on_motor: bool) -> Vec<FlywheelSize> {
-    let ratio = regime.ratio.filter(|_| has_motor && regime.flywheel > 0.0);
+    let ratio = regime.figures.ratio.filter(|_| has_motor && regime.flywheel > 0.0);
     ratio.map_or_else(Vec::new, |ratio| {
         let inertia = if on_motor { regime.flywheel * ratio * ratio } else { regime.flywheel };
-        flywheel_sizes(inertia, ratio, regime.speed_max.abs()).to_vec()
+        flywheel_sizes(inertia, ratio, regime.figures.speed_max.abs()).to_vec()
     })
 }
 
@@ -159,8 +159,8 @@ const WIDTH: f64 = 1e-11;
 /// where they leave it.
 pub fn section_margin(regime: &Regime, characteristic: &Characteristic) -> f64 {
     let [low, high] = characteristic.stable_section();
-    let ratio = regime.ratio.unwrap_or(1.0);
-    let [slow, fast] = [regime.speed_min, regime.speed_max].map(|speed| ratio * speed.abs());
+    let ratio = regime.figures.ratio.unwrap_or(1.0);
+    let [slow, fast] = [regime.figures.speed_min, regime.figures.speed_max].map(|speed| ratio * speed.abs());
     (slow - low).min(high - fast) / (high - low)
 }
 
@@ -176,7 +176,7 @@ pub(crate) fn greatest(
     let inside = section_margin(&least, characteristic);
     if inside < 0.0 {
         let [low, high] = characteristic.stable_section();
-        let speed = least.ratio.unwrap_or(1.0) * least.mean_speed.abs();
+        let speed = least.figures.ratio.unwrap_or(1.0) * least.figures.mean_speed.abs();
         return Err(DynamicsError::OffSection { speed, low, high });
     }
     let kept = RefCell::new((least, solve));
@@ -185,7 +185,7 @@ pub(crate) fn greatest(
         // Where the machine stalls, it has left the section long before.
         let Ok(regime) = solve(logarithm.exp()) else { return -1.0 };
         let inside = section_margin(&regime, characteristic);
-        if inside >= 0.0 && regime.unevenness > best.unevenness {
+        if inside >= 0.0 && regime.figures.unevenness > best.figures.unevenness {
             *best = regime;
         }
         inside

@@ -318,15 +318,15 @@ fn regime(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
         }
     };
     put(flywheel, "flywheel_kgm2", |found| Some(found.regime.flywheel));
-    put(motor, "ratio", |found| found.regime.ratio);
-    put(torque, "torque_Nm", |found| found.regime.torque);
+    put(motor, "ratio", |found| found.regime.figures.ratio);
+    put(torque, "torque_Nm", |found| found.regime.figures.torque);
     let speed = layout.units.speed;
-    put(true, &format!("mean_speed_{speed}"), |found| Some(found.regime.mean_speed));
-    put(true, "unevenness", |found| Some(found.regime.unevenness));
-    put(true, &format!("speed_min_{speed}"), |found| Some(found.regime.speed_min));
-    put(true, &format!("speed_max_{speed}"), |found| Some(found.regime.speed_max));
-    put(true, "excess_work_J", |found| Some(found.regime.excess_work));
-    put(true, "required_power_W", |found| Some(found.regime.required_power));
+    put(true, &format!("mean_speed_{speed}"), |found| Some(found.regime.figures.mean_speed));
+    put(true, "unevenness", |found| Some(found.regime.figures.unevenness));
+    put(true, &format!("speed_min_{speed}"), |found| Some(found.regime.figures.speed_min));
+    put(true, &format!("speed_max_{speed}"), |found| Some(found.regime.figures.speed_max));
+    put(true, "excess_work_J", |found| Some(found.regime.figures.excess_work));
+    put(true, "required_power_W", |found| Some(found.regime.figures.required_power));
 }
 
 fn end(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {

@@ -77,17 +77,17 @@ fn is_zero(panel: &Panel) -> bool {
 
 fn numbers(words: &Words, dynamics: &Dynamics) -> Vec<Vec<String>> {
     let all = [
-        ("mean-speed", Some(dynamics.mean_speed), "rad/s"),
-        ("unevenness", Some(dynamics.unevenness), ""),
-        ("least-speed", Some(dynamics.speed_min), "rad/s"),
-        ("greatest-speed", Some(dynamics.speed_max), "rad/s"),
+        ("mean-speed", Some(dynamics.figures.mean_speed), "rad/s"),
+        ("unevenness", Some(dynamics.figures.unevenness), ""),
+        ("least-speed", Some(dynamics.figures.speed_min), "rad/s"),
+        ("greatest-speed", Some(dynamics.figures.speed_max), "rad/s"),
         ("cycle-time", Some(dynamics.regime.cycle_time), "s"),
         ("mean-resistance", Some(dynamics.regime.mean_resistance), "N m"),
         ("resistance-work", Some(dynamics.regime.resistance_work), "J"),
-        ("excess-work", Some(dynamics.excess_work), "J"),
-        ("required-power", Some(dynamics.required_power), "W"),
+        ("excess-work", Some(dynamics.figures.excess_work), "J"),
+        ("required-power", Some(dynamics.figures.required_power), "W"),
         ("motor-power", dynamics.motor.as_ref().map(|motor| motor.rated.power), "W"),
-        ("ratio", dynamics.ratio, ""),
+        ("ratio", dynamics.figures.ratio, ""),
         ("flywheel", dynamics.flywheel, "kg m2"),
         ("shaft-inertia", Some(dynamics.regime.shaft_inertia).filter(|inertia| *inertia > 0.0), "kg m2"),
     ];

@@ -1,6 +1,6 @@
 //! Periodic regime, drive and flywheel.
 
-use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
+use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 use assur_motor::{FlywheelSize, RatedData};
 use serde::Serialize;
 
@@ -12,31 +12,9 @@ pub struct Dynamics {
     /// Moment of inertia of the flywheel, without the rotor, kg m².
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<f64>,
-    /// Motor speed / input speed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ratio: Option<f64>,
-    /// (max + min) / 2 of the input speed, rad/s or m/s.
-    pub mean_speed: f64,
-    /// (max - min) / mean.
-    pub unevenness: f64,
-    /// Least speed, rad/s or m/s.
-    pub speed_min: f64,
-    /// Greatest speed, rad/s or m/s.
-    pub speed_max: f64,
-    /// Where the speed is least, rad or m.
-    pub coordinate_at_min: f64,
-    /// Where the speed is greatest, rad or m.
-    pub coordinate_at_max: f64,
-    /// Excess work between the extremes, J.
-    pub excess_work: f64,
-    /// Artobolevsky's dynamic unevenness.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub dynamic_unevenness: Option<f64>,
-    /// Required power, W.
-    pub required_power: f64,
-    /// Constant driving moment found, N m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub torque: Option<f64>,
+    /// Figures of the regime.
+    #[serde(flatten)]
+    pub figures: Figures,
     /// The motor.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motor: Option<MotorReport>,

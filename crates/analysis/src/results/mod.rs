@@ -35,7 +35,7 @@ pub use analysis::{Checks, Residual};
 pub use analysis::{Cycle, PositionPlans};
 pub use analysis::{Energy, Integration};
 pub use assur_check::Check;
-pub use assur_dynamics::{Effort, FlywheelByMethod, Iteration, Trial};
+pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};
 pub use column::{Base, Column, Owner, Part, Quantity, Unit};
 pub use dynamics::{

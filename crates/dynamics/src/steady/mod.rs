@@ -24,7 +24,7 @@ mod solution;
 mod solver;
 mod tuning;
 
-pub use regime::Regime;
+pub use regime::{Figures, Regime};
 pub use report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
 pub use request::{CycleRequest, DriveRequest, TorqueRequest};
 pub use solver::RegimeSolver;

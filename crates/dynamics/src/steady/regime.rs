@@ -1,6 +1,7 @@
 //! A periodic regime and the quantities that follow from it.
 
 use assur_force::tolerance;
+use serde::Serialize;
 
 use super::collocation::Values;
 use super::extremes::Extreme;
@@ -9,17 +10,12 @@ use super::solution::CycleSolution;
 use super::tuning::Tuned;
 use crate::drive::{InputDrive, Source};
 
-/// The periodic regime. Speeds, moments and coordinates have the signs of the coordinate; "least" and "greatest" speed are
-/// meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
-#[derive(Debug, Clone)]
-pub struct Regime {
-    /// Flywheel on its own shaft, without the rotor, kg m²: the given one, or the one found (0: none is needed).
-    pub flywheel: f64,
-    /// The wanted unevenness is met without a flywheel.
-    pub flywheel_needless: bool,
-    /// Flywheel and rotor reduced to the input, kg m².
-    pub drive_inertia: f64,
-    /// Gear ratio; `None` without a motor.
+/// The figures of a periodic regime. Speeds, moments and coordinates have the signs of the coordinate; "least" and "greatest"
+/// speed are meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Figures {
+    /// Motor speed / input speed; `None` without a motor.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
     /// Mean speed (greatest + least)/2, rad/s.
     pub mean_speed: f64,
@@ -35,12 +31,28 @@ pub struct Regime {
     pub coordinate_at_max: f64,
     /// Work of all moments from the least speed to the greatest, J (E example 2).
     pub excess_work: f64,
-    /// Artobolevsky's dynamic unevenness: 2 δ/(angle from the least speed to the greatest), 1/rad.
-    pub dynamic_unevenness: f64,
+    /// Artobolevsky's dynamic unevenness: 2 δ/(angle from the least speed to the greatest), 1/rad; `None` where both are at
+    /// one place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dynamic_unevenness: Option<f64>,
     /// Power needed on the motor shaft, W, at the wanted mean speed; negative where the loads drive.
     pub required_power: f64,
     /// Constant moment of the drive along the coordinate, N m; `None` with a motor or without drive.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub torque: Option<f64>,
+}
+
+/// The periodic regime.
+#[derive(Debug, Clone)]
+pub struct Regime {
+    /// Flywheel on its own shaft, without the rotor, kg m²: the given one, or the one found (0: none is needed).
+    pub flywheel: f64,
+    /// The wanted unevenness is met without a flywheel.
+    pub flywheel_needless: bool,
+    /// Flywheel and rotor reduced to the input, kg m².
+    pub drive_inertia: f64,
+    /// Its figures.
+    pub figures: Figures,
     /// Time of a cycle, s.
     pub cycle_time: f64,
     /// The factor by which a small change of the speed is multiplied over a cycle: the regime is stable below 1; 1 if
@@ -85,20 +97,22 @@ impl Regime {
             flywheel: unknowns.flywheel,
             flywheel_needless: context.flywheel_wanted && unknowns.flywheel == 0.0,
             drive_inertia: drive.inertia,
-            ratio: unknowns.ratio(),
-            mean_speed: cycle.sense * range.mean(),
-            unevenness: range.unevenness(),
-            speed_min: cycle.sense * low.value,
-            speed_max: cycle.sense * high.value,
-            coordinate_at_min: cycle.coordinate(low.at.x.rem_euclid(cycle.length)),
-            coordinate_at_max: cycle.coordinate(high.at.x.rem_euclid(cycle.length)),
-            excess_work,
-            dynamic_unevenness: 2.0 * range.unevenness() / angle,
-            required_power: context.required_power,
-            torque: if let Source::Constant(moment) = drive.source {
-                Some(cycle.sense * moment)
-            } else {
-                None
+            figures: Figures {
+                ratio: unknowns.ratio(),
+                mean_speed: cycle.sense * range.mean(),
+                unevenness: range.unevenness(),
+                speed_min: cycle.sense * low.value,
+                speed_max: cycle.sense * high.value,
+                coordinate_at_min: cycle.coordinate(low.at.x.rem_euclid(cycle.length)),
+                coordinate_at_max: cycle.coordinate(high.at.x.rem_euclid(cycle.length)),
+                excess_work,
+                dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
+                required_power: context.required_power,
+                torque: if let Source::Constant(moment) = drive.source {
+                    Some(cycle.sense * moment)
+                } else {
+                    None
+                },
             },
             cycle_time,
             multiplier: solution.multiplier(),

@@ -96,7 +96,7 @@ fn settling_leads_to_the_same_regime() {
     let request = CycleRequest {
         start: 0.0,
         length: std::f64::consts::TAU,
-        mean_speed: found.regime.mean_speed,
+        mean_speed: found.regime.figures.mean_speed,
         constant_inertia: 0.04,
     };
     let mut survey = RegimeSolver::new(&mut machine, request).unwrap();
@@ -105,7 +105,7 @@ fn settling_leads_to_the_same_regime() {
         torque: TorqueRequest::Motor {
             characteristic: motor.motor.characteristic,
             rotor: 0.0045,
-            ratio: found.regime.ratio,
+            ratio: found.regime.figures.ratio,
             efficiency: 0.95,
         },
         flywheel: Some(found.regime.flywheel),
@@ -113,10 +113,10 @@ fn settling_leads_to_the_same_regime() {
         unevenness: None,
     };
     let regime = survey.solve(&drive).unwrap();
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
     let turns = survey.settle(&regime, 1e-12, 200).unwrap();
     let (first, last) = (turns[0], turns[turns.len() - 1]);
-    assert_relative_eq!(first.speed_start, regime.mean_speed, max_relative = 1e-12);
+    assert_relative_eq!(first.speed_start, regime.figures.mean_speed, max_relative = 1e-12);
     assert_relative_eq!(last.speed_end, regime.state(0.0).speed, max_relative = 1e-10);
     assert!(turns.len() > regime.iterations.len());
 }
@@ -147,17 +147,17 @@ fn motor_and_places_of_the_flywheel() {
     let found = steady(&linkage, &loads, None).unwrap();
     let motor = found.motor.unwrap();
     let row = motor.motor.row.unwrap();
-    assert!(row.rated_power >= found.regime.required_power && row.synchronous_speed < 157.1);
+    assert!(row.rated_power >= found.regime.figures.required_power && row.synchronous_speed < 157.1);
     assert!(
         motor.speed[0] < motor.speed[1]
             && motor.torque[0] < motor.rms_torque
             && motor.rms_torque < motor.torque[1]
     );
-    let ratio = found.regime.ratio.unwrap();
+    let ratio = found.regime.figures.ratio.unwrap();
     // The mean power of the motor is the required one but for the difference of the mean speeds over time and way.
     assert_relative_eq!(
         found.resistance_work / found.regime.cycle_time / 0.95,
-        found.regime.required_power,
+        found.regime.figures.required_power,
         max_relative = 0.02
     );
     let [on_input, on_motor] = found.flywheel_sizes[..] else { panic!("two places") };

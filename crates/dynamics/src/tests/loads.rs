@@ -18,7 +18,7 @@ fn speed_after(text: &str, regime: &Regime, turns: u32) -> f64 {
     let integrator = find("dop853").unwrap();
     let sense = linkage.mechanism.input.sign();
     let from = linkage.mechanism.input.from;
-    let initial = State { time: 0.0, coordinate: from, speed: regime.mean_speed };
+    let initial = State { time: 0.0, coordinate: from, speed: regime.figures.mean_speed };
     let until = Until::Coordinate(from + sense * 2.0 * PI * f64::from(turns));
     let request =
         Request { tolerance: 1e-12, samples: 1, max_steps: 1_000_000, ..Request::new(initial, until) };
@@ -45,24 +45,24 @@ fn a_damper() {
         &shaper("[[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 300\nstiffness = 500\nlength = 0.4"),
         30,
     );
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
-    assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
 }
 
 #[test]
 fn a_table_over_speed_with_kinks_inside_the_range() {
     let table = "[[moment]]\nlink = \"crank\"\nvalue = { over = \"speed\", table = [[0, 0], [6.2, -10], [6.3, -60], [9, -70]] }";
     let regime = check(&shaper(table), 30);
-    assert!(regime.speed_min < 6.2 && regime.speed_max > 6.3);
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
+    assert!(regime.figures.speed_min < 6.2 && regime.figures.speed_max > 6.3);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
 }
 
 #[test]
 fn a_table_over_speed_with_jumps_inside_the_range() {
     let table = "[[moment]]\nlink = \"crank\"\nvalue = { over = \"speed\", shape = \"step\", table = [[0, 0], [6.25, -25], [6.35, -10]] }";
     let regime = check(&shaper(table), 30);
-    assert!(regime.speed_min < 6.25 && regime.speed_max > 6.35);
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-9);
+    assert!(regime.figures.speed_min < 6.25 && regime.figures.speed_max > 6.35);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-9);
 }
 
 #[test]
@@ -74,8 +74,8 @@ fn a_force_against_the_motion() {
 fn a_load_that_drives_the_motor_beyond_synchronous_speed() {
     let table = "[[moment]]\nlink = \"crank\"\nvalue = { over = \"angle\", table = [[0, 400], [\"180 deg\", -300], [\"360 deg\", 400]] }";
     let regime = check(&shaper(table), 40);
-    let synchronous = 50.0 * PI / regime.ratio.unwrap();
-    assert!(regime.speed_max > synchronous && regime.speed_min < synchronous);
+    let synchronous = 50.0 * PI / regime.figures.ratio.unwrap();
+    assert!(regime.figures.speed_max > synchronous && regime.figures.speed_min < synchronous);
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn clockwise_with_everything() {
         [[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 300";
     let text = shaper(more).replace("positions = 48", "positions = 48\ndirection = \"cw\"");
     let regime = check(&text, 30);
-    assert_relative_eq!(regime.mean_speed, -2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.mean_speed, -2.0 * PI, max_relative = 1e-10);
 }
 
 /// The shaper with another drive.
@@ -101,30 +101,34 @@ fn balance_makes_the_work_of_a_cycle_zero() {
     let (linkage, loads) = compiled(&text);
     let found = steady(&linkage, &loads, None).unwrap();
     let regime = &found.regime;
-    assert_relative_eq!(regime.torque.unwrap() * 2.0 * PI, found.resistance_work, max_relative = 1e-12);
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
-    assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(
+        regime.figures.torque.unwrap() * 2.0 * PI,
+        found.resistance_work,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
     // Moments of the coordinate alone: the energy-mass diagram is exact.
     let wittenbauer = regime.flywheel_by_method.iter().find(|row| row.method == "wittenbauer").unwrap();
     assert_relative_eq!(wittenbauer.flywheel, regime.flywheel, max_relative = 1e-9);
     // Nothing restores the speed, and no turn changes it: that of the mean speed ends with the mean speed.
-    assert_relative_eq!(speed_after(&text, regime, 1), regime.mean_speed, max_relative = 1e-9);
+    assert_relative_eq!(speed_after(&text, regime, 1), regime.figures.mean_speed, max_relative = 1e-9);
 }
 
 #[test]
 fn balance_with_a_damper() {
     let damper = "[[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 60000";
     let regime = check(&driven_by("torque = \"balance\"\nflywheel = \"solve\"", damper), 100);
-    assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
 }
 
 #[test]
 fn a_constant_moment_against_a_damper_finds_its_own_speed() {
     let damper = "[[spring]]\nbetween = [\"D\", \"O\"]\ndamping = 60000";
     let regime = check(&driven_by("torque = 800\nflywheel = 20", damper), 100);
-    assert!((regime.mean_speed - 2.0 * PI).abs() > 0.01);
-    assert_relative_eq!(regime.torque.unwrap(), 800.0);
+    assert!((regime.figures.mean_speed - 2.0 * PI).abs() > 0.01);
+    assert_relative_eq!(regime.figures.torque.unwrap(), 800.0);
 }
 
 #[test]
@@ -137,9 +141,9 @@ fn no_drive_and_no_work() {
     let text = format!("{head}\n[assembly]{assembly}\n[drive]\nflywheel = \"solve\"");
     let (linkage, loads) = compiled(&text);
     let regime = steady(&linkage, &loads, None).unwrap().regime;
-    assert_relative_eq!(regime.unevenness, 0.05, max_relative = 1e-10);
-    assert_relative_eq!(regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
-    assert_relative_eq!(speed_after(&text, &regime, 1), regime.mean_speed, max_relative = 1e-9);
+    assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(speed_after(&text, &regime, 1), regime.figures.mean_speed, max_relative = 1e-9);
 }
 
 #[test]

@@ -118,12 +118,12 @@ fn check(text: &str) -> Steady {
     let (linkage, loads) = compiled(text);
     let found = steady(&linkage, &loads, None).unwrap();
     let regime = &found.regime;
-    let ratio = regime.ratio.unwrap();
+    let ratio = regime.figures.ratio.unwrap();
     let on_motor = text.contains("flywheel_on = \"motor\"");
     let flywheel = if on_motor { regime.flywheel * ratio * ratio } else { regime.flywheel };
     let by_hand = settled(text, ratio, flywheel + 0.0045 * ratio * ratio);
-    assert_relative_eq!(by_hand.mean, regime.mean_speed.abs(), max_relative = 1e-8);
-    assert_relative_eq!(by_hand.unevenness, regime.unevenness, max_relative = 1e-8);
+    assert_relative_eq!(by_hand.mean, regime.figures.mean_speed.abs(), max_relative = 1e-8);
+    assert_relative_eq!(by_hand.unevenness, regime.figures.unevenness, max_relative = 1e-8);
     assert!(regime.multiplier < 1.0);
     found
 }
@@ -136,8 +136,8 @@ fn variant(changes: &[(&str, &str)]) -> String {
 }
 
 fn meets(found: &Steady) {
-    assert_relative_eq!(found.regime.mean_speed.abs(), 2.0 * PI, max_relative = 1e-10);
-    assert_relative_eq!(found.regime.unevenness, 0.05, max_relative = 1e-10);
+    assert_relative_eq!(found.regime.figures.mean_speed.abs(), 2.0 * PI, max_relative = 1e-10);
+    assert_relative_eq!(found.regime.figures.unevenness, 0.05, max_relative = 1e-10);
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn flywheel_on_the_motor() {
     let found = check(&variant(&[("flywheel_on = \"crank\"", "flywheel_on = \"motor\"")]));
     meets(&found);
     // The same machine: only the shaft that the wheel sits on differs.
-    let ratio = found.regime.ratio.unwrap();
+    let ratio = found.regime.figures.ratio.unwrap();
     assert_relative_eq!(found.regime.flywheel * ratio * ratio, 101.9001, max_relative = 1e-6);
 }
 
@@ -166,14 +166,17 @@ fn clockwise() {
         "link = \"crank\"\npositions = 48\ndirection = \"cw\"",
     )]));
     meets(&found);
-    assert!(found.regime.mean_speed < 0.0 && found.regime.speed_max < found.regime.speed_min);
+    assert!(
+        found.regime.figures.mean_speed < 0.0
+            && found.regime.figures.speed_max < found.regime.figures.speed_min
+    );
 }
 
 #[test]
 fn fixed_ratio() {
     for ratio in ["23", "24.5", "25"] {
         let found = check(&variant(&[("ratio = \"solve\"", &format!("ratio = {ratio}"))]));
-        assert_relative_eq!(found.regime.unevenness, 0.05, max_relative = 1e-10);
+        assert_relative_eq!(found.regime.figures.unevenness, 0.05, max_relative = 1e-10);
     }
 }
 
@@ -181,7 +184,7 @@ fn fixed_ratio() {
 fn fixed_flywheel() {
     for flywheel in ["2", "30", "500"] {
         let found = check(&variant(&[("flywheel = \"solve\"", &format!("flywheel = {flywheel}"))]));
-        assert_relative_eq!(found.regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
+        assert_relative_eq!(found.regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
     }
 }
 
@@ -200,7 +203,11 @@ fn clockwise_on_the_motor_with_a_straight_line_and_other_wishes() {
             ("60 rpm", speed),
             ("unevenness = 0.05", &format!("unevenness = {unevenness}")),
         ]));
-        assert_relative_eq!(found.regime.unevenness, unevenness.parse().unwrap(), max_relative = 1e-10);
+        assert_relative_eq!(
+            found.regime.figures.unevenness,
+            unevenness.parse().unwrap(),
+            max_relative = 1e-10
+        );
     }
 }
 
@@ -208,6 +215,6 @@ fn clockwise_on_the_motor_with_a_straight_line_and_other_wishes() {
 fn no_flywheel_is_needed() {
     let found = check(&variant(&[("unevenness = 0.05", "unevenness = 0.6")]));
     assert!(found.regime.flywheel_needless && found.regime.flywheel == 0.0);
-    assert!(found.regime.unevenness < 0.6);
-    assert_relative_eq!(found.regime.mean_speed, 2.0 * PI, max_relative = 1e-10);
+    assert!(found.regime.figures.unevenness < 0.6);
+    assert_relative_eq!(found.regime.figures.mean_speed, 2.0 * PI, max_relative = 1e-10);
 }

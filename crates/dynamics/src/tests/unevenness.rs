@@ -24,7 +24,7 @@ fn margin(found: &Steady) -> f64 {
 fn no_greater_unevenness_keeps_the_motor_on_its_section() {
     for characteristic in ["kloss", "linear"] {
         let greatest = solved("\"motor\"", characteristic).unwrap();
-        let found = greatest.regime.unevenness;
+        let found = greatest.regime.figures.unevenness;
         assert!((0.0..1e-9).contains(&margin(&greatest)), "{characteristic} {found}: {}", margin(&greatest));
         assert!(greatest.regime.flywheel > 0.0);
         let less = solved(&(0.99 * found).to_string(), characteristic).unwrap();
@@ -63,6 +63,9 @@ fn advice_is_the_regime_with_that_motor() {
         let text = text.replace("unevenness = 0.05", "unevenness = \"motor\"") + &drive;
         let (linkage, loads) = compiled(&text);
         let own = steady(&linkage, &loads, None).unwrap();
-        assert_relative_eq!(one.found.as_ref().unwrap().regime.unevenness, own.regime.unevenness);
+        assert_relative_eq!(
+            one.found.as_ref().unwrap().regime.figures.unevenness,
+            own.regime.figures.unevenness
+        );
     }
 }

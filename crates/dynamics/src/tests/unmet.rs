@@ -29,15 +29,15 @@ fn power_is_that_of_the_speed_that_a_given_ratio_gives() {
     let found = press(900.0, "ratio = 9\n").unwrap();
     let regime = &found.regime;
     // By an independent computation; 120 rpm would be 12.57 rad/s and 450 W.
-    assert_relative_eq!(regime.mean_speed, 16.91, max_relative = 2e-4);
-    assert_relative_eq!(regime.required_power, 606.0, max_relative = 2e-3);
+    assert_relative_eq!(regime.figures.mean_speed, 16.91, max_relative = 2e-4);
+    assert_relative_eq!(regime.figures.required_power, 606.0, max_relative = 2e-3);
     // It presses over about one stroke; the guide lies 20 mm beside the pin.
     let far = |arm: f64| (arm * arm - 0.02_f64 * 0.02).sqrt();
     let work = 900.0 * (far(0.45) - far(0.25));
     assert_relative_eq!(found.resistance_work, work, max_relative = 0.02);
-    let power = found.resistance_work * regime.mean_speed / (2.0 * PI * 0.8);
-    assert_relative_eq!(regime.required_power, power, max_relative = 1e-12);
-    assert_relative_eq!(regime.unevenness, 0.02, max_relative = 1e-9);
+    let power = found.resistance_work * regime.figures.mean_speed / (2.0 * PI * 0.8);
+    assert_relative_eq!(regime.figures.required_power, power, max_relative = 1e-12);
+    assert_relative_eq!(regime.figures.unevenness, 0.02, max_relative = 1e-9);
 }
 
 #[test]
@@ -46,10 +46,10 @@ fn a_motor_brakes_with_less_than_the_loads_drive() {
     let found = press(-900.0, "ratio = \"solve\"\n").unwrap();
     let regime = &found.regime;
     assert!(found.resistance_work < 0.0);
-    let power = found.resistance_work * regime.mean_speed / (2.0 * PI) * 0.8;
-    assert_relative_eq!(regime.required_power, power, max_relative = 1e-9);
+    let power = found.resistance_work * regime.figures.mean_speed / (2.0 * PI) * 0.8;
+    assert_relative_eq!(regime.figures.required_power, power, max_relative = 1e-9);
     let motor = found.motor.unwrap();
-    assert!(motor.torque[0] < 0.0 && regime.mean_speed * regime.ratio.unwrap() > 50.0 * PI);
+    assert!(motor.torque[0] < 0.0 && regime.figures.mean_speed * regime.figures.ratio.unwrap() > 50.0 * PI);
 }
 
 /// A disc with a damper-like moment and a constant one.
@@ -66,15 +66,15 @@ fn disc(mean_speed: f64, drive: &str) -> Result<Steady, DynamicsError> {
 #[test]
 fn without_a_drive_another_speed_than_that_of_the_loads_is_refused() {
     // 6 - w/2 = 0.
-    assert_relative_eq!(disc(12.0, "").unwrap().regime.mean_speed, 12.0, max_relative = 1e-10);
+    assert_relative_eq!(disc(12.0, "").unwrap().regime.figures.mean_speed, 12.0, max_relative = 1e-10);
     let error = disc(1.0, "").unwrap_err();
     let DynamicsError::OtherSpeed { wanted, found } = error else { panic!("{error}") };
     assert_relative_eq!(wanted, 1.0);
     assert_relative_eq!(found, 12.0, max_relative = 1e-10);
     // A moment that balances the loads makes any speed the mean one.
     let balanced = disc(4.0, "[drive]\ntorque = \"balance\"\n").unwrap();
-    assert_relative_eq!(balanced.regime.mean_speed, 4.0, max_relative = 1e-10);
-    assert_relative_eq!(balanced.regime.torque.unwrap(), -4.0, max_relative = 1e-10);
+    assert_relative_eq!(balanced.regime.figures.mean_speed, 4.0, max_relative = 1e-10);
+    assert_relative_eq!(balanced.regime.figures.torque.unwrap(), -4.0, max_relative = 1e-10);
 }
 
 #[test]

@@ -29,11 +29,19 @@ fn a_grid_of_wishes_is_met() {
                             Ok(found) => {
                                 let regime = &found.regime;
                                 let wanted = speed * std::f64::consts::PI / 30.0;
-                                assert_relative_eq!(regime.mean_speed.abs(), wanted, max_relative = 1e-9);
+                                assert_relative_eq!(
+                                    regime.figures.mean_speed.abs(),
+                                    wanted,
+                                    max_relative = 1e-9
+                                );
                                 if regime.flywheel_needless {
-                                    assert!(regime.unevenness <= unevenness);
+                                    assert!(regime.figures.unevenness <= unevenness);
                                 } else {
-                                    assert_relative_eq!(regime.unevenness, unevenness, max_relative = 1e-9);
+                                    assert_relative_eq!(
+                                        regime.figures.unevenness,
+                                        unevenness,
+                                        max_relative = 1e-9
+                                    );
                                 }
                                 met += 1;
                             }

@@ -37,8 +37,9 @@ fn row(page: &mut Page, what: &str, value: &str, unit: &str) {
 fn required_power(found: &Dynamics, regime: &RegimeReport) -> Option<f64> {
     /// In parts of the power that accelerates and brakes the links.
     const ROUNDING: f64 = 1e-9;
-    let is_rounding = found.required_power.abs() * regime.cycle_time <= ROUNDING * found.excess_work.abs();
-    (found.motor.is_some() || !is_rounding).then_some(found.required_power)
+    let is_rounding =
+        found.figures.required_power.abs() * regime.cycle_time <= ROUNDING * found.figures.excess_work.abs();
+    (found.motor.is_some() || !is_rounding).then_some(found.figures.required_power)
 }
 
 fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &mut Page) {
@@ -46,13 +47,17 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
     let moment = source.units.reduced[2].name;
     let at = |q: f64| format!("{} {}", single(q * place.factor), place.name);
     let all = [
-        ("Mean speed (greatest + least)/2", Some(found.mean_speed), rate.name),
-        ("Unevenness (greatest - least)/mean", Some(found.unevenness), ""),
-        ("Excess work between least and greatest speed, in this motion", Some(found.excess_work), "J"),
-        ("Dynamic unevenness (Artobolevsky)", found.dynamic_unevenness, ""),
+        ("Mean speed (greatest + least)/2", Some(found.figures.mean_speed), rate.name),
+        ("Unevenness (greatest - least)/mean", Some(found.figures.unevenness), ""),
+        (
+            "Excess work between least and greatest speed, in this motion",
+            Some(found.figures.excess_work),
+            "J",
+        ),
+        ("Dynamic unevenness (Artobolevsky)", found.figures.dynamic_unevenness, ""),
         ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
         ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
-        ("Constant moment of the drive", found.torque, moment),
+        ("Constant moment of the drive", found.figures.torque, moment),
         ("Power that the motor needs, at the mean speed", required_power(found, regime), "W"),
         ("Time of a cycle", Some(regime.cycle_time), "s"),
         ("A small change of the speed is multiplied over a cycle by", Some(regime.multiplier), ""),
@@ -63,8 +68,8 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
         }
     }
     for (what, speed, q) in [
-        ("Least speed", found.speed_min, found.coordinate_at_min),
-        ("Greatest speed", found.speed_max, found.coordinate_at_max),
+        ("Least speed", found.figures.speed_min, found.figures.coordinate_at_min),
+        ("Greatest speed", found.figures.speed_max, found.figures.coordinate_at_max),
     ] {
         row(page, what, &single(speed), &format!("{} at {}", rate.name, at(q)));
     }
@@ -161,7 +166,7 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
     if let Some(motor) = &found.motor {
         motor_lines(motor, page);
     }
-    if let Some(ratio) = found.ratio {
+    if let Some(ratio) = found.figures.ratio {
         row(page, "Gear ratio (motor speed / input speed)", &single(ratio), "");
     }
     let unit = source.units.reduced[0].name;
@@ -172,7 +177,7 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
         row(
             page,
             "Greatest unevenness for which the motor stays on its stable section",
-            &single(found.unevenness),
+            &single(found.figures.unevenness),
             "",
         );
         super::advice::write(&found.motors_by_unevenness, page);

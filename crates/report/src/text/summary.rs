@@ -128,9 +128,9 @@ impl List {
 
     fn dynamics(&mut self, found: &Dynamics) {
         let (rate, inertia) = (self.units.rates[0].name, self.units.reduced[0].name);
-        self.add("mean speed", short(found.mean_speed), rate, &[]);
-        self.add("unevenness", short(found.unevenness), "", &[]);
-        self.add("required power", short(found.required_power), POWER, &[]);
+        self.add("mean speed", short(found.figures.mean_speed), rate, &[]);
+        self.add("unevenness", short(found.figures.unevenness), "", &[]);
+        self.add("required power", short(found.figures.required_power), POWER, &[]);
         if let Some(motor) = &found.motor {
             if !motor.designation.is_empty() {
                 self.add("motor", motor.designation.clone(), "", &[]);
@@ -138,8 +138,8 @@ impl List {
             self.add("rated power of the motor", short(motor.rated.power), POWER, &[]);
         }
         for (what, value, unit) in [
-            ("gear ratio", found.ratio, ""),
-            ("constant driving moment", found.torque, self.units.reduced[2].name),
+            ("gear ratio", found.figures.ratio, ""),
+            ("constant driving moment", found.figures.torque, self.units.reduced[2].name),
             ("moment of inertia of the flywheel", found.flywheel, inertia),
         ] {
             if let Some(value) = value {

@@ -52,11 +52,11 @@ fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
     let dynamics = dynamics.ok_or("no regime is found, so the needed power is not known")?;
     let (required_power, max_motor_speed) = match state.motor_limits {
         Some([power, speed]) => (power, Some(speed)),
-        None => (dynamics.required_power, *max_speed),
+        None => (dynamics.figures.required_power, *max_speed),
     };
     let request = SelectionRequest {
         required_power,
-        input_speed: dynamics.mean_speed,
+        input_speed: dynamics.figures.mean_speed,
         max_motor_speed,
         characteristic: *characteristic,
     };
@@ -65,7 +65,7 @@ fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
     let found = select(all, &request).map_err(|error| error.to_string())?;
     // The load on the shaft of another motor, with the ratio that this one needs.
     let work = dynamics.motor.as_ref().map(|motor| &motor.work);
-    let load = work.map(|work| work.starting_load * dynamics.ratio.unwrap_or(1.0));
+    let load = work.map(|work| work.starting_load * dynamics.figures.ratio.unwrap_or(1.0));
     let rows = std::iter::once(&found.chosen).chain(&found.runners_up).map(|candidate| row(candidate, load));
     let limit = max_motor_speed.map_or_else(String::new, |speed| format!(", at most {:.0} rpm", rpm(speed)));
     let power = digits(required_power / 1e3, 4);

@@ -78,7 +78,7 @@ fn the_drive_shows_motor_moments_flywheels_and_places() {
         .nth(1)
         .and_then(|rest| rest.split([' ', ',']).next()?.parse().ok())
         .unwrap();
-    let unevenness = dynamics.unevenness;
+    let unevenness = dynamics.figures.unevenness;
     assert!((shown - unevenness).abs() <= 1e-4 * unevenness, "{frame}");
     for (row, word) in dynamics.flywheel_methods.iter().zip(["kg m2"].iter().cycle()) {
         assert!(frame.contains(row.method) && frame.contains(word), "{frame}");

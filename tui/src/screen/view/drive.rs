@@ -77,7 +77,7 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
 
 fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {
     let mut lines = dynamics.motor.as_ref().map(motor_rows).unwrap_or_default();
-    lines.extend(dynamics.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
+    lines.extend(dynamics.figures.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
     lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
     for row in &dynamics.flywheel_methods {
         let off = row.difference.map_or_else(String::new, |part| format!("{:+.2} %", 1e2 * part));

@@ -75,7 +75,7 @@ fn heading(state: &State, scene: &Scene, found: &Found) -> (Role, String) {
 
 /// `unevenness 0.05, mean speed 6.2832 rad/s`.
 pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> String {
-    let [unevenness, mean] = [dynamics.unevenness, dynamics.mean_speed].map(|x| digits(x, 5));
+    let [unevenness, mean] = [dynamics.figures.unevenness, dynamics.figures.mean_speed].map(|x| digits(x, 5));
     format!("unevenness {unevenness}, mean speed {mean} {}", speed_unit(angular))
 }
 
@@ -114,16 +114,16 @@ pub(super) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)>
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
     let all: [(&str, Option<f64>, &str); 10] = [
-        ("mean speed", Some(dynamics.mean_speed), speed),
-        ("unevenness", Some(dynamics.unevenness), ""),
-        ("least speed", Some(dynamics.speed_min), speed),
-        ("  at", Some(degrees(dynamics.coordinate_at_min)), place),
-        ("greatest speed", Some(dynamics.speed_max), speed),
-        ("  at", Some(degrees(dynamics.coordinate_at_max)), place),
-        ("excess work", Some(dynamics.excess_work), "J"),
-        ("dynamic unevenness", dynamics.dynamic_unevenness, ""),
-        ("torque", dynamics.torque, "N m"),
-        ("required power", Some(dynamics.required_power), "W"),
+        ("mean speed", Some(dynamics.figures.mean_speed), speed),
+        ("unevenness", Some(dynamics.figures.unevenness), ""),
+        ("least speed", Some(dynamics.figures.speed_min), speed),
+        ("  at", Some(degrees(dynamics.figures.coordinate_at_min)), place),
+        ("greatest speed", Some(dynamics.figures.speed_max), speed),
+        ("  at", Some(degrees(dynamics.figures.coordinate_at_max)), place),
+        ("excess work", Some(dynamics.figures.excess_work), "J"),
+        ("dynamic unevenness", dynamics.figures.dynamic_unevenness, ""),
+        ("torque", dynamics.figures.torque, "N m"),
+        ("required power", Some(dynamics.figures.required_power), "W"),
     ];
     all.into_iter()
         .filter_map(|(name, value, unit)| Some((Role::Plain, format!("{name} {} {unit}", digits(value?, 5)))))

@@ -34,9 +34,9 @@ fn of(state: &State, scene: &Scene) -> Vec<Result> {
     let force = forces.map(|reaction| greatest(&found.series[reaction.series[2]].values)).reduce(f64::max);
     results.extend(force.map(|force| ("reaction, N".to_owned(), force)));
     if let Some(dynamics) = &found.analysis.dynamics {
-        results.push(("unevenness".to_owned(), dynamics.unevenness));
+        results.push(("unevenness".to_owned(), dynamics.figures.unevenness));
         results.extend(dynamics.flywheel.map(|flywheel| ("flywheel, kg m2".to_owned(), flywheel)));
-        results.push(("power, W".to_owned(), dynamics.required_power));
+        results.push(("power, W".to_owned(), dynamics.figures.required_power));
     }
     results.extend(scene.nearest_group().map(|(_, least, _)| ("determinant".to_owned(), least)));
     results

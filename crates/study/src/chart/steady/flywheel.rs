@@ -40,7 +40,7 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
 
 /// The flywheel corrected by the unevenness that dop853 finds in time: unevenness goes with the inverse of the inertia.
 fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Reference)> {
-    let ratio = cycle.regime.ratio.filter(|_| on_motor).unwrap_or(1.0);
+    let ratio = cycle.regime.figures.ratio.filter(|_| on_motor).unwrap_or(1.0);
     let fine = unevenness(cycle, SAMPLES)?;
     let coarse = unevenness(cycle, SAMPLES / 2)?;
     let task = cycle.task(1);

@@ -146,7 +146,7 @@ fn regime(excess: f64) -> Row {
         None => return row(Err("the scene does not compile".to_owned()), false),
     };
     match found {
-        Ok(found) if over < 0.0 => row(Ok((found.regime.mean_speed / -over - 1.0).abs()), false),
+        Ok(found) if over < 0.0 => row(Ok((found.regime.figures.mean_speed / -over - 1.0).abs()), false),
         Ok(_) => row(Ok(f64::INFINITY), false),
         Err(why) => row(Err(why), over > 0.0),
     }
