@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::{Formula, Lanes, Real, widest};
+use crate::{Lanes, Real};
 
 /// Eight intervals, each given by its middle and its radius.
 ///
@@ -135,9 +135,5 @@ impl Real for Intervals {
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.middle.sin_cos();
         (Self { middle: sine, ..self }, Self { middle: cosine, ..self })
-    }
-    #[inline(always)]
-    fn evaluate<F: Formula>(formula: F) -> F::Value {
-        widest::evaluate(formula)
     }
 }

@@ -5,6 +5,7 @@
 //! of the mechanism and from the poses of its links alone, without its groups, so it is a check on every method that
 //! uses them.
 
+mod elimination;
 mod system;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
@@ -19,7 +20,7 @@ assur_force::inventory::submit! {
         name: "newton-euler",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: "one linear system for all links: every reaction and the balancing load, without groups",
-        source: "equilibrium of each link with its inertia loads (d'Alembert); sparse LU with partial pivoting",
+        source: "equilibrium of each link with its inertia loads (d'Alembert); sparse elimination with partial pivoting",
         instance: &NewtonEuler,
         gives_reactions: true,
         by_groups: false,

@@ -4,13 +4,11 @@ use std::collections::VecDeque;
 
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
-use rsparse::data::{Nmrc, Sprs};
+
+use crate::elimination::{self, Row};
 
 /// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
-
-/// Column ordering of the factorization: as numbered, which leaves little fill-in (see [`from_the_ends`]).
-const ORDERING: i8 = -1;
 
 /// An unknown; each has two columns, the balancing load the last one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +18,12 @@ enum Unknown {
     /// Force across the guide and moment of a slide on the sliding link.
     Slide(SlideId),
 }
+
+/// Room for the entries of an equation before it is solved: a link of three pins has seven with the right side.
+const ENTRIES: usize = 8;
+
+/// An arm from the origin of a link, a force there, and a moment.
+type Load = ([f64; 2], [f64; 2], f64);
 
 /// The numbering of equations and unknowns.
 #[derive(Debug)]
@@ -41,9 +45,6 @@ pub(crate) struct Solution {
     pub(crate) slides: Vec<Wrench<f64>>,
     pub(crate) balancing: f64,
 }
-
-/// Entries of one column of the matrix: row and value.
-type Column = Vec<(usize, f64)>;
 
 impl<'a> System<'a> {
     pub(crate) fn of(mechanism: &'a Mechanism, scale: f64) -> Self {
@@ -80,68 +81,36 @@ impl<'a> System<'a> {
         if rows != columns {
             return Err(0.0);
         }
-        let matrix = self.matrix(bodies);
-        let mut symbolic = rsparse::sqr(&matrix, ORDERING, false);
-        // Room for a little fill-in, which is what the ordering leaves: the factors grow where they need more.
-        (symbolic.lnz, symbolic.unz) = (matrix.nzmax + rows, matrix.nzmax + rows);
-        let Nmrc { l, u, pinv, .. } = rsparse::lu(&matrix, &mut symbolic, 1.0).map_err(|_| 0.0)?;
-        let pivots = (0..rows).map(|k| u.x[index(u.p[k + 1]) - 1].abs());
-        let (least, greatest) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, g), p| (l.min(p), g.max(p)));
-        let health = if greatest > 0.0 { least / greatest } else { 0.0 };
+        let (solved, health) = elimination::solve(self.equations(bodies, loads));
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
-        }
-        let place =
-            |permutation: &Option<Vec<isize>>, k: usize| permutation.as_ref().map_or(k, |p| index(p[k]));
-        let mut x = vec![0.0; rows];
-        for (link, load) in loads.iter().enumerate().skip(1) {
-            for (k, right) in [-load.fx, -load.fy, -load.m / self.scale].into_iter().enumerate() {
-                x[place(&pinv, 3 * (link - 1) + k)] = right;
-            }
-        }
-        rsparse::lsolve(&l, &mut x);
-        rsparse::usolve(&u, &mut x);
-        let mut solved = vec![0.0; columns];
-        for (k, value) in x.into_iter().enumerate() {
-            solved[place(&symbolic.q, k)] = value;
         }
         Ok(self.read(solved, bodies))
     }
 
-    /// The matrix by compressed columns: two for each unknown, the balancing load last.
-    fn matrix(&self, bodies: &[Body<f64>]) -> Sprs<f64> {
+    /// The equations of all moving links, three of each.
+    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>]) -> Vec<Row> {
         let (rows, columns) = self.size();
-        let mut matrix = Sprs::zeros(rows, columns, 0);
-        let mut pair = [Column::new(), Column::new()];
-        let mut finished = 0;
-        let mut finish = |column: &mut Column| {
-            for (row, value) in column.drain(..) {
-                matrix.i.push(row);
-                matrix.x.push(value);
-            }
-            finished += 1;
-            matrix.p[finished] = isize::try_from(matrix.i.len()).unwrap_or(isize::MAX);
-        };
-        for unknown in &self.unknowns {
-            self.fill(&mut pair, *unknown, bodies);
-            pair.iter_mut().for_each(&mut finish);
+        let mut equations: Vec<Row> = (0..rows).map(|_| Row::with_capacity(ENTRIES)).collect();
+        for (k, unknown) in self.unknowns.iter().enumerate() {
+            self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies);
         }
-        self.fill_balance(&mut pair[0], bodies);
-        finish(&mut pair[0]);
-        matrix.nzmax = matrix.i.len();
-        matrix
+        self.fill_balance(&mut equations, columns - 1, bodies);
+        let right_sides = loads.iter().skip(1).flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]);
+        equations.iter_mut().zip(right_sides).for_each(|(row, right)| row.push((columns, right)));
+        equations
     }
 
     /// The effect of an unknown on every moving link.
-    fn fill(&self, columns: &mut [Column], unknown: Unknown, bodies: &[Body<f64>]) {
+    fn fill(&self, rows: &mut [Row], columns: [usize; 2], unknown: Unknown, bodies: &[Body<f64>]) {
         let units = [[1.0, 0.0], [0.0, 1.0]];
         match unknown {
             Unknown::Member(pin, member) => {
                 let places = &self.mechanism.points[pin].places;
                 for (sign, place) in [(1.0, places[member]), (-1.0, places[0])] {
                     let arm = turn(&bodies[place.link], place.at);
-                    for (k, unit) in units.into_iter().enumerate() {
-                        self.add(&mut columns[k], place.link, arm, unit.map(|u| sign * u), 0.0);
+                    for (column, unit) in columns.into_iter().zip(units) {
+                        self.add(rows, column, place.link, (arm, unit.map(|u| sign * u), 0.0));
                     }
                 }
             }
@@ -151,41 +120,42 @@ impl<'a> System<'a> {
                 let normal = self.normal(id, bodies);
                 let arm = turn(link, slide.point);
                 let arm_on = [link.x + arm[0] - on.x, link.y + arm[1] - on.y];
-                self.add(&mut columns[0], slide.link, arm, normal, 0.0);
-                self.add(&mut columns[0], slide.on, arm_on, normal.map(|n| -n), 0.0);
+                self.add(rows, columns[0], slide.link, (arm, normal, 0.0));
+                self.add(rows, columns[0], slide.on, (arm_on, normal.map(|n| -n), 0.0));
                 // The unknown moment is M / scale, in N.
-                self.add(&mut columns[1], slide.link, arm, [0.0, 0.0], self.scale);
-                self.add(&mut columns[1], slide.on, arm_on, [0.0, 0.0], -self.scale);
+                self.add(rows, columns[1], slide.link, (arm, [0.0, 0.0], self.scale));
+                self.add(rows, columns[1], slide.on, (arm_on, [0.0, 0.0], -self.scale));
             }
         }
     }
 
-    /// Adds a force at an arm and a moment to the equations of a link.
-    fn add(&self, column: &mut Column, link: LinkId, arm: [f64; 2], force: [f64; 2], moment: f64) {
+    /// Adds what an unknown of size 1 exerts on a link to its equations: an arm, a force there, and a moment.
+    fn add(&self, rows: &mut [Row], column: usize, link: LinkId, (arm, force, moment): Load) {
         if link == GROUND {
             return;
         }
         let about = (arm[0] * force[1] - arm[1] * force[0] + moment) / self.scale;
-        for (row, value) in (3 * (link - 1)..).zip([force[0], force[1], about]) {
-            match column.iter_mut().find(|(known, _)| *known == row) {
+        for (row, value) in rows[3 * (link - 1)..].iter_mut().zip([force[0], force[1], about]) {
+            match row.last_mut().filter(|(known, _)| *known == column) {
                 Some((_, sum)) => *sum += value,
-                None => column.push((row, value)),
+                None if value == 0.0 => {}
+                None => row.push((column, value)),
             }
         }
     }
 
     /// The balancing load: a moment in units of 1/scale, a force as it is.
-    fn fill_balance(&self, column: &mut Column, bodies: &[Body<f64>]) {
+    fn fill_balance(&self, rows: &mut [Row], column: usize, bodies: &[Body<f64>]) {
         let input = &self.mechanism.input;
         match (self.mechanism.balance, input.pair) {
             (Some(Balance::Force { at, angle }), _) => {
                 let arm = turn(&bodies[at.link], at.at);
-                self.add(column, at.link, arm, [angle.cos(), angle.sin()], 0.0);
+                self.add(rows, column, at.link, (arm, [angle.cos(), angle.sin()], 0.0));
             }
             (Some(Balance::Moment(link)), _) => {
-                self.add(column, link, [0.0; 2], [0.0; 2], self.scale);
+                self.add(rows, column, link, ([0.0; 2], [0.0; 2], self.scale));
             }
-            (None, InputPair::Pin(_)) => self.add(column, input.link, [0.0; 2], [0.0; 2], self.scale),
+            (None, InputPair::Pin(_)) => self.add(rows, column, input.link, ([0.0; 2], [0.0; 2], self.scale)),
             (None, InputPair::Slide(id)) => {
                 let normal = self.normal(id, bodies);
                 let slide = &self.mechanism.slides[id];
@@ -195,7 +165,7 @@ impl<'a> System<'a> {
                     if slide.link == input.link { (1.0, input.link) } else { (-1.0, slide.on) };
                 let (link, own) = (&bodies[slide.link], turn(&bodies[slide.link], slide.point));
                 let arm = [link.x + own[0] - bodies[body].x, link.y + own[1] - bodies[body].y];
-                self.add(column, body, arm, along.map(|a| sign * a), 0.0);
+                self.add(rows, column, body, (arm, along.map(|a| sign * a), 0.0));
             }
         }
     }
@@ -270,11 +240,6 @@ fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
     found.extend(pairs.iter().zip(is_taken).filter(|(_, taken)| !taken).map(|((pair, _), _)| *pair));
     found.reverse();
     found
-}
-
-/// An index of `rsparse`, which are signed there; never negative in a finished factorization.
-fn index(signed: isize) -> usize {
-    usize::try_from(signed).unwrap_or_default()
 }
 
 /// A vector of a link turned into the frame of the ground.

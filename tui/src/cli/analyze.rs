@@ -114,17 +114,16 @@ impl Results<'_> {
             json::analysis::Around::of(self.analysis, self.style.ascii_data).map_err(Fault::other)?;
         output.write_by(status, |out| {
             out.write_all(&around.before)?;
-            let mut first = true;
+            // Each row stands after a comma, but the first of all.
+            let mut skipped = 1;
             self.each(
                 |table| around.rows(table),
-                |rows| {
-                    // Each row stands after a comma, but the first of all.
-                    let skipped = usize::from(first && !rows.is_empty());
-                    first &= rows.is_empty();
-                    out.write_all(&rows[skipped..])
+                |parts| {
+                    let mut parts = parts.iter().filter(|part| !part.is_empty());
+                    parts.try_for_each(|part| out.write_all(&part[std::mem::take(&mut skipped)..]))
                 },
             )?;
-            out.write_all(&around.after)
+            around.after.iter().try_for_each(|part| out.write_all(part))
         })
     }
 

@@ -86,8 +86,8 @@ pub struct Around {
     rows: Rows,
     /// The text before the positions.
     pub before: Vec<u8>,
-    /// The text after them.
-    pub after: Vec<u8>,
+    /// The text after them, in parts.
+    pub after: Vec<Vec<u8>>,
 }
 
 impl Around {
@@ -101,22 +101,25 @@ impl Around {
         let mut before = vec![b'{'];
         members(&mut before, &Head { format: FORMAT, title, input, structure }, ascii)?;
         before.extend_from_slice(b",\"positions\":[");
-        let mut after = vec![b']'];
-        members(&mut after, &Failures { failures }, ascii)?;
+        let mut end = vec![b']'];
+        members(&mut end, &Failures { failures }, ascii)?;
+        let mut after = Vec::new();
         if !trajectory.is_empty() {
-            after.extend_from_slice(b",\"trajectory\":[");
-            let rows = Rows::new(trajectory.schema(), TRAJECTORY, ascii).text(trajectory);
-            after.extend_from_slice(rows.get(1..).unwrap_or_default());
-            after.push(b']');
+            end.extend_from_slice(b",\"trajectory\":[");
+            let mut rows = Rows::new(trajectory.schema(), TRAJECTORY, ascii).text(trajectory);
+            rows[0].remove(0);
+            after.push(std::mem::replace(&mut end, vec![b']']));
+            after.extend(rows);
         }
-        members(&mut after, &Tail::of(analysis), ascii)?;
-        after.extend_from_slice(b"}\n");
+        members(&mut end, &Tail::of(analysis), ascii)?;
+        end.extend_from_slice(b"}\n");
+        after.push(end);
         let rows = Rows::new(analysis.positions.schema(), POSITIONS, ascii);
         Ok(Self { rows, before, after })
     }
 
-    /// The text of some positions, each after a comma: the first of all stands without it.
-    pub fn rows(&self, table: &Table) -> Vec<u8> {
+    /// The text of some positions in parts, each position after a comma: the first of all stands without it.
+    pub fn rows(&self, table: &Table) -> Vec<Vec<u8>> {
         self.rows.text(table)
     }
 }
@@ -128,8 +131,8 @@ impl Around {
 /// [`JsonError`] for a number that is not finite.
 pub fn to_json(analysis: &Analysis, ascii: bool) -> Result<String, JsonError> {
     let Around { rows, before, after } = Around::of(analysis, ascii)?;
-    let rows = rows.text(&analysis.positions);
-    let text = [&before, rows.get(1..).unwrap_or_default(), &after].concat();
+    let rows = rows.text(&analysis.positions).concat();
+    let text = [&before, rows.get(1..).unwrap_or_default(), &after.concat()].concat();
     // Only UTF-8 was written.
     Ok(String::from_utf8_lossy(&text).into_owned())
 }

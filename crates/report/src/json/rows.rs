@@ -13,6 +13,9 @@ use crate::template::{Template, Templates};
 /// Numbers that a thread writes at a time: some milliseconds of work.
 const NUMBERS: usize = 1 << 16;
 
+/// What a number takes with what stands before it, in characters: room for the text of a row.
+const USUAL: usize = 24;
+
 /// What the objects of a table have besides its columns.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Form {
@@ -49,31 +52,30 @@ pub(super) struct Rows {
 
 impl Rows {
     pub(super) fn new(schema: &Schema, form: Form, ascii: bool) -> Self {
-        let rank = |column: &usize| {
-            let path = path(schema, schema.columns()[*column]);
-            path.and_then(|path| KEYS.split(' ').position(|key| path[0] == Step::Key(key.into())))
-        };
-        let mut columns: Vec<usize> =
-            (0..schema.columns().len()).filter(|column| rank(column).is_some()).collect();
-        columns.sort_by_key(rank);
-        Self { form, ascii, columns }
+        let ranks = schema.columns().iter().map(|column| {
+            let path = path(schema, *column)?;
+            KEYS.split(' ').position(|key| path[0] == Step::Key(key.into()))
+        });
+        let mut ranked: Vec<_> =
+            ranks.enumerate().filter_map(|(column, rank)| Some((rank?, column))).collect();
+        ranked.sort_unstable();
+        Self { form, ascii, columns: ranked.into_iter().map(|(_, column)| column).collect() }
     }
 
-    /// The rows of a table, each after a comma; those of a large table are written by all threads.
-    pub(super) fn text(&self, table: &Table) -> Vec<u8> {
+    /// The rows of a table, each after a comma; those of a large table in parts that all threads write.
+    pub(super) fn text(&self, table: &Table) -> Vec<Vec<u8>> {
         let together = (NUMBERS / self.columns.len().max(1)).max(1);
         if table.len() <= 2 * together {
-            return self.some(table, 0..table.len());
+            return vec![self.some(table, 0..table.len())];
         }
         let starts = (0..table.len()).into_par_iter().step_by(together);
-        let each = starts.map(|start| self.some(table, start..(start + together).min(table.len())));
-        each.collect::<Vec<_>>().concat()
+        starts.map(|start| self.some(table, start..(start + together).min(table.len()))).collect()
     }
 
     fn some(&self, table: &Table, rows: Range<usize>) -> Vec<u8> {
         let Self { form, ascii, columns } = self;
         let mut templates = Templates::new(table, columns.iter().copied());
-        let mut out = Vec::new();
+        let mut out = Vec::with_capacity(rows.len() * columns.len() * USUAL);
         for row in rows {
             let make = |has: &dyn Fn(usize) -> bool| {
                 let columns = columns.iter().copied().filter(|column| has(*column));
