@@ -10,8 +10,7 @@ use assur_mechanism::{
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::formula::{FormulaLaw, Unlocated};
-use crate::grid::rests;
-use crate::grid::{Bodies, Span};
+use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
 use crate::stroke::{NoStroke, Stroke, Travel};
@@ -216,8 +215,11 @@ impl<'a> Compiler<'a> {
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
             let scale = self.linkage.structure.scale;
-            let found = self.over_stroke(name, |bodies, span| {
+            let found = self.over_stroke(name, at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
+                // Nothing is known of the switches in a cell.
+                let span = &Span { cells: GRID, ..*span };
+                let mut bodies = Bodies::new(self.linkage, *span);
                 let point = |q: f64| {
                     let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
                     Ok(body.point(at.at))
@@ -234,17 +236,19 @@ impl<'a> Compiler<'a> {
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             Stroke::find(&mut |q| bodies.at(q, at.link), at.at, axis, tables, span, scale)
         };
-        self.over_stroke(name, find).map(|stroke| Law::Stroke(Box::new(stroke)))
+        self.over_stroke(name, at, axis, find).map(|stroke| Law::Stroke(Box::new(stroke)))
     }
 
     /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
     fn over_stroke<T>(
         &self,
         name: &str,
+        at: Place,
+        axis: f64,
         mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, NoStroke>,
     ) -> Result<T, LoadError> {
         let mut outcome = Err(NoStroke::Stands(0.0));
-        for span in self.spans() {
+        for span in self.spans().into_iter().map(|span| span.for_stroke(self.linkage, at, axis)) {
             outcome = find(&mut Bodies::new(self.linkage, span), &span);
             // A range may be all that the mechanism can do of its turn.
             if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
@@ -277,11 +281,12 @@ impl<'a> Compiler<'a> {
         let input = &self.mechanism.input;
         // Dead points are often at round coordinates; a reversal on a grid point would be bracketed by rounding alone.
         let beside = |length: f64| input.from + BESIDE * length;
-        let cycle = input.period().map(|length| Span { from: beside(length), length, periodic: true });
+        let cycle =
+            input.period().map(|length| Span { from: beside(length), length, periodic: true, cells: GRID });
         let range = match input.range {
             Range::To(to) => {
                 let length = (to - input.from).abs();
-                Some(Span { from: to.min(input.from), length, periodic: false })
+                Some(Span { from: to.min(input.from), length, periodic: false, cells: GRID })
             }
             Range::Cycle(_) => None,
         };

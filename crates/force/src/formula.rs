@@ -6,7 +6,7 @@ use assur_number::search::bisect;
 
 use crate::State;
 use crate::breaks::Breaks;
-use crate::grid::{GRID, Span};
+use crate::grid::Span;
 use crate::law::cut;
 use crate::state::Selection;
 use crate::stroke::Travel;
@@ -84,7 +84,7 @@ impl FormulaLaw {
             self.places.switches |= 1 << index;
             let argument = |at: &Variables| self.formula.argument(index, at);
             let mut before = at(span.at(0))?;
-            for cell in 1..=GRID {
+            for cell in 1..=span.cells {
                 let after = at(span.at(cell))?;
                 if (argument(&before) >= 0.0) != (argument(&after) >= 0.0) {
                     let side = argument(&before) >= 0.0;

@@ -1,15 +1,19 @@
 //! The motion of bodies over a cycle, whose places are asked for in the order of a grid.
 
+use assur_group::plane::{dot, vector};
 use assur_group::{Body, Order};
 use assur_kinematics::{LanePosition, Linkage, Position};
-use assur_mechanism::LinkId;
-use assur_number::Lanes;
+use assur_mechanism::{LinkId, Place};
 use assur_number::search::try_newton_root;
+use assur_number::{Intervals, Lanes};
 
 use crate::breaks::Breaks;
 
-/// Number of cells of the cycle in which an extreme, a rest or a switch is bracketed.
+/// Number of cells of a span where nothing is known of them.
 pub(crate) const GRID: u32 = 720;
+
+/// Into how many cells a span is divided where that suffices; beyond these, proving it takes as long as it saves.
+const FEW: [u32; 2] = [32, 128];
 
 /// An interval of the input coordinate.
 #[derive(Debug, Clone, Copy)]
@@ -20,12 +24,37 @@ pub(crate) struct Span {
     pub(crate) length: f64,
     /// Whether the motion repeats with the length.
     pub(crate) periodic: bool,
+    /// Number of equal cells in which an extreme, a rest or a switch is bracketed.
+    pub(crate) cells: u32,
 }
 
 impl Span {
     /// Place `index` of the grid.
     pub(crate) fn at(&self, index: u32) -> f64 {
-        self.from + self.length * (f64::from(index) / f64::from(GRID))
+        self.from + self.length * (f64::from(index) / f64::from(self.cells))
+    }
+
+    /// The span in as few cells as show where a point reverses along an axis: in each of them it moves in one direction, or its
+    /// PF2 keeps its sign. Intervals prove it; where they don't, there are as many cells as usual.
+    pub(crate) fn for_stroke(self, linkage: &Linkage, at: Place, axis: f64) -> Self {
+        let Some(mut enclosures) = linkage.enclosures() else { return self };
+        let (axis, point) = (vector([axis.cos(), axis.sin()]), vector(at.at));
+        let ends = [self.from, self.from + self.length];
+        let mut is_simple = |cells: u32| {
+            let radius = 0.5 * self.length / f64::from(cells);
+            enclosures.all(ends, cells, Order::Second, |bodies, _| {
+                let body: &Body<Intervals> = &bodies[at.link];
+                let [first, second] = body.motion(body.arm(point)).map(|along| dot(axis, along));
+                (0..Lanes::WIDTH).all(|lane| {
+                    let [[slope, error], [bend, of_bend]] =
+                        [first, second].map(|order| [order.middle.0[lane].abs(), order.radius.0[lane]]);
+                    // The mean value theorem encloses PF1 more narrowly than its own formula where PF2 is small.
+                    slope > error || slope > radius * (bend + of_bend) || bend > of_bend
+                })
+            })
+        };
+        let cells = FEW.into_iter().find(|cells| is_simple(*cells)).unwrap_or(self.cells);
+        Self { cells, ..self }
     }
 
     pub(crate) fn period(&self) -> Option<f64> {
@@ -69,8 +98,8 @@ impl<'a> Bodies<'a> {
         if same(self.grid.at(0)) {
             self.next = 0;
         }
-        if self.next <= GRID && same(self.grid.at(self.next)) {
-            let mut places = (self.next..).map(|index| self.grid.at(index.min(GRID)));
+        if self.next <= self.grid.cells && same(self.grid.at(self.next)) {
+            let mut places = (self.next..).map(|index| self.grid.at(index.min(self.grid.cells)));
             let places = Lanes::of(|_| places.next().unwrap_or(coordinate));
             self.solved = self.linkage.solve_lanes(places, Order::Second, &mut self.eight).is_ok();
             self.next += 8;
@@ -94,7 +123,7 @@ pub(crate) fn rests(
     let mut greatest = 0.0_f64;
     let mut minima = Vec::new();
     let mut before = slope(span.from);
-    for index in 1..=GRID {
+    for index in 1..=span.cells {
         let (low, high) = (span.at(index - 1), span.at(index));
         let after = slope(high);
         if let (Ok(a), Ok(b)) = (&before, &after) {

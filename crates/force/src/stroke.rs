@@ -7,7 +7,7 @@ use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
-use crate::grid::{GRID, Span};
+use crate::grid::Span;
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
@@ -130,7 +130,7 @@ impl Along<'_, '_> {
     fn reversals(&mut self, span: &Span) -> Result<Vec<f64>, NoStroke> {
         let mut found = Vec::new();
         let mut before = self.place(span.from)?;
-        for index in 1..=GRID {
+        for index in 1..=span.cells {
             let (low, high) = (span.at(index - 1), span.at(index));
             let after = self.place(high)?;
             if before[1] * after[1] < 0.0 {

@@ -13,6 +13,7 @@
 mod branch;
 mod chain;
 mod dependence;
+mod enclosures;
 mod error;
 mod first;
 mod follow;
@@ -34,6 +35,7 @@ mod ways;
 mod wide;
 
 pub use chain::{Chain, ChainError, Input};
+pub use enclosures::Enclosures;
 pub use error::{CompileError, PositionError};
 pub use interpolant::Interpolation;
 pub use lanes::LanePosition;

@@ -4,15 +4,15 @@ use std::f64::consts::TAU;
 
 use assur_group::Order;
 use assur_mechanism::Mechanism;
-use assur_number::{Intervals, Lanes, Real};
+use assur_number::Real;
 use assur_structure::Structure;
 
-use crate::Chain;
+use crate::Enclosures;
 use crate::samples::SUSPECT;
 
 /// Into how many intervals the turn is divided; if one is not proved, all are divided further. Beyond these, following
 /// the samples takes less time.
-const INTERVALS: [usize; 3] = [8, 32, 128];
+const INTERVALS: [u32; 3] = [8, 32, 128];
 
 /// Whether the input turns, each needed group can be assembled in its way at every angle, and its determinant stays so far
 /// from zero that following its samples finds no event. It is proved by the closed forms over intervals of the angle; `false`
@@ -26,18 +26,11 @@ pub(crate) fn turns_regularly(
     if !mechanism.input.is_angle() {
         return false;
     }
-    let Ok(mut chain) = Chain::<Intervals>::compile(mechanism, structure) else { return false };
-    chain.limit_to(needed);
-    // Groups that are not needed keep this.
-    let mut health = vec![Intervals::ONE; ways.len()];
-    let mut bodies = chain.bodies();
+    let from = mechanism.input.from;
+    let Some(mut turn) = Enclosures::of(mechanism, structure, needed, ways) else { return false };
     INTERVALS.into_iter().any(|count| {
-        let width = TAU / count as f64;
-        (0..count).step_by(Lanes::WIDTH).all(|first| {
-            let middle = |lane: usize| mechanism.input.from + width * ((first + lane) as f64 + 0.5);
-            let angles = Intervals { middle: Lanes::of(middle), radius: Lanes::from_f64(0.5 * width) };
-            chain.solve(angles, ways, Order::Place, &mut bodies, &mut health).is_ok()
-                && health.iter().all(|health| health.abs().exceeds(SUSPECT))
+        turn.all([from, from + TAU], count, Order::Place, |_, health| {
+            health.iter().all(|health| health.abs().exceeds(SUSPECT))
         })
     })
 }

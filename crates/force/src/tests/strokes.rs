@@ -1,12 +1,13 @@
 //! The stroke of the central slider-crank in closed form: y = r sin q + sqrt(l² - r² cos² q), extremes at +-90 degrees.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
 
 use super::{applied, at, bodies, compiled, fixture, near};
-use crate::grid::Span;
+use crate::grid::{Bodies, GRID, Span};
 use crate::stroke::{NoStroke, Stroke};
+use assur_mechanism::Place;
 
 const R: f64 = 0.06;
 const L: f64 = 0.24;
@@ -129,7 +130,7 @@ fn two_reversals_close_together_are_found() {
         Ok::<_, String>(body)
     };
     let flat = assur_mechanism::Table::constant(1.0);
-    let span = Span { from: 0.0, length: 1.0, periodic: false };
+    let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
     let stroke = Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0).unwrap();
     let (piece, ends) = stroke.piece(c, 1.0);
     assert!(piece.back);
@@ -154,10 +155,36 @@ fn a_point_that_runs_through_infinity_has_no_stroke() {
             [body.x, body.x1, body.x2] = motion(q - c);
             Ok::<_, String>(body)
         };
-        let span = Span { from: 0.0, length: 1.0, periodic: false };
+        let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
         match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0) {
             Err(NoStroke::Infinite(q)) => near(q, c, 1.0),
             other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn few_cells_find_the_reversals_of_many() {
+    for (name, link, at, axis) in [
+        ("slider-crank", 3, [0.0; 2], FRAC_PI_2),
+        ("shaper", 5, [0.0; 2], 0.0),
+        ("four-bar", 3, [0.1, 0.05], 1.0),
+    ] {
+        let (linkage, _) = compiled(&fixture(name));
+        let at = Place { link, at };
+        let many = Span { from: 0.0123, length: TAU, periodic: true, cells: GRID };
+        let few = many.for_stroke(&linkage, at, axis);
+        assert!(few.cells < many.cells, "{name}: nothing is proved");
+        let flat = assur_mechanism::Table::constant(1.0);
+        let [one, other] = [few, many].map(|span| {
+            let mut bodies = Bodies::new(&linkage, span);
+            let mut body = |q| bodies.at(q, link);
+            Stroke::find(&mut body, at.at, axis, [&flat, &flat], &span, linkage.structure.scale).unwrap()
+        });
+        for q in (0..50).map(|i| f64::from(i) * 0.123) {
+            let [(_, a), (_, b)] = [&one, &other].map(|stroke| stroke.piece(q, 1.0));
+            near(a[0], b[0], 10.0);
+            near(a[1], b[1], 10.0);
         }
     }
 }

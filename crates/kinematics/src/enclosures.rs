@@ -1,0 +1,61 @@
+//! Links and groups over intervals of the coordinate.
+
+use assur_group::{Body, Order};
+use assur_mechanism::Mechanism;
+use assur_number::{Intervals, Lanes, Real};
+use assur_structure::Structure;
+
+use crate::{Chain, Linkage};
+
+/// A chain over intervals of the coordinate, in one way of each group: what it shows of an interval holds, but for rounding, for
+/// every coordinate in it.
+#[derive(Debug)]
+pub struct Enclosures {
+    chain: Chain<Intervals>,
+    ways: Vec<u8>,
+    bodies: Vec<Body<Intervals>>,
+    health: Vec<Intervals>,
+}
+
+impl Enclosures {
+    /// `None` where a kind of group can't be solved over intervals.
+    pub(crate) fn of(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        needed: &[bool],
+        ways: &[u8],
+    ) -> Option<Self> {
+        let mut chain = Chain::compile(mechanism, structure).ok()?;
+        chain.limit_to(needed);
+        // Groups that are not needed keep this.
+        let health = vec![Intervals::ONE; ways.len()];
+        Some(Self { bodies: chain.bodies(), chain, ways: ways.to_vec(), health })
+    }
+
+    /// Whether something holds in all of `count` equal intervals (a multiple of eight) between two coordinates. `holds` judges
+    /// eight of them by their links and the determinants of their groups; where a group can't be solved it does not hold.
+    pub fn all(
+        &mut self,
+        [from, to]: [f64; 2],
+        count: u32,
+        order: Order,
+        mut holds: impl FnMut(&[Body<Intervals>], &[Intervals]) -> bool,
+    ) -> bool {
+        let Self { chain, ways, bodies, health } = self;
+        let width = (to - from) / f64::from(count);
+        (0..count).step_by(Lanes::WIDTH).all(|first| {
+            let middle = |lane: usize| from + width * (f64::from(first) + lane as f64 + 0.5);
+            let radius = Lanes::from_f64(0.5 * width.abs());
+            let coordinates = Intervals { middle: Lanes::of(middle), radius };
+            chain.solve(coordinates, ways, order, bodies, health).is_ok() && holds(bodies, health)
+        })
+    }
+}
+
+impl Linkage {
+    /// The links over intervals of the coordinate; `None` where a group changes its way, or can't be solved over intervals.
+    pub fn enclosures(&self) -> Option<Enclosures> {
+        let ways = self.ways.are_constant().then(|| self.ways.at(self.mechanism.input.from))?;
+        Enclosures::of(&self.mechanism, &self.structure, &self.chain.needed, ways)
+    }
+}
