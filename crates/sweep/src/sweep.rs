@@ -2,8 +2,8 @@
 
 use std::num::NonZeroUsize;
 use std::ops::Range;
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::mpsc::{Receiver, channel, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
 use assur_scene::edit::Document;
@@ -23,8 +23,9 @@ pub const MOST_POINTS: usize = 1_000_000_000_000;
 /// Points that a thread calculates before it hands on their rows.
 const BLOCK: usize = 64;
 
-/// Blocks that a thread may be ahead of the writer.
-const AHEAD: usize = 4;
+/// Blocks that a thread may be ahead of the writer: with a thread that does not get its turn for some milliseconds the others
+/// need not wait.
+const AHEAD: usize = 16;
 
 /// What a sweep calculates.
 #[derive(Debug, Clone)]
@@ -116,15 +117,22 @@ impl Sweep {
         mut accept: impl FnMut(T) -> Result<(), E>,
     ) -> Result<(), E> {
         let blocks = points.len().div_ceil(BLOCK);
-        // Each thread takes every n-th block and has a channel of its own: the order needs no sorting.
+        // A thread takes the next block when it is free, notes that it has taken it, and has a channel of its own: the order
+        // needs no sorting.
         let threads = threads.get().min(blocks);
-        let encode = &encode;
+        let (note, taken) = channel();
+        let next = Mutex::new((0..blocks, note));
+        let (encode, next) = (&encode, &next);
+        let take = move |thread: usize| {
+            let (blocks, note) = &mut *next.lock().unwrap_or_else(PoisonError::into_inner);
+            blocks.next().filter(|_| note.send(thread).is_ok())
+        };
         std::thread::scope(|scope| {
-            let spawn = |first: usize| {
+            let spawn = |thread: usize| {
                 let (sender, receiver) = sync_channel(AHEAD);
                 let work = move || {
                     let mut worker = Worker::new(self);
-                    for block in (first..blocks).step_by(threads) {
+                    while let Some(block) = take(thread) {
                         let start = points.start + block * BLOCK;
                         let rows = worker.rows(start..points.end.min(start + BLOCK));
                         // The caller has ended the run.
@@ -139,9 +147,9 @@ impl Sweep {
                 spawned.map(|_| receiver).map_err(problem)
             };
             let receivers: Vec<Receiver<T>> = (0..threads).map(spawn).collect::<Result<_, _>>()?;
-            for block in 0..blocks {
+            for thread in taken.iter().take(blocks) {
                 // A thread that panics closes its channel; the scope passes the panic on.
-                let Ok(encoded) = receivers[block % threads].recv() else { break };
+                let Ok(encoded) = receivers[thread].recv() else { break };
                 accept(encoded)?;
             }
             Ok(())
