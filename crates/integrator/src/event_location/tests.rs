@@ -22,6 +22,26 @@ fn a_start_on_the_bound_is_no_exit_but_a_return_is() {
     assert!((soon - 0.001).abs() < 1e-15, "{soon}");
 }
 
+/// Out between 0.005 and 0.03 of the step, and in again at its end.
+#[test]
+fn a_short_exit_at_the_start_of_a_step_is_found() {
+    let exit = first_negative(|x| (x - 0.005) * (x - 0.03), 1.0).unwrap();
+    assert!((exit - 0.005).abs() < 1e-15, "{exit}");
+}
+
+/// Up and back within a step: both ends are inside, and the turning point, w^2/(2 a) = 50 further, may not be.
+#[test]
+fn a_turn_beyond_a_bound_within_a_step_is_suspected() {
+    let node =
+        |time: f64, speed: f64| Node { state: State { time, coordinate: 0.0, speed }, acceleration: -1.0 };
+    let (from, to) = (node(10.0, 10.0), node(30.0, -10.0));
+    let piece = |high: f64| Piece { coordinate: [-1e4, high], ..Piece::UNBOUNDED };
+    let request = Request::new(from.state, Until::Time(100.0));
+    let suspected = |high: f64| Bounds::new(&piece(high), &request, &from).may_leave(&from, &to);
+    assert!(suspected(49.0) && suspected(100.0), "the tangents reach 100 and more");
+    assert!(!suspected(1e4));
+}
+
 /// A step that was aimed at a bound may end a rounding behind it; its dense output then ends on it and shows no exit.
 #[test]
 fn a_bound_passed_by_a_rounding_is_met() {
