@@ -51,6 +51,11 @@ fn a_jump_belongs_to_the_side_of_the_motion() {
     }
     near(force(&text, &at(1.0, -2.0)), 100.0, 100.0);
     near(force(&text, &at(1.0, 2.0)), 101.0, 100.0);
+    // The instant before the jump, in either direction.
+    let before = |coordinate: f64, speed: f64| State { side: crate::Side::Before, ..at(coordinate, speed) };
+    near(force(&text, &before(1.0, 2.0)), 100.0, 100.0);
+    near(force(&text, &before(1.0, -2.0)), 101.0, 100.0);
+    near(force(&text, &before(pi, 1.0)), 101.0, 100.0);
 }
 
 #[test]
