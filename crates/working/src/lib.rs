@@ -139,7 +139,7 @@ impl Working {
 
     /// The working as plain text of at most [`assur_worksheet::WIDTH`] columns.
     pub fn text(&self) -> String {
-        assur_worksheet::text(&self.sections)
+        assur_worksheet::text(&self.sections, assur_worksheet::WIDTH)
     }
 }
 

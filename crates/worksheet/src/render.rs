@@ -2,38 +2,41 @@
 
 use crate::{Entry, Line, Section};
 
-/// Greatest width of a printed row, characters.
+/// Greatest width of a row that is printed on paper, characters.
 pub const WIDTH: usize = 100;
+/// Least width of a row: what a break may leave, behind the deepest indentation.
+const LEAST_WIDTH: usize = 40;
 
 /// Indentation of the further rows of an equation, and of wrapped text in them.
 const NEXT: &str = "      ";
 const WRAPPED: &str = "          ";
 
-/// The sections as plain text, in ASCII except for names and units.
-pub fn text(sections: &[Section]) -> String {
+/// The sections as plain text in rows of at most `width` characters (40 at least), in ASCII except for names and units.
+pub fn text(sections: &[Section], width: usize) -> String {
+    let width = width.max(LEAST_WIDTH);
     let mut out = String::new();
     for section in sections {
         if !out.is_empty() {
             out.push('\n');
         }
-        wrap(&section.title, "", "  ", &mut out);
-        out.push_str(&"-".repeat(section.title.chars().count().min(WIDTH)));
+        wrap(&section.title, width, "", "  ", &mut out);
+        out.push_str(&"-".repeat(section.title.chars().count().min(width)));
         out.push('\n');
         for entry in &section.entries {
-            write(entry, &mut out);
+            write(entry, width, &mut out);
         }
     }
     out
 }
 
-fn write(entry: &Entry, out: &mut String) {
+fn write(entry: &Entry, width: usize, out: &mut String) {
     match entry {
-        Entry::Note(words) => wrap(words, "  ", "    ", out),
+        Entry::Note(words) => wrap(words, width, "  ", "    ", out),
         Entry::Given { name, result, unit, what, .. } => {
             let what = if what.is_empty() { String::new() } else { format!("  ({what})") };
-            wrap(&format!("{name} = {}{what}", join(result, unit)), "  ", WRAPPED, out);
+            wrap(&format!("{name} = {}{what}", join(result, unit)), width, "  ", WRAPPED, out);
         }
-        Entry::Line(line) => equation(line, out),
+        Entry::Line(line) => equation(line, width, out),
     }
 }
 
@@ -42,7 +45,7 @@ fn join(result: &str, unit: &str) -> String {
 }
 
 /// One row if it fits, otherwise a row for each part.
-fn equation(line: &Line, out: &mut String) {
+fn equation(line: &Line, width: usize, out: &mut String) {
     let mut parts = vec![line.text.as_str()];
     if line.substituted != line.text {
         parts.push(&line.substituted);
@@ -54,21 +57,21 @@ fn equation(line: &Line, out: &mut String) {
         *last = &result;
     }
     let whole = format!("{} = {}", line.name, parts.join(" = "));
-    if whole.chars().count() + 2 <= WIDTH {
-        return wrap(&whole, "  ", WRAPPED, out);
+    if whole.chars().count() + 2 <= width {
+        return wrap(&whole, width, "  ", WRAPPED, out);
     }
-    wrap(&format!("{} = {}", line.name, parts[0]), "  ", WRAPPED, out);
+    wrap(&format!("{} = {}", line.name, parts[0]), width, "  ", WRAPPED, out);
     for part in &parts[1..] {
-        wrap(&format!("= {part}"), NEXT, WRAPPED, out);
+        wrap(&format!("= {part}"), width, NEXT, WRAPPED, out);
     }
 }
 
 /// Breaks a row at spaces, before an operator; if there is no space within the width, after a `*` or a comma.
-fn wrap(words: &str, indent: &str, next: &str, out: &mut String) {
+fn wrap(words: &str, width: usize, indent: &str, next: &str, out: &mut String) {
     let mut rest: Vec<char> = words.chars().collect();
     let mut indent = indent;
     while !rest.is_empty() {
-        let room = WIDTH - indent.len();
+        let room = width - indent.len();
         let cut = if rest.len() <= room { rest.len() } else { cut(&rest, room) };
         let tail = rest.split_off(cut);
         out.push_str(indent);

@@ -26,10 +26,11 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
     let (Some(found), Some(&position)) = (context.state.found(), context.positions.first()) else {
         return Ok(Vec::new());
     };
-    let working = found.plans.at(position).equations().map_err(|error| error.to_string())?;
+    let plans = found.plans.at(position);
+    let sections = plans.working().as_ref().map_err(ToString::to_string)?;
     let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
     // The first section repeats title and structure.
-    for section in working.sections.iter().skip(1) {
+    for section in sections.iter().skip(1) {
         blocks.push(Block::Subheading(words.phrase(&section.title)));
         blocks.extend(section.entries.iter().map(|entry| match entry {
             // An equation without numbers.

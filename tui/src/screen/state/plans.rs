@@ -6,7 +6,8 @@ use std::sync::{Arc, OnceLock};
 use assur_analysis::Calculation;
 use assur_diagram::{DiagramError, Sheet};
 use assur_force::Construction;
-use assur_working::{Working, WorkingError};
+use assur_working::WorkingError;
+use assur_worksheet::Section;
 
 use crate::working;
 
@@ -22,7 +23,7 @@ pub(crate) struct Plans {
     pub(crate) constructions: Vec<Construction>,
     calculation: Arc<Calculation>,
     position: usize,
-    working: OnceLock<String>,
+    working: OnceLock<Result<Vec<Section>, WorkingError>>,
 }
 
 impl Plans {
@@ -31,20 +32,10 @@ impl Plans {
         self.constructions.iter().map(|construction| construction.steps.len()).sum()
     }
 
-    /// Every equation of the position with its numbers.
-    ///
-    /// # Errors
-    ///
-    /// Why there are none.
-    pub(crate) fn equations(&self) -> Result<Working, WorkingError> {
-        working::of_position(&self.calculation, self.position)
-    }
-
-    /// The equations as text, or why there are none.
-    pub(crate) fn working(&self) -> &str {
-        self.working.get_or_init(|| match self.equations() {
-            Ok(working) => working.text(),
-            Err(error) => error.to_string(),
+    /// Every equation of the position with its numbers; or why there are none.
+    pub(crate) fn working(&self) -> &Result<Vec<Section>, WorkingError> {
+        self.working.get_or_init(|| {
+            working::of_position(&self.calculation, self.position).map(|working| working.sections)
         })
     }
 }

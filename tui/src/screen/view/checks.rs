@@ -1,24 +1,30 @@
 //! Every check in a line: name, largest residual, limit, place, and in words whether it passes.
 
 use assur_analysis::results::Check;
+use assur_figure::{Figure, Ink, Stroke};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 
-use crate::screen::draw::{cut, first_shown, put, short};
+use super::plots::over_positions;
+use crate::number::number;
+use crate::screen::draw::{cut, first_shown, paint, put, short};
 use crate::screen::state::{Role, Scene, State};
 
-const TITLES: [&str; 5] = ["check", "residual", "limit", "where", "pos."];
-/// Columns at which the texts begin.
-const COLUMNS: [u16; 5] = [2, 32, 42, 52, 66];
-/// Column at which the verdict begins.
-const WORD: u16 = 73;
+const TITLES: [&str; 6] = ["check", "residual", "limit", "where", "pos.", ""];
+/// Columns of the texts in 80 columns; more room goes to the place.
+const WIDTHS: [u16; 6] = [30, 10, 10, 14, 7, 7];
+/// Rows that the curve of a residual below the table needs.
+const CURVE: u16 = 10;
 
-/// Draws the view.
+/// Draws the view: the table, and below it the residuals over the positions.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
-    let theme = state.look.theme;
-    for (title, column) in TITLES.into_iter().zip(COLUMNS) {
-        put(buffer, area, column, 0, title, theme.style(Role::Dim));
+    let rows = short(found.analysis.checks.len()) + 2;
+    let below = if area.height >= rows + CURVE { area.height - rows } else { 0 };
+    let [area, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(area);
+    let titles = columns(area.width).into_iter().zip(TITLES);
+    for ((column, _), title) in titles {
+        put(buffer, area, column, 0, &state.words().shown(title), state.look.theme.style(Role::Dim));
     }
     let height = usize::from(area.height.saturating_sub(1));
     let skip = first_shown(state.chosen.check, height);
@@ -27,6 +33,24 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let line = Rect { y: area.y + 1 + short(row), height: 1, ..area };
         draw_row(state, check, index == state.chosen.check, line, buffer);
     }
+    let residuals = found.series.iter().filter(|series| series.of.starts_with("residual "));
+    let panels = residuals.take(usize::from(below.height / CURVE)).map(|series| {
+        let title = format!("{}  {}", series.of, number(series.at(state.position)));
+        over_positions(state, scene, title, &[(series, Stroke::Solid, Ink::First)], Vec::new())
+    });
+    let figure = Figure { panels: panels.collect(), columns: 1, ..Figure::default() };
+    paint(state, &figure, below, buffer);
+}
+
+/// Where the columns begin, and how wide they are.
+fn columns(width: u16) -> [(u16, u16); 6] {
+    let mut widths = WIDTHS;
+    widths[3] += width.saturating_sub(2 + WIDTHS.iter().sum::<u16>());
+    let mut at = 2;
+    widths.map(|width| {
+        at += width;
+        (at - width, width)
+    })
 }
 
 fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut Buffer) {
@@ -39,15 +63,14 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
     let residual = format!("{:.2e}", check.residual);
     let limit = format!("{:.2e}", check.limit);
     let cells = [check.name, &residual, &limit, check.place.as_str(), &at];
-    let ends = COLUMNS.iter().skip(1).chain([&WORD]);
-    for ((text, &column), &end) in cells.into_iter().zip(&COLUMNS).zip(ends) {
-        let text = cut(text, usize::from(end - column - 1));
-        put(buffer, area, column, 0, &text, style);
+    let columns = columns(area.width);
+    for (text, (column, width)) in cells.into_iter().zip(columns) {
+        put(buffer, area, column, 0, &cut(text, usize::from(width - 1)), style);
     }
     let (word, role) = match (check.failed(), check.judged) {
         (true, _) => ("FAILED", Role::Bad),
         (false, true) => ("ok", Role::Good),
         (false, false) => ("unknown", Role::Dim),
     };
-    put(buffer, area, WORD, 0, word, theme.style(role));
+    put(buffer, area, columns[5].0, 0, word, theme.style(role));
 }

@@ -37,11 +37,13 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         names.push(format!("+ {}", schema.name(owner)));
         levels.push(sums.clone());
     }
-    let places: Vec<f64> =
-        table.numbers().iter().map(|number| plots::coordinate(scene, *number as f64)).collect();
+    let places = table.numbers().iter().map(|number| *number as f64);
+    // A cycle ends with the values at its beginning.
+    let places = places.chain(scene.closed().then(|| scene.positions() as f64));
+    let places: Vec<f64> = places.map(|at| plots::coordinate(scene, at)).collect();
     let mut items = Vec::new();
     for (number, level) in levels.iter().enumerate() {
-        let points: Vec<_> = places.iter().copied().zip(level.iter().copied()).map(|(x, y)| [x, y]).collect();
+        let points: Vec<_> = places.iter().zip(level.iter().cycle()).map(|(x, y)| [*x, *y]).collect();
         let stroke = if number + 1 == levels.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * number + 1) * points.len() / (2 * levels.len())).copied();
         items.push(Item::line(points, stroke, Ink::First));

@@ -46,7 +46,7 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, state.part(View::Motion)) {
         (Some(regime), Part::Iteration) => energy::iteration(regime),
-        (Some(regime), Part::Course) => regime::course(state, scene, regime),
+        (Some(regime), Part::Course) => regime::course(state, scene, &found.analysis, regime),
         (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, &found.analysis),
         _ => {
             let shown = most.clamp(1, found.motion.len());
@@ -84,28 +84,49 @@ fn speed_unit(angular: bool) -> &'static str {
     if angular { "rad/s" } else { "m/s" }
 }
 
-/// Coordinate, speed and acceleration over time.
+/// Coordinate, speed, acceleration and energies over time.
 fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let course = &analysis.trajectory;
-    let values = |quantity| {
-        let column = course.schema().find(Column::of(quantity, Owner::Input));
-        column.map_or(&[][..], |column| course.values(column))
-    };
-    let (times, q) = (values(Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
+    let (times, q) = (sampled(analysis, Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
     let all = [
-        ("coordinate", q.to_owned(), values(Quantity::Transfer(0))),
-        ("speed", format!("{q}/s"), values(Quantity::Velocity)),
-        ("acceleration", format!("{q}/s2"), values(Quantity::Acceleration)),
+        ("coordinate", q.to_owned(), Quantity::Transfer(0)),
+        ("speed", format!("{q}/s"), Quantity::Velocity),
+        ("acceleration", format!("{q}/s2"), Quantity::Acceleration),
     ];
     let row = state.position.min(course.len().saturating_sub(1));
     let Some(now) = times.get(row).copied() else { return Vec::new() };
     let x = Axis::around("time, s", times.iter().copied(), 0.0);
-    let panel = |(name, unit, values): (&str, String, &[f64])| {
+    let panel = |(name, unit, quantity): (&str, String, Quantity)| {
+        let values = sampled(analysis, quantity);
         let points = times.iter().zip(values).map(|(time, value)| [*time, *value]).collect();
         let title = format!("{name}  {} {unit}", number(values[row]));
         plots::curves(&title, vec![(name, points)], x.clone(), Some(now))
     };
-    all.map(panel).into()
+    let energies = energies(analysis, times, x.clone(), now);
+    all.map(panel).into_iter().chain(energies).collect()
+}
+
+/// A quantity of the input at the samples of the motion.
+fn sampled(analysis: &Analysis, quantity: Quantity) -> &[f64] {
+    let course = &analysis.trajectory;
+    let column = course.schema().find(Column::of(quantity, Owner::Input));
+    column.map_or(&[][..], |column| course.values(column))
+}
+
+/// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
+/// not known.
+pub(super) fn energies(analysis: &Analysis, places: &[f64], x: Axis, cursor: f64) -> Option<Panel> {
+    let all = [
+        ("driving work", Quantity::DrivingWork),
+        ("resisting work", Quantity::ResistingWork),
+        ("kinetic energy", Quantity::KineticEnergy),
+    ];
+    let curve = |(name, quantity)| {
+        (name, places.iter().zip(sampled(analysis, quantity)).map(|(x, y)| [*x, *y]).collect())
+    };
+    let curves: Vec<(&str, Vec<[f64; 2]>)> = all.map(curve).into();
+    let known = curves.iter().all(|(_, points)| points.iter().any(|at| at[1].is_finite()));
+    known.then(|| plots::curves("energies, J", curves, x, Some(cursor)))
 }
 
 /// The numbers of the regime, one a line.

@@ -1,11 +1,11 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
-use assur_analysis::results::{Dynamics, RegimePoint, RegimeReport};
+use assur_analysis::results::{Analysis, Dynamics, RegimePoint, RegimeReport};
 use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{energy, plots};
+use super::{energy, motion, plots};
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, short};
 use crate::screen::state::{Role, Scene, State, coordinate_unit};
@@ -24,14 +24,16 @@ fn cursor(state: &State, scene: &Scene) -> f64 {
     plots::coordinate(scene, state.at())
 }
 
-/// Speed in the regime and in the first turn, then the moments.
-pub(super) fn course(state: &State, scene: &Scene, regime: &RegimeReport) -> Vec<Panel> {
+/// Speed in the regime and in the first turn, then the moments and the energies.
+pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: &RegimeReport) -> Vec<Panel> {
     let mut lines = vec![("regime", over(scene, regime, |row| row.speed))];
     if regime.course.iter().any(|row| row.first_turn.is_some()) {
         lines.push(("first turn", over(scene, regime, |row| row.first_turn.unwrap_or(f64::NAN))));
     }
     let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), Some(cursor(state, scene)));
-    vec![speed, moments(state, scene, regime)]
+    let places: Vec<f64> = over(scene, regime, |_| 0.0).into_iter().map(|at| at[0]).collect();
+    let energies = motion::energies(analysis, &places, axis(scene, regime), cursor(state, scene));
+    [speed, moments(state, scene, regime)].into_iter().chain(energies).collect()
 }
 
 /// The coordinate over the cycle of the regime.

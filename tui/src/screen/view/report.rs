@@ -58,7 +58,10 @@ pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     let width = width.max(40) - 2;
     let text = match (view, &state.measured, state.found()) {
         (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
-        (View::Working, _, Some(found)) => found.plans.at(state.position).working().to_owned(),
+        (View::Working, _, Some(found)) => match found.plans.at(state.position).working() {
+            Ok(sections) => assur_worksheet::text(sections, usize::from(width)),
+            Err(error) => error.to_string(),
+        },
         _ => String::new(),
     };
     text.lines().flat_map(|line| folded(line, usize::from(width))).collect()

@@ -11,13 +11,21 @@ use crate::screen::state::{Role, Scene, State};
 
 /// Indent of the text on a group, in columns.
 const INDENT: usize = 5;
+/// Rows of a drawing below the text.
+const DRAWING: u16 = 24;
 /// Digits of the least determinant.
 const LEAST: usize = 3;
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
-    let [tree, drawing] = Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest);
+    let text = lines(state, scene, rest.width.saturating_sub(2)).len();
+    // In a high area the drawing has the whole width below the text.
+    let [tree, drawing] = if usize::from(rest.height) >= text + usize::from(DRAWING) {
+        Layout::vertical([Constraint::Length(short(text) + 1), Constraint::Min(0)]).areas(rest)
+    } else {
+        Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest)
+    };
     let theme = state.look.theme;
     let structure = &scene.linkage.structure;
     put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
