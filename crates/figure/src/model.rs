@@ -77,7 +77,8 @@ pub enum Frame {
         unit: String,
         /// Number of these units in one unit of the plane.
         factor: f64,
-        /// Symbol and unit of the scale on paper: `("l", "m")` of lengths, `("F", "N")` of forces.
+        /// Symbol and unit of the scale on paper: `("l", "m")` of lengths, `("F", "N")` of forces; without a symbol, as on a
+        /// screen, the drawing fills its room and tells no scale.
         scale: (&'static str, String),
     },
     /// Two axes of their own.

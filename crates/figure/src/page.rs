@@ -14,7 +14,7 @@ use element::{Outline, circle, polygon, polyline, text};
 use names::Names;
 
 /// Text size, mm.
-pub(crate) const EM: f64 = 3.0;
+pub const EM: f64 = 3.0;
 /// Free border of the page and of each panel, mm.
 const BORDER: f64 = 2.5;
 /// Height of a line of text, mm.

@@ -14,6 +14,8 @@ const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
 const FAMILY: &str = "DejaVu Sans";
 /// Pixels in a millimeter: 254 of an inch.
 pub const PIXELS: f64 = 10.0;
+pub use crate::page::EM;
+
 /// Greatest side of a picture, pixels.
 const MOST: f64 = 20_000.0;
 

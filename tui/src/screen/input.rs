@@ -13,6 +13,8 @@ use std::time::Duration;
 
 use crossterm::event::Event;
 
+use super::pixels::{Answer, answer};
+
 /// A sequence that is not complete after this time is cut off; a lone escape is the key.
 const PATIENCE: Duration = Duration::from_millis(100);
 /// No key or report is longer; a longer sequence is dropped.
@@ -25,8 +27,19 @@ const PASTE_PATIENCE: Duration = Duration::from_secs(3);
 const LONGEST_PASTE: usize = 1 << 16;
 const ESCAPE: u8 = 0x1b;
 
-/// Reads the terminal; each input is passed to `tell`, which returns false to end, and `None` at the end of input.
-pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'static) -> io::Result<()> {
+/// What comes from the terminal.
+#[derive(Debug)]
+pub(crate) enum Input {
+    /// A key, a pasted text, the mouse, the focus.
+    Event(Event),
+    /// An answer to the question for pictures.
+    Answer(Answer),
+    /// Nothing more.
+    End,
+}
+
+/// Reads the terminal; each input is passed to `tell`, which returns false to end.
+pub(crate) fn listen(mut tell: impl FnMut(Input) -> bool + Send + 'static) -> io::Result<()> {
     let (sender, bytes) = channel();
     // Reading blocks, so an idle program takes no processor time.
     thread::Builder::new().name("assur-input".into()).spawn(move || {
@@ -45,11 +58,12 @@ pub(crate) fn listen(mut tell: impl FnMut(Option<Event>) -> bool + Send + 'stati
                 Ok(bytes) => decoder.take(&bytes),
                 Err(RecvTimeoutError::Timeout) => decoder.expire(),
                 Err(RecvTimeoutError::Disconnected) => {
-                    tell(None);
+                    tell(Input::End);
                     return;
                 }
             };
-            if !events.into_iter().map(Some).all(&mut tell) {
+            let answers = std::mem::take(&mut decoder.answers).into_iter().map(Input::Answer);
+            if !events.into_iter().map(Input::Event).chain(answers).all(&mut tell) {
                 return;
             }
         }
@@ -63,6 +77,8 @@ pub(crate) struct Decoder {
     rest: Vec<u8>,
     /// The beginning of a pasted text whose end has not come yet.
     pasted: Option<Vec<u8>>,
+    /// Answers of the terminal to the question for pictures.
+    pub(crate) answers: Vec<Answer>,
 }
 
 /// What the bytes begin with.
@@ -88,7 +104,11 @@ impl Decoder {
                 }
                 continue;
             }
-            match head(&self.rest) {
+            let head = head(&self.rest);
+            if let Head::Whole(count) | Head::Broken(count) = head {
+                self.answers.extend(answer(&self.rest[..count]));
+            }
+            match head {
                 Head::Whole(count) if self.rest[..count] == *PASTE[0] => {
                     self.rest.drain(..count);
                     self.pasted = Some(Vec::new());

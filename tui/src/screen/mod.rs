@@ -10,6 +10,7 @@ pub(crate) mod command;
 mod config;
 mod draw;
 mod input;
+mod pixels;
 mod session;
 pub(crate) mod state;
 pub(crate) mod still;

@@ -10,9 +10,13 @@ use crossterm::event::{Event as Input, KeyEventKind};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
-use super::state::{Report, State, Wish};
+use super::pixels::{self, Answer};
+use super::state::{Pictures, Report, Role, State, Wish};
 use super::terminal::{self, Screen};
 use super::{command, config, input, view, work};
+
+/// A terminal that has not answered after this time shows no pictures.
+const ANSWER: Duration = Duration::from_secs(1);
 
 /// The events that wake the loop.
 #[derive(Debug)]
@@ -27,6 +31,8 @@ pub(crate) enum Event {
     Suspend,
     /// The process continues after it was suspended.
     Continued,
+    /// An answer of the terminal to the question for pictures; also that none has come in time.
+    Answer(Answer),
     /// There is no more input.
     Closed,
 }
@@ -38,7 +44,14 @@ pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
     listen_to_signals(sender.clone())?;
     let mut screen = Screen::take(state.look.mouse)?;
     let keys = sender.clone();
-    input::listen(move |event| keys.send(event.map_or(Event::Closed, Event::Input)).is_ok())?;
+    input::listen(move |input| {
+        let event = match input {
+            input::Input::Event(event) => Event::Input(event),
+            input::Input::Answer(answer) => Event::Answer(answer),
+            input::Input::End => Event::Closed,
+        };
+        keys.send(event).is_ok()
+    })?;
     let mut next_tick = Instant::now();
     loop {
         for wish in std::mem::take(&mut state.wishes) {
@@ -52,8 +65,18 @@ pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
             return Ok(());
         }
         screen.capture_mouse(state.look.mouse)?;
+        if state.look.pixels && state.pictures == Pictures::Unknown {
+            state.pictures = Pictures::Asked;
+            screen.write(pixels::QUESTION)?;
+            let sender = sender.clone();
+            thread::spawn(move || {
+                thread::sleep(ANSWER);
+                sender.send(Event::Answer(Answer::End))
+            });
+        }
         if state.wishes.is_empty() {
             screen.draw(|frame| view::draw(&state, frame))?;
+            screen.show(&state)?;
         }
         if !wait(&mut state, &events, &mut next_tick) {
             return Ok(());
@@ -120,6 +143,7 @@ fn apply(state: &mut State, event: Event) -> bool {
             false
         }
         Event::Input(_) => false,
+        Event::Answer(answer) => take_answer(state, answer),
         Event::Work(report) => command::take(state, report),
         Event::Suspend => {
             state.wishes.push(Wish::Suspend);
@@ -134,6 +158,20 @@ fn apply(state: &mut State, event: Event) -> bool {
             true
         }
     }
+}
+
+/// Takes an answer to the question for pictures; the first one that says how counts.
+fn take_answer(state: &mut State, answer: Answer) -> bool {
+    if state.pictures != Pictures::Asked {
+        return false;
+    }
+    if let Answer::Takes(way) = answer {
+        state.pictures = way;
+    } else {
+        (state.pictures, state.look.pixels) = (Pictures::None, false);
+        state.say(Role::Bad, "this terminal does not say that it shows pictures (kitty, iTerm2): no pixels");
+    }
+    true
 }
 
 /// Performs the actions that a command requested because the state can't do them.

@@ -6,6 +6,7 @@ use std::sync::mpsc::channel;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use assur_figure::Figure;
 use crossterm::cursor::Show;
 use crossterm::event::{
     DisableBracketedPaste, DisableFocusChange, DisableMouseCapture, EnableBracketedPaste, EnableFocusChange,
@@ -21,6 +22,9 @@ use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Frame, Terminal, TerminalOptions, Viewport};
 
+use super::state::State;
+use super::{pixels, view};
+
 /// Name of the threads whose panics are caught and reported on the screen.
 pub(crate) const WORKER: &str = "assur-work";
 
@@ -30,6 +34,8 @@ const MOST: (u16, u16) = (1000, 500);
 
 /// Size of the buffer: a whole frame fits, so a frame is one write.
 const FRAME_BYTES: usize = 1 << 16;
+/// Width and height of a cell, pixels, where the terminal doesn't say them.
+const CELL: [f64; 2] = [10.0, 20.0];
 /// How long an exit waits for the terminal.
 const PATIENCE: Duration = Duration::from_millis(300);
 
@@ -40,6 +46,8 @@ static WRITING: Mutex<()> = Mutex::new(());
 /// The terminal while the UI uses it.
 pub(crate) struct Screen {
     terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+    /// The pictures that it shows.
+    shown: Vec<(Figure, Rect)>,
 }
 
 impl Screen {
@@ -49,7 +57,7 @@ impl Screen {
         hook_panics();
         enter()?;
         let terminal = terminal().inspect_err(|_| give_back())?;
-        Ok(Self { terminal })
+        Ok(Self { terminal, shown: Vec::new() })
     }
 
     /// Captures the mouse, or leaves it to the terminal.
@@ -59,6 +67,35 @@ impl Screen {
             (true, false) => execute!(io::stdout(), DisableMouseCapture),
             _ => Ok(()),
         }
+    }
+
+    /// Writes a sequence to the terminal.
+    pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
+        let _writing = writing();
+        let out = self.terminal.backend_mut();
+        out.write_all(text.as_bytes())?;
+        io::Write::flush(out)
+    }
+
+    /// Shows the pictures of the last frame, if they are others than before.
+    pub(crate) fn show(&mut self, state: &State) -> io::Result<()> {
+        if *state.shown.borrow() == self.shown {
+            return Ok(());
+        }
+        let places = |all: &[(Figure, Rect)]| all.iter().map(|(_, area)| *area).collect::<Vec<_>>();
+        if places(&state.shown.borrow()) != places(&self.shown) {
+            // What was below a picture, and the picture itself.
+            self.forget()?;
+            self.draw(|frame| view::draw(state, frame))?;
+        }
+        let size = crossterm::terminal::window_size()?;
+        let pixels = |pixels: u16, cells: u16, usual: f64| match (pixels, cells) {
+            (0, _) | (_, 0) => usual,
+            _ => f64::from(pixels) / f64::from(cells),
+        };
+        let cell = [pixels(size.width, size.columns, CELL[0]), pixels(size.height, size.rows, CELL[1])];
+        self.shown.clone_from(&state.shown.borrow());
+        self.write(&pixels::bytes(&self.shown, state.pictures, cell))
     }
 
     /// Draws one frame as one synchronized update.

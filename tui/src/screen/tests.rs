@@ -37,7 +37,7 @@ const VIEWS: [View; 9] = [
 ];
 
 /// The state of a shipped scene, its analysis done.
-fn opened(name: &'static str) -> State {
+pub(super) fn opened(name: &'static str) -> State {
     state_of(Scene::read(Source::Shipped(name), assur_fixtures::scene(name)).unwrap())
 }
 
@@ -87,7 +87,7 @@ fn frame(state: &State, width: u16, height: u16) -> Buffer {
 }
 
 /// The characters of a frame, a row a line.
-fn text(state: &State, width: u16, height: u16) -> String {
+pub(super) fn text(state: &State, width: u16, height: u16) -> String {
     let buffer = frame(state, width, height);
     let rows = buffer.content.chunks(usize::from(width.max(1)));
     rows.map(|row| {
@@ -96,7 +96,7 @@ fn text(state: &State, width: u16, height: u16) -> String {
     .collect()
 }
 
-fn press(state: &mut State, keys: &str) {
+pub(super) fn press(state: &mut State, keys: &str) {
     for name in keys.split(' ') {
         let code = Key::parse(name).unwrap();
         let modifiers = if code.control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };

@@ -16,7 +16,8 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
     let Frame::Plane { bounds, scale: (symbol, unit), .. } = &panel.frame else { return (Vec::new(), 1.0) };
     let above = if panel.title.is_empty() { 0.0 } else { LINE };
     let plot = Room { top: room.top + above, height: room.height - above - LINE, ..room };
-    let scale = fit(bounds, plot);
+    let least = fit(bounds, plot);
+    let scale = if symbol.is_empty() { least } else { round_up(least, &SCALES) };
     let center = bounds.center().map(|x| if x.is_finite() { x } else { 0.0 });
     let middle = [plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height];
     let place =
@@ -25,14 +26,18 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
     let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
     elements.extend(drawn(&marks, plot));
-    let told = format!("μ_{{{symbol}}} = {} {unit}/mm", plain(scale));
-    let corner = [room.left, room.top + room.height - 0.3 * LINE];
-    elements.push(text(corner, &told, Ink::Dim, "start"));
+    if !symbol.is_empty() {
+        let told = format!("μ_{{{symbol}}} = {} {unit}/mm", plain(scale));
+        let corner = [room.left, room.top + room.height - 0.3 * LINE];
+        elements.push(text(corner, &told, Ink::Dim, "start"));
+    }
     (elements, scale)
 }
 
+/// The least scale at which the bounds fit.
 fn fit(bounds: &Bounds, plot: Room) -> f64 {
     let [width, height] = bounds.size();
     let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
-    round_up((width / free(plot.width)).max(height / free(plot.height)), &SCALES)
+    let least = (width / free(plot.width)).max(height / free(plot.height));
+    if least.is_finite() && least > 0.0 { least } else { 1.0 }
 }

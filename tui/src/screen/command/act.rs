@@ -2,7 +2,8 @@
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    FRAMES, Job, PACES, Part, Purpose, Role, Scene, Source, State, View, Wish, following, next_kind, round,
+    FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wish, following,
+    next_kind, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -165,6 +166,14 @@ pub(super) fn difference(state: &mut State) {
 pub(super) fn theme(state: &mut State) {
     state.look.theme = next_kind(state.look.theme);
     state.say(Role::Plain, <&str>::from(state.look.theme));
+}
+
+/// Drawings as pixels, or as characters again; the terminal is asked anew.
+pub(super) fn pixels(state: &mut State) {
+    state.look.pixels = !state.look.pixels;
+    if state.pictures == Pictures::None {
+        state.pictures = Pictures::Unknown;
+    }
 }
 
 /// Larger or smaller, within limits.

@@ -3,7 +3,9 @@
 use assur_fixtures::SCENES;
 
 use super::{motors, picker, report, whatif, write};
-use crate::screen::state::{Group, Job, Panels, Reaction, Role, SETTINGS, Scene, Source, State, View, Wish};
+use crate::screen::state::{
+    Group, Job, Panels, Pictures, Reaction, Role, SETTINGS, Scene, Source, State, View, Wish,
+};
 use crate::screen::view::help::where_it_works;
 
 /// Names that differ in more letters than this from the typed text are not suggested.
@@ -179,6 +181,9 @@ fn set(state: &mut State, rest: &str) {
     else {
         return unknown(state, &format!("set {name}"));
     };
+    if state.pictures == Pictures::None {
+        state.pictures = Pictures::Unknown;
+    }
     if setting.take(&mut state.look, value).is_none() {
         state.say(Role::Bad, format!("`{}` takes {}, not `{value}`", setting.name, setting.kind.told()));
     }

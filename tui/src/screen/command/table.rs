@@ -112,7 +112,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("pan-up", Look, "K", DRAWN, |s| act::pan(s, 1, -1.0)),
     command("pan-down", Look, "J", DRAWN, |s| act::pan(s, 1, 1.0)),
     command("marker", Look, "m", &[], |s| s.look.marker = next_kind(s.look.marker)),
-    command("pixels", Look, "I", &[], |s| s.look.pixels = !s.look.pixels),
+    command("pixels", Look, "I", &[], act::pixels),
     command("ascii", Look, "a", &[], |s| s.look.ascii = !s.look.ascii),
     command("theme", Look, "c", &[], act::theme),
     command("help", Program, "?", &[], |s| s.help = Some(Help::default())),

@@ -1,7 +1,7 @@
 //! Figures in the styles of the theme.
 
 use assur_figure::cells::{self, Look};
-use assur_figure::{Figure, Ink};
+use assur_figure::{Figure, Frame, Ink};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -22,6 +22,16 @@ pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buf
 pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
     let words = state.words();
     let figure = figure.translated(&|text| words.shown(text));
+    if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
+        let mut figure = figure;
+        for panel in &mut figure.panels {
+            if let Frame::Plane { scale, .. } = &mut panel.frame {
+                // A millimeter of a screen is not known.
+                scale.0 = "";
+            }
+        }
+        return state.shown.borrow_mut().push((figure, area));
+    }
     for spot in cells::draw(&figure, [area.width, area.height], cells(state, zoom)) {
         put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
     }

@@ -43,6 +43,21 @@ pub(crate) struct Look {
     pub(crate) pixels: bool,
 }
 
+/// How a terminal takes pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Pictures {
+    /// Nobody has asked it.
+    Unknown,
+    /// It was asked.
+    Asked,
+    /// Not at all.
+    None,
+    /// By kitty's protocol.
+    Kitty,
+    /// By that of iTerm2.
+    Iterm,
+}
+
 /// The language that the scene wants for its note.
 pub(crate) const AUTO: &str = "auto";
 /// What may be asked for.

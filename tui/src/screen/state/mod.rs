@@ -20,7 +20,11 @@ mod theme;
 mod transfer;
 mod whatif;
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+
+use assur_figure::Figure;
+use ratatui::layout::Rect;
 
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
@@ -34,7 +38,7 @@ pub(crate) use keymap::{Command, Group, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, next_kind, round,
 };
-pub(crate) use look::{AUTO, Kind, Look, Panels, SETTINGS};
+pub(crate) use look::{AUTO, Kind, Look, Panels, Pictures, SETTINGS};
 pub(crate) use picker::{Choice, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
@@ -88,6 +92,10 @@ pub(crate) struct State {
     pub(crate) motor_limits: Option<[f64; 2]>,
     pub(crate) look: Look,
     pub(crate) zoom: Zoom,
+    /// How the terminal takes pictures.
+    pub(crate) pictures: Pictures,
+    /// The figures of the last frame that are shown as pictures, with their places.
+    pub(crate) shown: RefCell<Vec<(Figure, Rect)>>,
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
     /// The part of each view that is shown; the first one where there is none.
@@ -145,6 +153,8 @@ impl State {
             motor_limits: None,
             look,
             zoom: Zoom::WHOLE,
+            pictures: Pictures::Unknown,
+            shown: RefCell::default(),
             arrows: Arrows::Velocity,
             traces: Traces::All,
             parts: BTreeMap::new(),
@@ -180,6 +190,12 @@ impl State {
             AUTO => self.scene.as_ref().map_or(LANGUAGES[0], |scene| scene.language),
             language => language,
         })
+    }
+
+    /// Whether figures are shown as pictures now: not below a list or a text that is open.
+    pub(crate) fn shows_pictures(&self) -> bool {
+        let covered = self.help.is_some() || self.picker.is_some() || self.fault.is_some();
+        self.look.pixels && !covered && matches!(self.pictures, Pictures::Kitty | Pictures::Iterm)
     }
 
     /// The measurement in progress.

@@ -30,11 +30,12 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     let plans = found.plans.at(state.position);
     let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
     let Some(split) = split.filter(|_| plans::has_forces(state, found)) else {
-        put(buffer, area, 1, 0, "no forces are determined in this position", theme.style(Role::Plain));
+        let text = state.words().shown("no forces are determined in this position");
+        put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
         return;
     };
     let title = format!("by cause: {} (Up/Down: another pair)", reaction.name());
-    put(buffer, area, 1, 0, &title, theme.style(Role::Header));
+    put(buffer, area, 1, 0, &state.words().shown(&title), theme.style(Role::Header));
     let parts = parts(split, reaction);
     let rows = short(parts.len()) + 4;
     let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
@@ -87,7 +88,8 @@ fn draw_table(
     let theme = state.look.theme;
     let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
     let last = if scalar.is_empty() { "M, N m".to_owned() } else { scalar.to_owned() };
-    let header = ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(str::to_owned);
+    let header =
+        ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(|text| state.words().shown(text));
     put(buffer, area, 0, 0, &reactions::table_row(' ', header), theme.style(Role::Dim));
     let sum = sum(parts, "sum");
     let whole = part(&split.whole, reaction);

@@ -62,7 +62,8 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
     let residual = format!("{:.2e}", check.residual);
     let limit = format!("{:.2e}", check.limit);
-    let cells = [check.name, &residual, &limit, check.place.as_str(), &at];
+    let [name, place] = [check.name, check.place.as_str()].map(|text| state.words().shown(text));
+    let cells = [&name, &residual, &limit, &place, &at];
     let columns = columns(area.width);
     for (text, (column, width)) in cells.into_iter().zip(columns) {
         put(buffer, area, column, 0, &cut(text, usize::from(width - 1)), style);

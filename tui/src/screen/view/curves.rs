@@ -22,11 +22,13 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
     let [title, charts] = parts(area);
     let figure = figure(state, scene);
+    let words = state.words();
     let legend = if state.compared.is_some() { "" } else { "o extreme  x zero  + inflection" };
-    let column = title.width.saturating_sub(short(legend.len()) + 1);
-    let header = cut(&figure.title, usize::from(column.saturating_sub(2)));
+    let legend = words.shown(legend);
+    let column = title.width.saturating_sub(short(legend.chars().count()) + 1);
+    let header = cut(&words.shown(&figure.title), usize::from(column.saturating_sub(2)));
     put(buffer, title, 1, 0, &header, state.look.theme.style(Role::Header));
-    put(buffer, title, column, 0, legend, state.look.theme.style(Role::Dim));
+    put(buffer, title, column, 0, &legend, state.look.theme.style(Role::Dim));
     paint(state, &figure, charts, buffer);
 }
 

@@ -27,7 +27,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let angular = found.analysis.input.angular;
     let flywheel = dynamics.flywheel.map(|flywheel| format!(", flywheel {} kg m2", digits(flywheel, 5)));
     let heading = unevenness(dynamics, angular) + flywheel.as_deref().unwrap_or_default();
-    put(buffer, title, 1, 0, &heading, state.look.theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.words().shown(&heading), state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
         Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
             paint(state, &figure(state, scene, 1), area, buffer);

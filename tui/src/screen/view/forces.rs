@@ -19,7 +19,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &heading(scene, found), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.words().shown(&heading(scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
         Part::Overview => {
             let rows = short(found.reactions.len()) + 1;
@@ -75,7 +75,14 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
     let theme = state.look.theme;
     let moment = if scene.other.is_some() { "|dF|, N" } else { "M, N m" };
     let header = ["force of the pair", "Fx, N", "Fy, N", "F, N", "direction", moment];
-    put(buffer, area, 0, 0, &table_row(' ', header.map(str::to_owned)), theme.style(Role::Dim));
+    put(
+        buffer,
+        area,
+        0,
+        0,
+        &table_row(' ', header.map(|text| state.words().shown(text))),
+        theme.style(Role::Dim),
+    );
     let height = usize::from(area.height.saturating_sub(1));
     // The balancing load, the last one, stays in sight below the reactions.
     let last = found.reactions.len().saturating_sub(1);
@@ -87,7 +94,7 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
         let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);
-        let row_cells = [reaction.name(), fx, fy, modulus, direction, last];
+        let row_cells = [state.words().shown(&reaction.name()), fx, fy, modulus, direction, last];
         let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
         put(buffer, area, 0, short(row) + 1, &text, style);
     }

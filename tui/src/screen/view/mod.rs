@@ -51,6 +51,7 @@ const PANEL: u16 = 15;
 
 /// Draws the whole frame.
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
+    state.shown.borrow_mut().clear();
     let area = frame.area();
     let buffer = frame.buffer_mut();
     if area.width < LEAST.0 || area.height < LEAST.1 {

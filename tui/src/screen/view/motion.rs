@@ -23,7 +23,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let (role, text) = heading(state, scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &text, state.look.theme.style(role));
+    put(buffer, title, 1, 0, &state.words().shown(&text), state.look.theme.style(role));
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     let regime = dynamics.map(|dynamics| &dynamics.regime);

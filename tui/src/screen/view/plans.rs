@@ -142,8 +142,10 @@ pub(crate) fn labelled(part: Part, plan: &Plan) -> Vec<(String, &PlanVector)> {
 /// The vectors of a plan, and its closure error.
 fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> =
-        wrapped(&plan.title, width).into_iter().map(|line| (Role::Header, line)).collect();
+    let mut rows: Vec<(Role, String)> = wrapped(&state.words().shown(&plan.title), width)
+        .into_iter()
+        .map(|line| (Role::Header, line))
+        .collect();
     if state.part(View::Plans) == Part::Forces {
         rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
     }
@@ -155,7 +157,8 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
         _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
     };
     for (label, item) in shown.iter().skip(skip).take(room) {
-        let text = format!("{label:<4}{:<20}{:>9} {}", cut(&item.name, 19), digits(item.size, 5), item.unit);
+        let name = cut(&state.words().shown(&item.name), 19);
+        let text = format!("{label:<4}{name:<20}{:>9} {}", digits(item.size, 5), item.unit);
         rows.push((Role::Plain, text));
     }
     rows.push((Role::Header, format!("left open: {:.1e} of the greatest", plan.residual)));

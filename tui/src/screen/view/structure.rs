@@ -32,10 +32,12 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let w = &structure.mobility;
     let mobility = format!("mobility W = 3 n - 2 p = 3 * {} - 2 * {} = {}", w.moving_links, w.pairs, w.value);
     let class = format!("mechanism of class {}", assur_structure::roman(structure.class()));
-    put(buffer, top, 1, 1, &format!("{mobility};  {class}"), theme.style(Role::Plain));
+    let words = state.words();
+    put(buffer, top, 1, 1, &words.shown(&format!("{mobility};  {class}")), theme.style(Role::Plain));
     if let Some((group, health, at)) = scene.nearest_group() {
         let name = structure.group_name(&scene.linkage.mechanism, group);
-        let nearest = format!("nearest to singular: {} at position {at}, {name}", digits(health, LEAST));
+        let nearest =
+            words.shown(&format!("nearest to singular: {} at position {at}, {name}", digits(health, LEAST)));
         put(
             buffer,
             top,
@@ -73,7 +75,8 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
         assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
     };
-    let mut lines = vec![(false, format!("input link {input} on {pair}"))];
+    let words = state.words();
+    let mut lines = vec![(false, words.shown(&format!("input link {input} on {pair}")))];
     if let Some(joined) = state.joined {
         let with = (1..=joined).map(|group| format!(", with group {group}")).collect::<Vec<_>>().concat();
         let next = state.keys.first("join");
@@ -82,14 +85,16 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
-        lines.push((chosen, format!("{sign}{}", linkage.structure.group_name(mechanism, index))));
+        let name = words.shown(&linkage.structure.group_name(mechanism, index));
+        lines.push((chosen, format!("{sign}{name}")));
         if let Some((health, at)) = scene.least_health(index) {
-            let least = format!("least determinant {} at position {at}", digits(health, LEAST));
+            let least = words.shown(&format!("least determinant {} at position {at}", digits(health, LEAST)));
             lines.push((false, format!("{:INDENT$}{least}", "")));
         }
         if chosen {
             let rows = details(state, scene, group, index).into_iter();
-            let rows = rows.flat_map(|line| wrapped(&line, usize::from(width).saturating_sub(INDENT)));
+            let rows =
+                rows.flat_map(|line| wrapped(&words.shown(&line), usize::from(width).saturating_sub(INDENT)));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
     }
