@@ -49,6 +49,12 @@ pub struct Zoom {
     pub shift: [f64; 2],
 }
 
+impl Default for Zoom {
+    fn default() -> Self {
+        Self::WHOLE
+    }
+}
+
 impl Zoom {
     /// The whole figure, as large as it fits.
     pub const WHOLE: Self = Self { factor: 1.0, shift: [0.0; 2] };

@@ -1,4 +1,4 @@
-use crate::{Entry, Expr, Names, Sheet, Units, text};
+use crate::{Entry, Expr, Names, Sheet, Units, WIDTH, text};
 
 fn sheet() -> Sheet {
     Sheet::new(Names { bodies: vec!["ground".into(), "rod".into()], ..Names::default() }, Units::ANGULAR)
@@ -12,7 +12,7 @@ fn a_line_shows_symbols_numbers_and_result() {
     sheet.work("c", &(a.squared() + b.squared()).sqrt(), "m");
     let wanted = "Working\n-------\n  a = 3 m\n  b = -4 m  (side)\n  \
                   c = sqrt(a^2 + b^2) = sqrt(3^2 + (-4)^2) = 5.00000 m\n";
-    assert_eq!(text(&sheet.sections), wanted);
+    assert_eq!(text(&sheet.sections, WIDTH), wanted);
 }
 
 #[test]
@@ -46,9 +46,9 @@ fn what_rounding_leaves_is_zero() {
     let t = sheet.work("t", &alpha.cos(), "");
     assert_eq!(t.value().to_bits(), 0.0_f64.to_bits());
     assert!(
-        text(&sheet.sections).ends_with("t = cos(alpha) = cos(1.5708) = 0.00000\n"),
+        text(&sheet.sections, WIDTH).ends_with("t = cos(alpha) = cos(1.5708) = 0.00000\n"),
         "{}",
-        text(&sheet.sections)
+        text(&sheet.sections, WIDTH)
     );
 }
 

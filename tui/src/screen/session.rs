@@ -6,10 +6,11 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crossterm::event::{Event as Input, KeyEventKind};
+use crossterm::event::{Event as Own, KeyEventKind};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
+use super::input::Input;
 use super::pixels::{self, Answer};
 use super::state::{Pictures, Report, Role, State, Wish};
 use super::terminal::{self, Screen};
@@ -21,7 +22,7 @@ const ANSWER: Duration = Duration::from_secs(1);
 /// The events that wake the loop.
 #[derive(Debug)]
 pub(crate) enum Event {
-    /// A key, the mouse, the focus.
+    /// A key, the mouse, the focus, an answer of the terminal, the end of input.
     Input(Input),
     /// The terminal has changed its size.
     Resized,
@@ -31,10 +32,6 @@ pub(crate) enum Event {
     Suspend,
     /// The process continues after it was suspended.
     Continued,
-    /// An answer of the terminal to the question for pictures; also that none has come in time.
-    Answer(Answer),
-    /// There is no more input.
-    Closed,
 }
 
 /// Runs until the user leaves; `config`: where its configuration is kept.
@@ -44,14 +41,7 @@ pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
     listen_to_signals(sender.clone())?;
     let mut screen = Screen::take(state.look.mouse)?;
     let keys = sender.clone();
-    input::listen(move |input| {
-        let event = match input {
-            input::Input::Event(event) => Event::Input(event),
-            input::Input::Answer(answer) => Event::Answer(answer),
-            input::Input::End => Event::Closed,
-        };
-        keys.send(event).is_ok()
-    })?;
+    input::listen(move |input| keys.send(Event::Input(input)).is_ok())?;
     let mut next_tick = Instant::now();
     loop {
         for wish in std::mem::take(&mut state.wishes) {
@@ -71,7 +61,7 @@ pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
             let sender = sender.clone();
             thread::spawn(move || {
                 thread::sleep(ANSWER);
-                sender.send(Event::Answer(Answer::End))
+                sender.send(Event::Input(Input::Answer(Answer::End)))
             });
         }
         if state.wishes.is_empty() {
@@ -119,7 +109,7 @@ fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) ->
 /// Applies one event; returns whether the frame may differ.
 fn apply(state: &mut State, event: Event) -> bool {
     match event {
-        Event::Input(Input::Key(key)) if key.kind != KeyEventKind::Release => {
+        Event::Input(Input::Event(Own::Key(key))) if key.kind != KeyEventKind::Release => {
             #[cfg(debug_assertions)]
             assert!(
                 std::env::var_os("ASSUR_PANIC_ON_KEY").is_none(),
@@ -128,22 +118,28 @@ fn apply(state: &mut State, event: Event) -> bool {
             command::press(state, key);
             true
         }
-        Event::Input(Input::Paste(text)) => {
+        Event::Input(Input::Event(Own::Paste(text))) => {
             command::paste(state, &text);
             true
         }
-        Event::Input(Input::Mouse(mouse)) => command::click(state, mouse),
+        Event::Input(Input::Event(Own::Mouse(mouse))) => command::click(state, mouse),
         Event::Resized => {
             state.size = terminal::size().unwrap_or(state.size);
             true
         }
-        Event::Input(Input::FocusGained) => std::mem::replace(&mut state.focused, true) != state.focused,
-        Event::Input(Input::FocusLost) => {
+        Event::Input(Input::Event(Own::FocusGained)) => {
+            std::mem::replace(&mut state.focused, true) != state.focused
+        }
+        Event::Input(Input::Event(Own::FocusLost)) => {
             state.focused = false;
             false
         }
-        Event::Input(_) => false,
-        Event::Answer(answer) => take_answer(state, answer),
+        Event::Input(Input::Event(_)) => false,
+        Event::Input(Input::Answer(answer)) => take_answer(state, answer),
+        Event::Input(Input::End) => {
+            state.leaving = true;
+            true
+        }
         Event::Work(report) => command::take(state, report),
         Event::Suspend => {
             state.wishes.push(Wish::Suspend);
@@ -151,10 +147,6 @@ fn apply(state: &mut State, event: Event) -> bool {
         }
         Event::Continued => {
             state.wishes.push(Wish::Retake);
-            true
-        }
-        Event::Closed => {
-            state.leaving = true;
             true
         }
     }

@@ -5,4 +5,4 @@ mod text;
 
 pub(crate) use assur_figure::cells::cut;
 pub(crate) use figure::{cells, paint, paint_zoomed};
-pub(crate) use text::{first_shown, folded, put, put_lines, short, wrapped};
+pub(crate) use text::{first_shown, folded, put, put_lines, short, table, wrapped};

@@ -30,6 +30,14 @@ pub(crate) fn put_lines<'a>(
     }
 }
 
+/// A table in lines: its head, then its rows, each column as wide as it needs.
+pub(crate) fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<(Role, String)> {
+    let text = assur_report::text::columns(head, rows, false);
+    // The second line is a rule.
+    let lines = text.lines().enumerate().filter(|(number, _)| *number != 1);
+    lines.map(|(number, line)| (if number == 0 { Role::Dim } else { Role::Plain }, line.to_owned())).collect()
+}
+
 /// The first item of a list that is shown in this many rows, with the chosen item as the last at most.
 pub(crate) fn first_shown(chosen: usize, rows: usize) -> usize {
     (chosen + 1).saturating_sub(rows)

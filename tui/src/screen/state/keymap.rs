@@ -69,7 +69,7 @@ impl Command {
 }
 
 /// The keys of every command, by its name.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Keymap(BTreeMap<&'static str, Vec<Key>>);
 
 impl Keymap {

@@ -10,6 +10,7 @@ use crate::words::Words;
     Debug,
     Clone,
     Copy,
+    Default,
     PartialEq,
     Eq,
     PartialOrd,
@@ -20,6 +21,7 @@ use crate::words::Words;
 )]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum View {
+    #[default]
     Mechanism,
     Curves,
     Forces,
@@ -118,17 +120,19 @@ pub(crate) enum Part {
 }
 
 /// Which arrows the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::VariantArray)]
 pub(crate) enum Arrows {
     None,
+    #[default]
     Velocity,
     Acceleration,
     Both,
 }
 
 /// Which paths of points the drawing has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::VariantArray)]
 pub(crate) enum Traces {
+    #[default]
     All,
     Chosen,
     /// The last part of the path of every point, up to the present position.

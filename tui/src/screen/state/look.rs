@@ -44,9 +44,10 @@ pub(crate) struct Look {
 }
 
 /// How a terminal takes pictures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Pictures {
     /// Nobody has asked it.
+    #[default]
     Unknown,
     /// It was asked.
     Asked,

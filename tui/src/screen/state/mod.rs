@@ -58,7 +58,7 @@ pub(crate) const PACES: [u8; 7] = [1, 2, 4, 8, 16, 32, 64];
 const EVERY: usize = 4;
 
 /// The whole state.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct State {
     /// All commands, in the order of the help screen.
     pub(crate) commands: &'static [Command],
@@ -136,45 +136,13 @@ impl State {
             commands,
             keys,
             what_if: WhatIf::of(scene.as_ref()),
-            measured: None,
-            picker: None,
-            previews: BTreeMap::new(),
-            view: View::Mechanism,
-            panels: Panels::default(),
             position: scene.as_ref().map_or(0, Scene::first_position),
             scene,
-            phase: 0,
-            pace: EVERY,
-            chosen: Chosen::default(),
-            picked: Vec::new(),
-            joined: None,
-            held: None,
-            probe: None,
-            motor_limits: None,
             look,
-            zoom: Zoom::WHOLE,
-            pictures: Pictures::Unknown,
-            shown: RefCell::default(),
-            arrows: Arrows::Velocity,
-            traces: Traces::All,
-            parts: BTreeMap::new(),
-            analyzer: None,
-            integrator: None,
-            compared: None,
-            running: Vec::new(),
-            asked: 0,
-            sorted: None,
-            playing: false,
+            pace: EVERY,
             focused: true,
-            help: None,
-            prompt: None,
-            question: None,
-            message: None,
-            fault: None,
-            note: None,
             size: (80, 24),
-            wishes: Vec::new(),
-            leaving: false,
+            ..Self::default()
         }
     }
 

@@ -25,9 +25,10 @@ pub(crate) struct Change {
 }
 
 /// The state of the changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Reading {
     /// They are shown.
+    #[default]
     Done,
     /// They are being read by the worker.
     Runs,
@@ -36,7 +37,7 @@ pub(crate) enum Reading {
 }
 
 /// The text of the open scene, its numbers, and their present values.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct WhatIf {
     /// Whether the list is to be shown.
     pub(crate) open: bool,
@@ -65,21 +66,9 @@ pub(crate) struct WhatIf {
 impl WhatIf {
     /// The values of a scene as its file has them.
     pub(crate) fn of(scene: Option<&Scene>) -> Self {
-        Self {
-            open: false,
-            chosen: 0,
-            step: FIRST_STEP,
-            values: scene.map_or_else(Vec::new, |scene| scene.values.clone()),
-            text: scene.map_or_else(String::new, |scene| scene.text.clone()),
-            wanted: Edits::new(),
-            shown: Edits::new(),
-            done: Vec::new(),
-            reading: Reading::Done,
-            saved: Edits::new(),
-            warned: false,
-            opening: 0,
-            compared: None,
-        }
+        let (values, text) =
+            scene.map(|scene| (scene.values.clone(), scene.text.clone())).unwrap_or_default();
+        Self { step: FIRST_STEP, values, text, ..Self::default() }
     }
 
     /// The values of a scene that replaces another one; `again`: it is the same scene, reread, so the list stays open.

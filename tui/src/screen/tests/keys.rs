@@ -4,6 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use strum::VariantArray;
 
+use super::random::NAMED;
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
 use crate::screen::state::{Key, Keymap, Measured, Probe, State, Theme, Wish};
@@ -30,24 +31,7 @@ fn enter(state: &mut State, view: View) {
 fn every_key_in_every_view_is_survived() {
     let mut state = opened("shaper");
     for view in View::VARIANTS.iter().copied() {
-        for code in (' '..='~').map(KeyCode::Char).chain([
-            KeyCode::Enter,
-            KeyCode::Esc,
-            KeyCode::Tab,
-            KeyCode::BackTab,
-            KeyCode::Backspace,
-            KeyCode::Left,
-            KeyCode::Right,
-            KeyCode::Up,
-            KeyCode::Down,
-            KeyCode::Home,
-            KeyCode::End,
-            KeyCode::PageUp,
-            KeyCode::PageDown,
-            KeyCode::F(1),
-            KeyCode::Delete,
-            KeyCode::Null,
-        ]) {
+        for code in (' '..='~').map(KeyCode::Char).chain(NAMED) {
             for modifiers in [KeyModifiers::NONE, KeyModifiers::CONTROL] {
                 (state.help, state.prompt, state.question, state.picker) = (None, None, None, None);
                 enter(&mut state, view);

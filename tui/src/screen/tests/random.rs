@@ -18,7 +18,7 @@ impl Dice {
     }
 }
 
-const NAMED: [KeyCode; 18] = [
+pub(super) const NAMED: [KeyCode; 18] = [
     KeyCode::Enter,
     KeyCode::Enter,
     KeyCode::Esc,

@@ -1,15 +1,16 @@
 //! The drive: motor, ratio, flywheel by every method; its characteristic and moments; the two places of the flywheel
 //! and other motors.
 
-use assur_analysis::results::{Dynamics, MotorReport};
+use assur_analysis::results::{Dynamics, MotorReport, RunnerUp};
 use assur_figure::Figure;
+use assur_motor::FlywheelSize;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::motion::{numbers, unevenness};
 use super::{energy, regime};
 use crate::number::digits;
-use crate::screen::draw::{cut, paint, put, put_lines, short, wrapped};
+use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
 
 /// Second column of the view.
@@ -117,23 +118,21 @@ fn motor_rows(motor: &MotorReport) -> Vec<Line> {
 
 /// The two places of the flywheel, warnings, and other suitable motors of the catalogue.
 fn places_and_motors(dynamics: &Dynamics) -> Vec<Line> {
-    let mut lines = vec![(
-        Role::Header,
-        "flywheel on the input or on the motor shaft: a steel disc, width 1/10".to_owned(),
-    )];
-    lines.push((
-        Role::Dim,
-        "shaft          kg m2        D, mm     b, mm          kg     rim, most m/s".to_owned(),
-    ));
-    for wheel in &dynamics.flywheel_places {
-        let word = if wheel.ok { "ok" } else { "FAILED" };
-        let [inertia, diameter, width, mass] =
+    let title = "flywheel on the input or on the motor shaft: a steel disc, width 1/10";
+    let mut lines = vec![(Role::Header, title.to_owned())];
+    let wheel = |wheel: &FlywheelSize| {
+        let numbers =
             [wheel.inertia, 1e3 * wheel.diameter, 1e3 * wheel.width, wheel.mass].map(|x| digits(x, 5));
-        let rim = format!("{} / {}", digits(wheel.rim_speed, 4), digits(wheel.admissible_rim_speed, 4));
-        let row =
-            format!("{:<8}{inertia:>12}{diameter:>12}{width:>10}{mass:>12}{rim:>17} {word}", wheel.shaft);
-        lines.push((Role::Plain, row));
-    }
+        let speeds = [wheel.rim_speed, wheel.admissible_rim_speed].map(|x| digits(x, 4));
+        let word = if wheel.ok { "ok" } else { "FAILED" };
+        std::iter::once(wheel.shaft.to_owned())
+            .chain(numbers)
+            .chain(speeds)
+            .chain([word.to_owned()])
+            .collect()
+    };
+    let wheels: Vec<Vec<String>> = dynamics.flywheel_places.iter().map(wheel).collect();
+    lines.extend(table(&["shaft", "kg m2", "D, mm", "b, mm", "kg", "rim, m/s", "at most", ""], &wheels));
     if let Some(motor) = &dynamics.motor {
         if let (Some(length), Some(diameter)) = (motor.length, motor.diameter) {
             let size = [1e3 * length, 1e3 * diameter].map(|x| digits(x, 4));
@@ -143,18 +142,16 @@ fn places_and_motors(dynamics: &Dynamics) -> Vec<Line> {
             lines.push((Role::Plain, text));
         }
         lines.push((Role::Plain, String::new()));
+        let other = |other: &RunnerUp| {
+            let mass = other.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
+            let numbers = [other.power, other.rated_speed, other.ratio].map(|x| digits(x, 5));
+            let name = format!("{} ({})", other.designation, other.catalogue);
+            std::iter::once(name).chain(numbers).chain([mass]).collect()
+        };
         if !motor.runners_up.is_empty() {
             lines.push((Role::Header, "other motors that would do, the best first".to_owned()));
-            lines.push((
-                Role::Dim,
-                "motor                                 power, W       rad/s      ratio        kg".to_owned(),
-            ));
-        }
-        for other in &motor.runners_up {
-            let mass = other.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
-            let [power, speed, ratio] = [other.power, other.rated_speed, other.ratio].map(|x| digits(x, 5));
-            let name = format!("{} ({})", other.designation, other.catalogue);
-            lines.push((Role::Plain, format!("{name:<32}{power:>11}{speed:>12}{ratio:>11}{mass:>10}")));
+            let others: Vec<Vec<String>> = motor.runners_up.iter().map(other).collect();
+            lines.extend(table(&["motor", "power, W", "rad/s", "ratio", "kg"], &others));
         }
         lines.push((Role::Plain, String::new()));
         for warning in &motor.warnings {

@@ -1,7 +1,7 @@
 //! Energy and inertia of a steady regime: the energy-mass diagram, the shares of the reduced inertia, and how ratio, flywheel
 //! and speed were found.
 
-use assur_analysis::results::{Column, Dynamics, EnergyMass, Owner, Quantity, RegimeReport};
+use assur_analysis::results::{Column, Dynamics, EnergyMass, Owner, Quantity, RegimeReport, Trial};
 use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
 
 use assur_mechanism::InputPair;
@@ -98,45 +98,33 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
 pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
-    let numbered =
-        |values: Vec<f64>| values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]).collect();
-    let x = |label: &str, count: usize| Axis {
-        kind: Kind::Whole,
-        ..Axis::around(label, [1.0, count.max(2) as f64], 0.0)
+    let curve = |name: &'static str, values: Vec<f64>| {
+        let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
+        (name, points.collect::<Vec<_>>())
     };
-    let turns = &regime.iteration;
-    let speeds = vec![
-        ("start", numbered(turns.iter().map(|turn| turn.speed_start).collect())),
-        ("end", numbered(turns.iter().map(|turn| turn.speed_end).collect())),
-    ];
+    let panel = |title: &str, label: &str, count: usize, curves| {
+        let x = Axis { kind: Kind::Whole, ..Axis::around(label, [1.0, count.max(2) as f64], 0.0) };
+        plots::curves(title, curves, x, None)
+    };
+    let (turns, trials) = (&regime.iteration, &regime.trials);
     let mut panels = Vec::new();
     if !turns.is_empty() {
-        panels.push(plots::curves(
-            "input speed at the ends of each cycle, rad/s",
-            speeds,
-            x("cycle", turns.len()),
-            None,
-        ));
+        let ends = vec![
+            curve("start", turns.iter().map(|turn| turn.speed_start).collect()),
+            curve("end", turns.iter().map(|turn| turn.speed_end).collect()),
+        ];
+        panels.push(panel("input speed at the ends of each cycle, rad/s", "cycle", turns.len(), ends));
     }
-    let trials = &regime.trials;
     let Some(last) = trials.last() else { return panels };
-    let mut lines = Vec::new();
-    if let Some(ratio) = last.ratio {
-        lines.push((
-            "ratio",
-            numbered(trials.iter().map(|trial| trial.ratio.unwrap_or(f64::NAN) / ratio).collect()),
-        ));
+    let part = |read: &dyn Fn(&Trial) -> f64| trials.iter().map(|trial| read(trial) / read(last)).collect();
+    let mut curves = Vec::new();
+    if last.ratio.is_some() {
+        curves.push(curve("ratio", part(&|trial| trial.ratio.unwrap_or(f64::NAN))));
     }
     if last.flywheel > 0.0 {
-        lines.push((
-            "flywheel",
-            numbered(trials.iter().map(|trial| trial.flywheel / last.flywheel).collect()),
-        ));
+        curves.push(curve("flywheel", part(&|trial| trial.flywheel)));
     }
-    lines.push((
-        "unevenness",
-        numbered(trials.iter().map(|trial| trial.unevenness / last.unevenness).collect()),
-    ));
-    panels.push(plots::curves("trials, as parts of the values found", lines, x("trial", trials.len()), None));
+    curves.push(curve("unevenness", part(&|trial| trial.unevenness)));
+    panels.push(panel("trials, as parts of the values found", "trial", trials.len(), curves));
     panels
 }

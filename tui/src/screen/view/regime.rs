@@ -1,13 +1,13 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
-use assur_analysis::results::{Analysis, Dynamics, RegimePoint, RegimeReport};
+use assur_analysis::results::{Analysis, Dynamics, Iteration, RegimePoint, RegimeReport, Trial};
 use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{energy, motion, plots};
 use crate::number::digits;
-use crate::screen::draw::{paint, put_lines, short};
+use crate::screen::draw::{paint, put_lines, short, table};
 use crate::screen::state::{Role, Scene, State, coordinate_unit};
 
 /// Rows that the curves below the table of the iteration need.
@@ -66,30 +66,27 @@ pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
 
 /// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.
 pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, buffer: &mut Buffer) {
-    let mut lines = vec![(Role::Header, "iteration to the periodic regime, from the mean speed".to_owned())];
-    lines.push((Role::Dim, "turn   start, rad/s     end, rad/s     difference".to_owned()));
-    for turn in &regime.iteration {
+    let turn = |turn: &Iteration| {
         let [start, end] = [turn.speed_start, turn.speed_end].map(|value| digits(value, 8));
-        lines.push((
-            Role::Plain,
-            format!("{:>4} {start:>16} {end:>16} {:>12.2e}", turn.number, turn.residual),
-        ));
-    }
+        vec![turn.number.to_string(), start, end, format!("{:.2e}", turn.residual)]
+    };
+    let mut lines = vec![(Role::Header, "iteration to the periodic regime, from the mean speed".to_owned())];
+    let turns: Vec<_> = regime.iteration.iter().map(turn).collect();
+    lines.extend(table(&["turn", "start, rad/s", "end, rad/s", "difference"], &turns));
+    let trial = |trial: &Trial| {
+        let ratio = trial.ratio.map_or_else(|| "-".to_owned(), |ratio| digits(ratio, 6));
+        let numbers = [trial.flywheel, trial.mean_speed, trial.unevenness].map(|value| digits(value, 6));
+        [trial.number.to_string(), ratio].into_iter().chain(numbers).collect()
+    };
     if !regime.trials.is_empty() {
         lines.push((Role::Plain, String::new()));
         lines.push((Role::Header, "trials of ratio and flywheel".to_owned()));
-        lines.push((Role::Dim, "  No        ratio        kg m2    mean, rad/s   unevenness".to_owned()));
+        let trials: Vec<Vec<String>> = regime.trials.iter().map(trial).collect();
+        lines.extend(table(&["No", "ratio", "kg m2", "mean, rad/s", "unevenness"], &trials));
     }
-    for trial in &regime.trials {
-        let ratio = trial.ratio.map_or_else(|| "-".to_owned(), |ratio| digits(ratio, 6));
-        let [flywheel, speed, unevenness] =
-            [trial.flywheel, trial.mean_speed, trial.unevenness].map(|value| digits(value, 6));
-        let row = format!("{:>4} {ratio:>12} {flywheel:>12} {speed:>14} {unevenness:>12}", trial.number);
-        lines.push((Role::Plain, row));
-    }
-    let [table, below] =
+    let [numbers, below] =
         Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
-    put_lines(buffer, table, 1, state, &lines);
+    put_lines(buffer, numbers, 1, state, &lines);
     if below.height >= PLOTS {
         let panels = energy::iteration(regime);
         paint(state, &Figure { title: String::new(), panels, columns: 2, legend: Vec::new() }, below, buffer);
