@@ -71,6 +71,32 @@ fn forces_by_their_directions() {
 }
 
 #[test]
+fn the_size_of_a_force() {
+    let size = |direction: &str, speed: f64| {
+        let text = format!("[[force]]\nlink = \"arm\"\nat = \"A\"\nvalue = 8\n{direction}\n");
+        let (linkage, loads) = compiled(&arm(&text));
+        let mut found = Vec::new();
+        loads.sizes(&at(0.3, speed), &bodies(&linkage, 0.3), |cause, size: f64| found.push((cause, size)));
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].0, Cause::Force(0));
+        found[0].1
+    };
+    near(size("angle = 0", 3.0), 8.0, 1.0);
+    for (speed, wanted) in [(3.0, 8.0), (-3.0, 8.0), (0.0, 0.0)] {
+        near(size("against_motion = true", speed), wanted, 1.0);
+    }
+}
+
+#[test]
+fn the_speed_beside_another_is_the_next_that_rounding_tells_apart() {
+    for speed in [100.0, 1e-300, 0.0, -3.0] {
+        let [below, above] = [-1.0, 1.0].map(|side| crate::beside(speed, side));
+        assert!(below < speed && speed < above, "{speed}");
+        assert!(above - below <= 8.0 * f64::EPSILON * f64::abs(speed) + 4.0 * f64::MIN_POSITIVE, "{speed}");
+    }
+}
+
+#[test]
 fn a_point_that_stands_has_no_motion_to_be_against() {
     let text = "[[force]]\nlink = \"arm\"\nat = \"O\"\nvalue = 8\nagainst_motion = true\n";
     let (linkage, loads) = compiled(&arm(text));
