@@ -205,3 +205,6 @@ impl Collector {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

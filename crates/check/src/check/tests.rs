@@ -1,0 +1,29 @@
+use super::*;
+
+/// Offers some residuals of the positions of a range: fine, too wide to judge, and one that is worst.
+fn collected(positions: std::ops::Range<usize>) -> Collector {
+    let mut collector = Collector::new("name", "reason");
+    for at in positions {
+        match at % 4 {
+            0 => collector.leave_out(at, "left out"),
+            1 => collector.offer(at, 0.1, 0.2 + at as f64, || format!("wide {at}")),
+            _ => collector.offer(at, 1e-9 * (at % 7) as f64, 1e-8, || format!("place {at}")),
+        }
+    }
+    collector
+}
+
+#[test]
+fn parts_one_after_another_are_the_whole() {
+    let whole = collected(0..40);
+    for middle in [1, 2, 7, 20, 38] {
+        let mut parts = collected(0..middle);
+        parts.append(collected(middle..40));
+        assert_eq!(
+            format!("{:?}", Collector { last: whole.last, ..parts }),
+            format!("{whole:?}"),
+            "{middle}"
+        );
+    }
+    assert_eq!((whole.check.left_out, whole.check.at, whole.offers), (20, Some(6), 20));
+}
