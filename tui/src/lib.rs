@@ -6,7 +6,6 @@
 pub mod cli;
 pub mod screen;
 
-mod clock;
 mod files;
 mod locale;
 mod note;

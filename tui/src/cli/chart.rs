@@ -15,8 +15,7 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::clock::SystemClock;
-use crate::progress::ProgressLine;
+use crate::progress::{ProgressLine, SystemClock};
 
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;

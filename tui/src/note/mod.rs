@@ -11,20 +11,19 @@ mod html;
 mod kinematics;
 mod loads;
 mod markdown;
-mod results;
 mod structure;
 mod task;
-mod typst;
-
 #[cfg(test)]
 mod tests;
+mod typst;
 
 use assur_figure::Figure;
+use assur_report::text::{Finding, summary};
 use assur_scene::Note;
+use document::{Block, Cover};
 
 use crate::screen::state::{State, View};
 use crate::words::Words;
-use document::{Block, Cover};
 
 /// The form of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -113,7 +112,7 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
 }
 
 fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
-    let mut blocks = results::blocks(context);
+    let mut blocks = main_results(context);
     for part in [task::blocks, structure::blocks, kinematics::blocks, forces::blocks, dynamics::blocks] {
         blocks.extend(part(context));
     }
@@ -160,4 +159,19 @@ fn limits(context: &Context<'_>) -> Vec<Block> {
         blocks.push(Block::Text(words.with("no-position", &[("positions", failed.join(", "))])));
     }
     blocks
+}
+
+/// Heading and table of the main results; nothing without an analysis.
+fn main_results(context: &Context<'_>) -> Vec<Block> {
+    let words = context.words;
+    let (Some(scene), Some(found)) = (&context.state.scene, context.state.found()) else { return Vec::new() };
+    let row = |one: Finding| {
+        let is_number = one.value.parse::<f64>().is_ok();
+        let value =
+            if is_number { words.number(&one.value) } else { words.name(&one.value).replace("->", "→") };
+        vec![words.phrase(&one.what), value, words.unit(one.unit), words.phrase(&one.at)]
+    };
+    let rows = summary(&found.analysis, &scene.linkage).into_iter().map(row).collect();
+    let head = ["quantity", "value", "unit", "at"].map(|id| words.get(id));
+    vec![Block::Heading(words.get("results")), Block::table(words, "main-results", head, rows)]
 }

@@ -1,7 +1,6 @@
 //! The configuration: how the terminal UI looks, and its keys.
 
 mod default;
-mod keep;
 #[cfg(test)]
 mod tests;
 
@@ -11,8 +10,7 @@ use std::sync::LazyLock;
 use assur_scene::document::{self, Entry, Fault, Section};
 use assur_scene::{Dimension, SceneErrors};
 
-pub(crate) use default::text as default_text;
-pub(crate) use keep::keep;
+pub(crate) use default::{keep, text as default_text};
 
 use super::command::COMMANDS;
 use super::state::{Command, Key, Keymap, Kind, Look, Panels, SETTINGS, View};

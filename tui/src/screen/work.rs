@@ -15,9 +15,8 @@ use assur_study::stability::stability;
 
 use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source};
 use super::terminal::WORKER;
-use crate::clock::SystemClock;
 use crate::files;
-use crate::progress::words;
+use crate::progress::{SystemClock, words};
 
 /// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);

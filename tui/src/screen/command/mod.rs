@@ -5,26 +5,24 @@ mod jobs;
 mod line;
 mod motors;
 mod picker;
-mod plans;
 mod probe;
-mod prompt;
 mod report;
 mod reports;
 mod table;
 mod whatif;
 mod write;
-
-use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
-
 pub(crate) use jobs::ask;
 pub(crate) use line::search;
 pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;
+
+use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
+
 #[cfg(test)]
 pub(crate) use whatif::toggle;
 pub(crate) use write::{PAGE, grant, picture};
 
-use super::state::{Command, Group, Key, PromptKind, Purpose, State, View};
+use super::state::{Command, Group, Key, Prompt, PromptKind, Purpose, State, View, round};
 use super::view;
 
 /// Requests the data for the first frame: the analysis of the scene, or the list of shipped scenes.
@@ -49,7 +47,7 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
         return write::answer(state, file, key);
     }
     if state.prompt.is_some() {
-        return prompt::press(state, key);
+        return press_in_line(state, key);
     }
     state.message = None;
     // Before a search begins, the commands of the program keep their keys.
@@ -141,5 +139,59 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
         },
         View::Mechanism if pressed && state.probe.is_some() => probe::click(state, area, cell),
         _ => false,
+    }
+}
+
+/// Handles a key while the line is open.
+fn press_in_line(state: &mut State, key: Key) {
+    let Some(mut prompt) = state.prompt.take() else { return };
+    match key.code {
+        // Also where another key closes.
+        KeyCode::Esc => return,
+        KeyCode::Enter => {
+            state.message = None;
+            match prompt.kind {
+                PromptKind::Command => line::run(state, prompt.text.trim()),
+                PromptKind::Search => line::search(state, prompt.text.trim()),
+            }
+            return;
+        }
+        KeyCode::Backspace => {
+            prompt.completing = None;
+            // As in other programs, deleting from an empty line closes it.
+            if prompt.text.pop().is_none() {
+                return;
+            }
+        }
+        KeyCode::Char('u') if key.control => prompt.text.clear(),
+        KeyCode::Char(letter) if !key.control => {
+            prompt.completing = None;
+            prompt.text.push(letter);
+        }
+        KeyCode::Tab => complete(state, &mut prompt, 1),
+        KeyCode::BackTab => complete(state, &mut prompt, -1),
+        _ => {}
+    }
+    state.prompt = Some(prompt);
+}
+
+/// Inserts the next or previous completion of the typed text.
+fn complete(state: &State, prompt: &mut Prompt, by: isize) {
+    if prompt.kind == PromptKind::Search {
+        return;
+    }
+    let (shown, typed) = prompt
+        .completing
+        .take()
+        .map_or_else(|| (None, prompt.text.clone()), |(shown, typed)| (Some(shown), typed));
+    let offers = line::completions(state, &typed);
+    let next = match shown {
+        Some(shown) => round(shown, by, offers.len()),
+        None if by > 0 => 0,
+        None => offers.len().saturating_sub(1),
+    };
+    if let Some(offer) = offers.into_iter().nth(next) {
+        prompt.text = offer;
+        prompt.completing = Some((next, typed));
     }
 }

@@ -1,6 +1,6 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, picker, plans, probe, report, whatif, write};
+use super::{act, picker, probe, report, whatif, write};
 use crate::screen::state::{Command, Group, Help, PromptKind, State, View, Wish, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
@@ -62,9 +62,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("causes", Choose, "b", &[Forces], act::causes),
     command("join", Choose, "Tab", &[Structure], act::join),
     command("part", Choose, "Tab", PARTS, act::part),
-    command("next-step", Choose, "Down j", &[Plans], |s| plans::step(s, 1)),
-    command("previous-step", Choose, "Up k", &[Plans], |s| plans::step(s, -1)),
-    command("beside", Choose, "s", &[Plans], plans::beside),
+    command("next-step", Choose, "Down j", &[Plans], |s| act::plan_step(s, 1)),
+    command("previous-step", Choose, "Up k", &[Plans], |s| act::plan_step(s, -1)),
+    command("beside", Choose, "s", &[Plans], act::beside),
     command("next-motion", Choose, "Down j", &[Motion], |s| act::choose(s, Motion, 1)),
     command("previous-motion", Choose, "Up k", &[Motion], |s| act::choose(s, Motion, -1)),
     command("next-check", Choose, "Down j", &[Checks], |s| act::choose(s, Checks, 1)),

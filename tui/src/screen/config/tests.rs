@@ -1,6 +1,6 @@
 //! The default read back, and the text of each fault.
 
-use super::keep::kept;
+use super::default::kept;
 use super::{Config, default_text};
 use crate::screen::command::COMMANDS;
 use crate::screen::state::{Key, Look, Marker, Panels, SETTINGS, Theme, View};

@@ -2,7 +2,7 @@
 
 use crossterm::event::KeyCode;
 
-use super::key::Key;
+use super::keymap::Key;
 use crate::words::Words;
 
 /// A view.

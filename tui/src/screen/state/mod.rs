@@ -1,11 +1,9 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
-mod compare;
 mod found;
 mod gather;
 mod job;
-mod key;
 mod keymap;
 mod kinds;
 mod look;
@@ -28,13 +26,11 @@ use ratatui::layout::Rect;
 
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
-pub(crate) use compare::Compared;
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
-pub(crate) use key::Key;
-pub(crate) use keymap::{Command, Group, Keymap};
+pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, next_kind, round,
 };
@@ -42,7 +38,7 @@ pub(crate) use look::{AUTO, Kind, Look, Panels, Pictures, SETTINGS};
 pub(crate) use picker::{Choice, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
-pub(crate) use scene::{Scene, Source};
+pub(crate) use scene::{Compared, Scene, Source};
 pub(crate) use series::{Owner, Series, greatest, zeros};
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;

@@ -1,12 +1,14 @@
 //! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
 
+use std::fmt::Write;
+
 use assur_diagram::{JointForce, Share, Split};
 use assur_figure::{Figure, Ink, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::vectors::{self, Vector};
-use super::{plans, reactions};
+use super::plans;
+use super::plots::{self, Vector};
 use crate::number::number;
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
@@ -56,7 +58,7 @@ pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> 
 }
 
 fn figure_panels(state: &State, scene: &Scene, found: &Found, parts: &[Part]) -> Vec<Panel> {
-    let mut panels = reactions::curves(state, scene, found, &[usize::MAX]);
+    let mut panels = curves(state, scene, found, &[usize::MAX]);
     panels.extend(sum_of(parts));
     panels
 }
@@ -90,7 +92,7 @@ fn draw_table(
     let last = if scalar.is_empty() { "M, N m".to_owned() } else { scalar.to_owned() };
     let header =
         ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(|text| state.words().shown(text));
-    put(buffer, area, 0, 0, &reactions::table_row(' ', header), theme.style(Role::Dim));
+    put(buffer, area, 0, 0, &table_row(' ', header), theme.style(Role::Dim));
     let sum = sum(parts, "sum");
     let whole = part(&split.whole, reaction);
     let whole = Part { cause: format!("whole, by `{}`", found.analyzer), ..whole };
@@ -135,11 +137,11 @@ fn row_of(name: &str, part: &Part, least: f64) -> String {
     let shown = |value: f64| if value.abs() <= least { "0".to_owned() } else { number(value) };
     let force = part.force.map(|[x, y]| {
         let [x, y] = [x, y].map(|v| if v.abs() <= least { 0.0 } else { v });
-        [shown(x), shown(y), shown(x.hypot(y)), reactions::direction_text(x, y)]
+        [shown(x), shown(y), shown(x.hypot(y)), direction_text(x, y)]
     });
     let [fx, fy, f, direction] = force.unwrap_or_default();
     let scalar = part.scalar.map(shown).unwrap_or_default();
-    reactions::table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
+    table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
 }
 
 /// The shares head to tail, and the total from the first corner to the last one.
@@ -153,5 +155,40 @@ fn sum_of(parts: &[Part]) -> Option<Panel> {
         at = to;
     }
     vectors.push(Vector { from: [0.0; 2], to: at, name: "sum".to_owned(), ink: Ink::First });
-    (vectors.len() > 1).then(|| vectors::panel(String::new(), &vectors, ("N", "F"), None))
+    (vectors.len() > 1).then(|| plots::vectors(String::new(), &vectors, ("N", "F"), None))
+}
+
+/// Columns of the table: where each ends.
+const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
+
+/// A row of a table of forces: a sign, the name at the left, the other cells right-aligned in their columns.
+pub(super) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
+    let mut text = format!("{sign}{name}");
+    for (cell, end) in cells.into_iter().zip(ENDS) {
+        let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
+        let _ = write!(text, "{cell:>width$}");
+    }
+    text
+}
+
+/// Direction of a force in words; a dash where there is none.
+pub(super) fn direction_text(fx: f64, fy: f64) -> String {
+    if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
+}
+
+/// Direction of a force in (-180, 180], degrees; components that are rounding compared with the modulus do not change
+/// it.
+fn direction(fx: f64, fy: f64) -> f64 {
+    let least = 1e-12 * fx.hypot(fy);
+    let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
+    part(fy).atan2(part(fx)).to_degrees()
+}
+
+/// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.
+pub(super) fn curves(state: &State, scene: &Scene, found: &Found, which: &[usize]) -> Vec<Panel> {
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return Vec::new() };
+    let mut wanted: Vec<usize> =
+        which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
+    wanted.dedup();
+    super::curves::stack(state, scene, found, scene.other.as_deref(), &wanted)
 }

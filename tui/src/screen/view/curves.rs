@@ -7,9 +7,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::plots::{coordinate, over_positions};
-use super::quantities;
-use crate::number::number;
-use crate::screen::draw::{cut, paint, put, short};
+use crate::number::{digits, number};
+use crate::screen::draw::{cut, paint, put, put_lines, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, zeros};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
@@ -18,7 +17,7 @@ const SIGNS: [(Sign, &str); 3] = [(Sign::Cross, "zero"), (Sign::Ring, "extreme")
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     if !state.picked.is_empty() {
-        return quantities::draw(state, scene, area, buffer);
+        return draw_picked(state, scene, area, buffer);
     }
     let [title, charts] = parts(area);
     let figure = figure(state, scene);
@@ -40,7 +39,7 @@ fn parts(area: Rect) -> [Rect; 2] {
 /// The three curves of the chosen quantity, or those of the quantities that were picked.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     if !state.picked.is_empty() {
-        return quantities::figure(state, scene);
+        return figure_of_picked(state, scene);
     }
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Figure::default() };
     let mut title = transfer.name.clone();
@@ -121,9 +120,100 @@ pub(super) fn stack(
 /// The position under a cell of the screen.
 pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<usize> {
     let scene = state.scene.as_ref()?;
-    let charts = if state.picked.is_empty() { parts(area)[1] } else { quantities::parts(state, area)[1] };
+    let charts = if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
     let value = assur_figure::cells::value_at(&figure(state, scene), [charts.width, charts.height], cell)?;
     let distance = |position: &usize| (coordinate(scene, *position as f64) - value).abs();
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
+}
+
+/// Strokes and inks of several curves, told apart without color.
+const STYLES: [(Stroke, Ink); 4] = [
+    (Stroke::Solid, Ink::First),
+    (Stroke::Dotted, Ink::Third),
+    (Stroke::Chain, Ink::Second),
+    (Stroke::Dashed, Ink::Velocity),
+];
+/// Columns for the name of a quantity with its unit.
+const NAME: usize = 27;
+
+/// The picked quantities that the scene has.
+fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
+    state.picked.iter().filter_map(|short| scene.named(short)).collect()
+}
+
+/// Draws the table of extremes and means, then the curves.
+fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let mut lines = vec![(
+        Role::Dim,
+        row("", ["now", "greatest", "at", "least", "at", "mean", "rms"].map(str::to_owned)),
+    )];
+    for (number, series) in picked(state, scene).into_iter().enumerate() {
+        let unit = if series.unit.is_empty() { String::new() } else { format!(", {}", series.unit) };
+        let name = format!("{} {}", number + 1, cut(&series.of, NAME.saturating_sub(unit.len() + 3)));
+        let cells = series.summary().map_or_else(Default::default, |summary| {
+            let ((greatest, high), (least, low)) = (summary.greatest, summary.least);
+            let shown =
+                |value: f64| if value.abs() <= series.floor { "0".to_owned() } else { digits(value, 5) };
+            let [greatest, least, mean, rms] = [greatest, least, summary.mean, summary.rms].map(shown);
+            [series.bare(state.position), greatest, high.to_string(), least, low.to_string(), mean, rms]
+        });
+        lines.push((Role::Plain, row(&format!("{name}{unit}"), cells)));
+    }
+    let [table, charts] = parts_of_picked(state, area);
+    put_lines(buffer, table, 1, state, &lines);
+    paint(state, &figure_of_picked(state, scene), charts, buffer);
+}
+
+/// The table and the charts.
+fn parts_of_picked(state: &State, area: Rect) -> [Rect; 2] {
+    Layout::vertical([Constraint::Length(short(state.picked.len() + 1)), Constraint::Min(0)]).areas(area)
+}
+
+/// A row of the table: the name, the value now, greatest and least value with their positions, mean, root mean square.
+fn row(name: &str, [now, greatest, high, least, low, mean, rms]: [String; 7]) -> String {
+    format!("{name:<NAME$}{now:>10}{greatest:>9}{high:>4}{least:>9}{low:>4}{mean:>8}{rms:>8}")
+}
+
+/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
+    let all = picked(state, scene);
+    let mut units: Vec<&str> = Vec::new();
+    for series in &all {
+        if !units.contains(&series.unit.as_str()) {
+            units.push(&series.unit);
+        }
+    }
+    let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, &all, unit)).collect();
+    let names: Vec<&str> = all.iter().map(|series| series.of.as_str()).collect();
+    Figure { title: names.join(", "), panels, columns: 1, legend: Vec::new() }
+}
+
+/// The quantities of one unit; each has its number in the list of all.
+fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> Panel {
+    let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
+    for (number, series) in all.iter().enumerate().filter(|(_, series)| series.unit == unit) {
+        let (stroke, ink) = STYLES[curves.len() % STYLES.len()];
+        let before = state.compared.as_ref().and_then(|compared| compared.series(series));
+        curves.extend(before.map(|before| (before, Stroke::Dotted, Ink::Trace)));
+        curves.push((*series, stroke, ink));
+        if let Some(summary) = series.summary() {
+            for (value, at) in [summary.greatest, summary.least] {
+                signs.push(Item::sign([coordinate(scene, at as f64), value], Sign::Ring, Ink::Text));
+            }
+            if all.len() > 1 {
+                // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
+                let at = (2 * number + 1) * series.values.len() / (2 * all.len());
+                let place = [coordinate(scene, at as f64), series.at(at)];
+                signs.push(Item::name(place, (number + 1).to_string(), Ink::Title));
+            }
+        }
+        names.push(format!("{} {}", number + 1, series.of));
+    }
+    let title = if all.len() > 1 {
+        names.join("  ")
+    } else {
+        all.first().map_or_else(String::new, |series| series.of.clone())
+    };
+    over_positions(state, scene, title, &curves, signs)
 }

@@ -8,7 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::motion::{numbers, unevenness};
-use super::{energy, regime};
+use super::regime;
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
@@ -65,9 +65,9 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match state.part(View::Drive) {
-        Part::EnergyMass => vec![energy::energy_mass(&dynamics.energy_mass)],
-        Part::Reduction => energy::reduction(state, scene, found, dynamics).into_iter().collect(),
-        Part::Inertia => vec![energy::shares(state, scene, found, dynamics)],
+        Part::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
+        Part::Reduction => regime::reduction(state, scene, found, dynamics).into_iter().collect(),
+        Part::Inertia => vec![regime::shares(state, scene, found, dynamics)],
         _ => {
             let moments = regime::moments(state, scene, &dynamics.regime);
             regime::characteristic(dynamics).into_iter().chain([moments]).collect()

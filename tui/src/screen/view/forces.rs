@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::causes;
-use super::reactions::{curves, direction_text, table_row};
+use super::causes::{curves, direction_text, table_row};
 use crate::screen::draw::{first_shown, paint, put, short};
 use crate::screen::state::{Found, Part, Reaction, Role, Scene, State, View};
 

@@ -5,7 +5,7 @@ use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, energy, plots, regime};
+use super::{advice, curves, plots, regime};
 use crate::number::{digits, number};
 use crate::screen::draw::{paint, put, put_lines};
 use crate::screen::state::{Found, Part, Role, Scene, State, View};
@@ -45,7 +45,7 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, state.part(View::Motion)) {
-        (Some(regime), Part::Iteration) => energy::iteration(regime),
+        (Some(regime), Part::Iteration) => regime::iteration(regime),
         (Some(regime), Part::Course) => regime::course(state, scene, &found.analysis, regime),
         (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, &found.analysis),
         _ => {

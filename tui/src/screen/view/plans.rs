@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::advice;
-use super::vectors::{self, Vector};
+use super::plots::{self, Vector};
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put_lines, wrapped};
 use crate::screen::state::{Found, Part, Plans, Role, Scene, State, View};
@@ -177,7 +177,7 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
         Part::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
     };
-    vectors::panel(String::new(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
+    plots::vectors(String::new(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
@@ -257,5 +257,5 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
         Drawing::Polygon => "F",
         Drawing::Lever => "v",
     };
-    Some(vectors::panel(String::new(), &vectors, (&plan.unit, symbol), None))
+    Some(plots::vectors(String::new(), &vectors, (&plan.unit, symbol), None))
 }

@@ -1,14 +1,17 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
 
-use assur_analysis::results::{Analysis, Dynamics, Iteration, RegimePoint, RegimeReport, Trial};
-use assur_figure::{Axis, Figure, Panel};
+use assur_analysis::results::{
+    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Trial,
+};
+use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
+use assur_mechanism::InputPair;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{energy, motion, plots};
+use super::{motion, plots};
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, short, table};
-use crate::screen::state::{Role, Scene, State, coordinate_unit};
+use crate::screen::state::{Found, Role, Scene, State, coordinate_unit};
 
 /// Rows that the curves below the table of the iteration need.
 const PLOTS: u16 = 8;
@@ -88,7 +91,126 @@ pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, b
         Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
     put_lines(buffer, numbers, 1, state, &lines);
     if below.height >= PLOTS {
-        let panels = energy::iteration(regime);
+        let panels = iteration(regime);
         paint(state, &Figure { title: String::new(), panels, columns: 2, legend: Vec::new() }, below, buffer);
     }
+}
+
+/// The energy-mass diagram with its two tangents.
+pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
+    let inertias = || diagram.curve.iter().map(|at| at[0]);
+    let x = Axis::around("reduced inertia of the links, kg m2", inertias(), 0.0);
+    let [x0, y0] = diagram.origin;
+    let line = |slope: f64| x.range.iter().map(|inertia| [*inertia, y0 + slope * (inertia - x0)]).collect();
+    let [fast, slow] = diagram.tangents.map(|tangent| line(tangent.slope));
+    let lines = vec![("work", diagram.curve.clone()), ("greatest speed", fast), ("least speed", slow)];
+    let mut panel = plots::curves("energy-mass diagram, J", lines, x, None);
+    panel.items.extend(diagram.tangents.map(|tangent| Item::sign(tangent.touches, Sign::Plus, Ink::Title)));
+    panel
+}
+
+/// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
+pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
+    let table = &found.analysis.positions;
+    let schema = table.schema();
+    let mut sums = vec![dynamics.regime.shaft_inertia; table.len()];
+    let mut names = vec!["drive".to_owned()];
+    let mut levels = vec![sums.clone()];
+    for owner in schema.owners(Quantity::ReducedInertia) {
+        let column = schema.find(Column::of(Quantity::ReducedInertia, owner));
+        let (Owner::Link(_), Some(column)) = (owner, column) else { continue };
+        sums.iter_mut().zip(table.each(column)).for_each(|(sum, share)| *sum += share.unwrap_or(f64::NAN));
+        names.push(format!("+ {}", schema.name(owner)));
+        levels.push(sums.clone());
+    }
+    let places = table.numbers().iter().map(|number| *number as f64);
+    // A cycle ends with the values at its beginning.
+    let places = places.chain(scene.closed().then(|| scene.positions() as f64));
+    let places: Vec<f64> = places.map(|at| plots::coordinate(scene, at)).collect();
+    let mut items = Vec::new();
+    for (number, level) in levels.iter().enumerate() {
+        let points: Vec<_> = places.iter().zip(level.iter().cycle()).map(|(x, y)| [*x, *y]).collect();
+        let stroke = if number + 1 == levels.len() { Stroke::Solid } else { Stroke::Dashed };
+        let at = points.get((2 * number + 1) * points.len() / (2 * levels.len())).copied();
+        items.push(Item::line(points, stroke, Ink::First));
+        items.extend(at.map(|at| Item::name(at, (number + 1).to_string(), Ink::Title)));
+    }
+    let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
+    let names: Vec<_> = names.iter().enumerate().map(|(at, name)| format!("{} {name}", at + 1)).collect();
+    let y = Axis::around("kg m2", values, 0.0);
+    let frame = Frame::Axes {
+        x: plots::coordinate_axis(scene),
+        y,
+        cursor: Some(plots::coordinate(scene, state.at())),
+    };
+    Panel { title: format!("reduced inertia: {}", names.join("  ")), frame, items }
+}
+
+/// The link of reduction (E fig. 1c): the input link with the reduced force and mass at its point.
+pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Option<Panel> {
+    let (mechanism, table) = (&scene.linkage.mechanism, &found.analysis.positions);
+    let (point, row) = (dynamics.reduction_point.as_ref()?, table.row_of(state.position)?);
+    let at = |name: &str, order| {
+        let column = Column::vector(Quantity::Transfer(order), Owner::Point(mechanism.point(name)?));
+        let [x, y] = column.map(|column| table.get(row, column));
+        Some([x?, y?])
+    };
+    let (tip, along) = (at(&point.name, 0)?, at(&point.name, 1)?);
+    let pin = match mechanism.input.pair {
+        InputPair::Pin(pin) => at(&mechanism.points[pin].name, 0)?,
+        InputPair::Slide(_) => tip,
+    };
+    let moment = table.schema().find(Column::of(Quantity::ReducedMoment, Owner::Input))?;
+    let force = table.at(row, moment)? / point.radius;
+    let inertia = table.get(row, Column::of(Quantity::ReducedInertia, Owner::Input))?;
+    let most =
+        table.each(moment).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())) / point.radius;
+    // The greatest force of the cycle is as long as the radius.
+    let length = if most > 0.0 { force / most } else { 0.0 };
+    let to = [0, 1].map(|axis| tip[axis] + length * along[axis]);
+    let around = [0, 1].map(|axis| [-1.0, 1.0].map(|side| pin[axis] + 1.5 * side * point.radius));
+    let bounds = Bounds::around([[around[0][0], around[1][0]], [around[0][1], around[1][1]]].into_iter());
+    let mass = inertia / (point.radius * point.radius);
+    let items = vec![
+        Item::line(vec![pin, tip], Stroke::Solid, Ink::First),
+        Item::sign(pin, Sign::Plus, Ink::Title),
+        Item::Arrow { from: tip, to, stroke: Stroke::Solid, ink: Ink::Second },
+        Item::name(tip, point.name.clone(), Ink::Title),
+    ];
+    let title = format!("reduced to {}: F {} N, m {} kg", point.name, digits(force, 5), digits(mass, 5));
+    let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
+    Some(Panel { title, frame, items })
+}
+
+/// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
+pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
+    let curve = |name: &'static str, values: Vec<f64>| {
+        let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
+        (name, points.collect::<Vec<_>>())
+    };
+    let panel = |title: &str, label: &str, count: usize, curves| {
+        let x = Axis { kind: Kind::Whole, ..Axis::around(label, [1.0, count.max(2) as f64], 0.0) };
+        plots::curves(title, curves, x, None)
+    };
+    let (turns, trials) = (&regime.iteration, &regime.trials);
+    let mut panels = Vec::new();
+    if !turns.is_empty() {
+        let ends = vec![
+            curve("start", turns.iter().map(|turn| turn.speed_start).collect()),
+            curve("end", turns.iter().map(|turn| turn.speed_end).collect()),
+        ];
+        panels.push(panel("input speed at the ends of each cycle, rad/s", "cycle", turns.len(), ends));
+    }
+    let Some(last) = trials.last() else { return panels };
+    let part = |read: &dyn Fn(&Trial) -> f64| trials.iter().map(|trial| read(trial) / read(last)).collect();
+    let mut curves = Vec::new();
+    if last.ratio.is_some() {
+        curves.push(curve("ratio", part(&|trial| trial.ratio.unwrap_or(f64::NAN))));
+    }
+    if last.flywheel > 0.0 {
+        curves.push(curve("flywheel", part(&|trial| trial.flywheel)));
+    }
+    curves.push(curve("unevenness", part(&|trial| trial.unevenness)));
+    panels.push(panel("trials, as parts of the values found", "trial", trials.len(), curves));
+    panels
 }

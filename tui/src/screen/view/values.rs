@@ -5,10 +5,9 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Block, Borders, Widget};
 use unicode_width::UnicodeWidthStr;
 
-use super::results;
-use crate::number::plain;
-use crate::screen::draw::{put, short};
-use crate::screen::state::{Role, State};
+use crate::number::{digits, plain};
+use crate::screen::draw::{cut, put, put_lines, short};
+use crate::screen::state::{Role, Scene, Series, State, greatest};
 
 /// Least and greatest height, with the title.
 const HEIGHT: [u16; 2] = [7, 16];
@@ -26,10 +25,10 @@ pub(crate) fn height(body: Rect) -> u16 {
 
 /// Draws the list, and beside it what has changed in the results.
 pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let beside = if results::rows(state).is_empty() { 0 } else { RESULTS.min(area.width / 2) };
+    let beside = if results(state).is_empty() { 0 } else { RESULTS.min(area.width / 2) };
     let [list, beside] = Layout::horizontal([Constraint::Min(0), Constraint::Length(beside)]).areas(area);
     draw_list(state, list, buffer);
-    results::draw(state, beside, buffer);
+    draw_results(state, beside, buffer);
 }
 
 fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
@@ -76,4 +75,66 @@ pub(crate) fn tail(key: &str, width: usize) -> String {
     }
     let end: String = key.chars().skip((count + 2).saturating_sub(width)).collect();
     format!("..{end}").chars().take(width).collect()
+}
+
+/// Columns of the name of a result.
+const NAME: usize = 13;
+/// Digits of a result.
+const DIGITS: usize = 4;
+
+/// One result: its name with its unit, and its value in a scene.
+type Finding = (String, f64);
+
+/// The results of a scene, of which those with the same name belong together.
+fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
+    let mut results = Vec::new();
+    let named = |what: &str, series: &Series| format!("{what} {}, {}", series.short, series.unit);
+    if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
+        && let Some(summary) = series.summary()
+    {
+        results.push((named("most", series), summary.greatest.0));
+        results.push((named("least", series), summary.least.0));
+    }
+    let Some(found) = &scene.found else { return results };
+    if let Some(series) = found.balancing() {
+        results.push((format!("balance, {}", series.unit), greatest(&series.values)));
+    }
+    let forces = found.reactions.iter().filter(|reaction| reaction.series.len() == 3);
+    let force = forces.map(|reaction| greatest(&found.series[reaction.series[2]].values)).reduce(f64::max);
+    results.extend(force.map(|force| ("reaction, N".to_owned(), force)));
+    if let Some(dynamics) = &found.analysis.dynamics {
+        results.push(("unevenness".to_owned(), dynamics.figures.unevenness));
+        results.extend(dynamics.flywheel.map(|flywheel| ("flywheel, kg m2".to_owned(), flywheel)));
+        results.push(("power, W".to_owned(), dynamics.figures.required_power));
+    }
+    results.extend(scene.nearest_group().map(|(_, least, _)| ("determinant".to_owned(), least)));
+    results
+}
+
+/// The results before and after; none unless there is a scene before the changes.
+fn results(state: &State) -> Vec<String> {
+    let before = state.compared.as_ref().filter(|compared| compared.before);
+    let (Some(scene), Some(before)) = (&state.scene, before) else { return Vec::new() };
+    let old = results_of(state, &before.scene);
+    let row = |(name, new): Finding| {
+        let (_, old) = old.iter().find(|(known, _)| *known == name)?;
+        let change =
+            if *old == 0.0 { String::new() } else { format!("{:+.1} %", 1e2 * (new - old) / old.abs()) };
+        let [old, new] = [*old, new].map(|value| digits(value, DIGITS));
+        Some(format!("{:<NAME$}{old:>8} -> {new:<8}{change:>7}", cut(&name, NAME)))
+    };
+    results_of(state, scene).into_iter().filter_map(row).collect()
+}
+
+/// Draws them under a title.
+fn draw_results(state: &State, area: Rect, buffer: &mut Buffer) {
+    if area.width == 0 {
+        return;
+    }
+    let block = Block::new().borders(Borders::TOP | Borders::LEFT).title(" greatest values, before -> now ");
+    let inner = block.inner(area);
+    block.render(area, buffer);
+    let lines: Vec<_> = results(state).into_iter().map(|row| (Role::Plain, row)).collect();
+    let rows = usize::from(inner.height);
+    put_lines(buffer, inner, 0, state, lines.iter().take(rows));
 }
