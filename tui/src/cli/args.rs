@@ -21,18 +21,8 @@ pub(crate) struct Cli {
     /// Print no character beyond ASCII (the default where the locale is not UTF-8)
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
-    /// Capture the mouse in the terminal UI: a click on a curve chooses the position
-    #[arg(long)]
-    pub(crate) mouse: bool,
-    /// Frames a second of the terminal UI's animation
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=60))]
-    pub(crate) fps: Option<u8>,
-    /// Height of a character cell in its widths, for drawings to scale in the terminal UI
-    #[arg(long, value_name = "RATIO")]
-    pub(crate) cell_ratio: Option<f64>,
-    /// Language of the terminal UI: en, uk, ru (default: as configured, else that of the scene's note)
-    #[arg(long, value_name = "NAME", value_parser = crate::words::LANGUAGES)]
-    pub(crate) language: Option<String>,
+    #[command(flatten)]
+    pub(crate) look: crate::screen::LookArgs,
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
 }

@@ -132,10 +132,7 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
             let fault = config_fault.clone();
             let options = crate::screen::Options {
                 ascii: style.ascii,
-                mouse: cli.mouse,
-                fps: cli.fps,
-                cell_ratio: cli.cell_ratio,
-                language: cli.language,
+                look: cli.look,
                 analyzer: cli.methods.analyzer,
                 integrator: cli.methods.integrator,
                 config,

@@ -83,10 +83,10 @@ fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
     let before = [
         ("--analyzer", cli.methods.analyzer.is_some()),
         ("--integrator", cli.methods.integrator.is_some()),
-        ("--mouse", cli.mouse),
-        ("--fps", cli.fps.is_some()),
-        ("--cell-ratio", cli.cell_ratio.is_some()),
-        ("--language", cli.language.is_some()),
+        ("--mouse", cli.look.mouse),
+        ("--fps", cli.look.fps.is_some()),
+        ("--cell-ratio", cli.look.cell_ratio.is_some()),
+        ("--language", cli.look.language.is_some()),
     ];
     let lost = before.iter().find(|(_, given)| *given);
     if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {

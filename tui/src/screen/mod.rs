@@ -30,19 +30,30 @@ pub(crate) use config::default_text;
 pub use state::NoteWriter;
 use state::{Look, Marker, Source, State, Theme};
 
+/// Options of the command line that go before the configuration.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct LookArgs {
+    /// Capture the mouse in the terminal UI: a click on a curve chooses the position
+    #[arg(long)]
+    pub mouse: bool,
+    /// Frames a second of the terminal UI's animation
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=60))]
+    pub fps: Option<u8>,
+    /// Height of a character cell in its widths, for drawings to scale in the terminal UI
+    #[arg(long, value_name = "RATIO")]
+    pub cell_ratio: Option<f64>,
+    /// Language of the terminal UI: en, uk, ru (default: as configured, else that of the scene's note)
+    #[arg(long, value_name = "NAME", value_parser = crate::words::LANGUAGES)]
+    pub language: Option<String>,
+}
+
 /// Options of the terminal UI from the command line.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// Draw with ASCII characters only; also chosen where the locale is not UTF-8.
     pub ascii: bool,
-    /// Capture the mouse, for choosing a position on a chart.
-    pub mouse: bool,
-    /// Frames per second of the animation; `None`: as configured.
-    pub fps: Option<u8>,
-    /// Ratio of a character cell's height to its width; `None`: as configured.
-    pub cell_ratio: Option<f64>,
-    /// Language; `None`: as configured.
-    pub language: Option<String>,
+    /// What is asked for on the command line.
+    pub look: LookArgs,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
@@ -102,17 +113,17 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
 /// How to draw, from options, configuration, locale and `NO_COLOR`.
 fn look(options: &Options) -> Look {
     let variable = |name: &str| std::env::var(name).ok();
-    let look = options.config.look;
+    let (asked, look) = (&options.look, options.config.look);
     let ascii = options.ascii || look.ascii || !crate::locale::is_utf8(variable);
     let theme = variable("NO_COLOR").filter(|value| !value.is_empty()).map(|_| Theme::Mono);
-    let look = look.with("fps", options.fps.map(|fps| fps.to_string()));
-    let look = look.with("cell_ratio", options.cell_ratio.map(|ratio| ratio.to_string()));
-    let look = look.with("language", options.language.clone());
+    let look = look.with("fps", asked.fps.map(|fps| fps.to_string()));
+    let look = look.with("cell_ratio", asked.cell_ratio.map(|ratio| ratio.to_string()));
+    let look = look.with("language", asked.language.clone());
     Look {
         ascii,
         marker: if ascii { Marker::Ascii } else { look.marker },
         theme: theme.unwrap_or(look.theme),
-        mouse: options.mouse || look.mouse,
+        mouse: asked.mouse || look.mouse,
         ..look
     }
 }

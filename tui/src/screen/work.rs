@@ -13,7 +13,7 @@ use assur_mechanism::Mechanism;
 use assur_study::chart;
 use assur_study::stability::stability;
 
-use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source};
+use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source, Wanted};
 use super::terminal::WORKER;
 use crate::files;
 use crate::progress::{SystemClock, words};
@@ -36,11 +36,8 @@ pub(crate) fn start(job: Job, tell: impl Fn(Report) + Send + 'static) {
 
 fn failed(job: &Job, text: String) -> Report {
     match job {
-        Job::Open(_) => Report::Opened(Err(text)),
-        Job::Change(change) => Report::Changed(change.clone(), Err(text)),
-        Job::Compare(_) => Report::Compared(Err(text)),
+        Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
-        Job::Preview(index) => Report::Preview(*index, Err(text)),
         Job::Calculate(Request { number, purpose: Purpose::Measurement, .. }) => {
             Report::Measured { number: *number, measured: Err(text) }
         }
@@ -51,18 +48,18 @@ fn failed(job: &Job, text: String) -> Report {
 /// Performs a job; its reports are passed to `tell`.
 pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
-        Job::Open(source) => Report::Opened(open(source.clone()).map(Box::new)),
-        Job::Change(change) => {
-            let scene = Scene::read(change.source.clone(), &change.text);
-            Report::Changed(change.clone(), scene.map(Box::new))
+        Job::Read(wanted) => {
+            let scene = match wanted {
+                Wanted::Open(source) | Wanted::Compare(source) => open(source.clone()),
+                Wanted::Preview(index) => {
+                    open(Source::Shipped(SCENES.get(*index).map_or("", |(name, _)| name)))
+                }
+                Wanted::Change(change) => Scene::read(change.source.clone(), &change.text),
+            };
+            Report::Read(wanted.clone(), scene.map(Box::new))
         }
-        Job::Compare(source) => Report::Compared(open(source.clone()).map(Box::new)),
         Job::Note { write, name, text, methods, path } => {
             Report::Noted(path.clone(), write(name, text, methods.clone()))
-        }
-        Job::Preview(index) => {
-            let name = SCENES.get(*index).map_or("", |(name, _)| name);
-            Report::Preview(*index, open(Source::Shipped(name)).map(Box::new))
         }
         Job::Calculate(request) => {
             let number = request.number;

@@ -2,7 +2,7 @@
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wish, following,
+    FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wanted, Wish, following,
     next_kind, round,
 };
 
@@ -195,7 +195,7 @@ pub(super) fn reload(state: &mut State) {
             scene.fault = None;
             jobs::ask(state, Purpose::Main);
         }
-        Source::File(_) => state.wishes.push(Wish::Work(Job::Open(scene.source.clone()))),
+        Source::File(_) => state.wishes.push(Wish::Work(Job::Read(Wanted::Open(scene.source.clone())))),
         Source::Shipped(_) => state.say(Role::Plain, "a shipped scene has no file to read again"),
     }
 }

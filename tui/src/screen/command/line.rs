@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 
 use super::{motors, picker, report, whatif, write};
 use crate::screen::state::{
-    Group, Job, Panels, Pictures, Reaction, Role, SETTINGS, Scene, Source, State, View, Wish,
+    Group, Job, Panels, Pictures, Reaction, Role, SETTINGS, Scene, Source, State, View, Wanted, Wish,
 };
 use crate::screen::view::help::where_it_works;
 
@@ -110,7 +110,7 @@ fn compare(state: &mut State, file: &str) {
         }
         "off" => state.compared = None,
         _ if state.scene.is_none() => state.say(Role::Bad, "there is no open scene to compare with"),
-        _ => state.wishes.push(Wish::Work(Job::Compare(source(file)))),
+        _ => state.wishes.push(Wish::Work(Job::Read(Wanted::Compare(source(file))))),
     }
 }
 

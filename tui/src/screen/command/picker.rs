@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 use crossterm::event::KeyCode;
 
 use super::{motors, whatif};
-use crate::screen::state::{Choice, Job, Key, Picker, PickerKind, Source, State, View, Wish};
+use crate::screen::state::{Choice, Job, Key, Picker, PickerKind, Source, State, View, Wanted, Wish};
 
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
@@ -90,6 +90,6 @@ fn preview(state: &mut State) {
     if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
         && !state.previews.contains_key(&index)
     {
-        state.wishes.push(Wish::Work(Job::Preview(index)));
+        state.wishes.push(Wish::Work(Job::Read(Wanted::Preview(index))));
     }
 }

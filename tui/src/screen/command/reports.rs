@@ -4,7 +4,7 @@ use assur_analysis::results::Checks;
 
 use super::{jobs, whatif};
 use crate::screen::state::{
-    Chosen, Compared, Found, OutputFile, Purpose, Report, Role, Scene, State, View, Wish, Zoom,
+    Chosen, Compared, Found, OutputFile, Purpose, Report, Role, Scene, State, View, Wanted, Wish, Zoom,
 };
 
 const FAULT: &str = "The scene could not be read; the old result is still shown. Press any key.";
@@ -20,17 +20,17 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
     };
     let running = state.running.iter().position(|running| Some(running.number) == number);
     match (report, running) {
-        (Report::Opened(Ok(scene)), _) => open(state, *scene),
-        (Report::Opened(Err(text)) | Report::Compared(Err(text)), _) => state.fault = Some((FAULT, text)),
-        (Report::Changed(change, scene), _) => return whatif::take(state, &change, scene),
+        (Report::Read(Wanted::Change(change), scene), _) => return whatif::take(state, &change, scene),
+        (Report::Read(Wanted::Preview(index), preview), _) => drop(state.previews.insert(index, preview)),
+        (Report::Read(_, Err(text)), _) => state.fault = Some((FAULT, text)),
+        (Report::Read(Wanted::Open(_), Ok(scene)), _) => open(state, *scene),
+        (Report::Read(Wanted::Compare(_), Ok(scene)), _) => take_compared(state, scene),
         (Report::Noted(path, Ok(note)), _) => {
             let content = note.into_bytes();
             let file = OutputFile { path, content, numbers: None, overwrite: false, scene: false };
             state.wishes.push(Wish::Write(file));
         }
         (Report::Noted(_, Err(text)), _) => state.say(Role::Bad, format!("no note: {text}")),
-        (Report::Preview(index, preview), _) => drop(state.previews.insert(index, preview)),
-        (Report::Compared(Ok(scene)), _) => take_compared(state, scene),
         (Report::Counted { count, .. }, Some(index)) => state.running[index].count = count,
         (Report::Analyzed { found, .. }, Some(index)) => take_found(state, index, found),
         (Report::Checked { checks, .. }, Some(index)) => take_checks(state, index, checks),

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use super::jobs;
 use super::write::home;
 use crate::screen::state::{
-    Change, Compared, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State, Wish,
+    Change, Compared, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State,
+    Wanted, Wish,
 };
 
 /// Shows the list of values, or closes it.
@@ -66,7 +67,7 @@ fn ask(state: &mut State) {
         source: scene.source.clone(),
         text: what.changed_text(),
     };
-    state.wishes.push(Wish::Work(Job::Change(change)));
+    state.wishes.push(Wish::Work(Job::Read(Wanted::Change(change))));
 }
 
 /// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
@@ -204,7 +205,7 @@ pub(super) fn quit(state: &mut State) {
 /// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
-        state.wishes.push(Wish::Work(Job::Open(source)));
+        state.wishes.push(Wish::Work(Job::Read(Wanted::Open(source))));
     } else {
         let save = state.keys.first("save");
         let text = format!("changes are not saved: {save} saves them, the same once more drops them");

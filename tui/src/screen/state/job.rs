@@ -49,18 +49,25 @@ pub type NoteWriter = fn(&str, &str, [Option<String>; 2]) -> Result<String, Stri
 /// A request to the worker.
 #[derive(Debug)]
 pub(crate) enum Job {
-    /// Read a scene (again).
-    Open(Source),
-    /// Read a second scene, for comparison.
-    Compare(Source),
+    /// Read a scene.
+    Read(Wanted),
     /// Write the note of a scene, given by its name and its text, with these methods, to a file.
     Note { write: NoteWriter, name: String, text: String, methods: [Option<String>; 2], path: PathBuf },
-    /// Compile a shipped scene for its picture.
-    Preview(usize),
-    /// Read the open scene with changed numbers.
-    Change(Change),
     /// Calculate all results of the open scene, or measure the methods on it.
     Calculate(Request),
+}
+
+/// The scene that is to be read, and for what.
+#[derive(Debug, Clone)]
+pub(crate) enum Wanted {
+    /// To be opened, perhaps again.
+    Open(Source),
+    /// For comparison with the open one.
+    Compare(Source),
+    /// A shipped scene by its number, for its picture.
+    Preview(usize),
+    /// The open one with changed numbers.
+    Change(Change),
 }
 
 /// The purpose of a calculation.
@@ -115,14 +122,9 @@ impl Cancel {
 /// A report of the worker. A failure is a text to show.
 #[derive(Debug)]
 pub(crate) enum Report {
-    Opened(Result<Box<Scene>, String>),
-    /// The open scene with changed numbers.
-    Changed(Change, Result<Box<Scene>, String>),
-    Compared(Result<Box<Scene>, String>),
+    Read(Wanted, Result<Box<Scene>, String>),
     /// The note, to be written to a file.
     Noted(PathBuf, Result<String, String>),
-    /// A shipped scene by its number.
-    Preview(usize, Result<Box<Scene>, String>),
     /// The progress of the calculation of a request.
     Counted {
         number: usize,

@@ -29,7 +29,7 @@ pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub use job::NoteWriter;
-pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wish};
+pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wanted, Wish};
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, next_kind, round,

@@ -44,8 +44,8 @@ impl Theme {
         let style = Style::new().add_modifier(modifier(role));
         match self {
             Self::Mono => style,
-            Self::Default => ansi(role).map_or(style, |color| style.fg(color)),
-            Self::OkabeIto => okabe_ito(role).map_or(style, |color| style.fg(color)),
+            Self::Default => colors(role).map_or(style, |[color, _]| style.fg(color)),
+            Self::OkabeIto => colors(role).map_or(style, |[_, color]| style.fg(color)),
         }
     }
 }
@@ -66,28 +66,19 @@ fn modifier(role: Role) -> Modifier {
     }
 }
 
-fn ansi(role: Role) -> Option<Color> {
-    match role {
-        Role::Dim | Role::Trace => Some(Color::DarkGray),
-        Role::Key | Role::First => Some(Color::Cyan),
-        Role::Velocity | Role::Good | Role::Second => Some(Color::Green),
-        Role::Acceleration | Role::Third => Some(Color::Magenta),
-        Role::Bad => Some(Color::Red),
-        Role::Link(number) => Some(LINKS[number.saturating_sub(1) % LINKS.len()]),
-        Role::Chosen => Some(Color::Yellow),
-        _ => None,
-    }
-}
-
-fn okabe_ito(role: Role) -> Option<Color> {
-    match role {
-        Role::Dim | Role::Trace => Some(Color::Indexed(245)),
-        Role::Key | Role::First => Some(Color::Rgb(86, 180, 233)),
-        Role::Velocity | Role::Second | Role::Good => Some(Color::Rgb(0, 158, 115)),
-        Role::Acceleration | Role::Third => Some(Color::Rgb(204, 121, 167)),
-        Role::Bad => Some(Color::Rgb(213, 94, 0)),
-        Role::Link(number) => Some(OKABE_ITO_LINKS[number.saturating_sub(1) % OKABE_ITO_LINKS.len()]),
-        Role::Chosen => Some(Color::Rgb(230, 159, 0)),
-        _ => None,
-    }
+/// The color of a role among the 16 of the terminal, and in Okabe and Ito's palette.
+fn colors(role: Role) -> Option<[Color; 2]> {
+    Some(match role {
+        Role::Dim | Role::Trace => [Color::DarkGray, Color::Indexed(245)],
+        Role::Key | Role::First => [Color::Cyan, Color::Rgb(86, 180, 233)],
+        Role::Velocity | Role::Good | Role::Second => [Color::Green, Color::Rgb(0, 158, 115)],
+        Role::Acceleration | Role::Third => [Color::Magenta, Color::Rgb(204, 121, 167)],
+        Role::Bad => [Color::Red, Color::Rgb(213, 94, 0)],
+        Role::Chosen => [Color::Yellow, Color::Rgb(230, 159, 0)],
+        Role::Link(number) => {
+            let nth = number.saturating_sub(1);
+            [LINKS[nth % LINKS.len()], OKABE_ITO_LINKS[nth % OKABE_ITO_LINKS.len()]]
+        }
+        _ => return None,
+    })
 }

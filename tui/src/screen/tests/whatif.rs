@@ -2,7 +2,7 @@
 
 use super::{View, opened, press, scene, settle, text, write};
 use crate::screen::command;
-use crate::screen::state::{Job, Report, Scene, Source, State, Wish};
+use crate::screen::state::{Job, Report, Scene, Source, State, Wanted, Wish};
 
 const LENGTH: &str = "link.crank.points.A";
 
@@ -158,7 +158,7 @@ fn a_key_that_is_held_down_asks_once_at_a_time() {
     let mut state = at_length(View::Mechanism);
     let key = crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('+'));
     (0..20).for_each(|_| command::press(&mut state, key));
-    assert!(matches!(state.wishes[..], [Wish::Work(Job::Change(_))]), "{:?}", state.wishes);
+    assert!(matches!(state.wishes[..], [Wish::Work(Job::Read(Wanted::Change(_)))]), "{:?}", state.wishes);
     settle(&mut state);
     assert!(header(&state).contains("100 mm -> 120 mm"));
     assert!(text(&state, 80, 24).contains("PF0 120.000 mm"));
@@ -171,7 +171,8 @@ fn a_change_of_a_scene_that_was_left_is_dropped() {
     write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
     let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
     let other = Scene::read(Source::Shipped("press"), assur_fixtures::scene("press"));
-    command::take(&mut state, Report::Opened(other.map(Box::new)));
+    let wanted = Wanted::Open(Source::Shipped("shaper"));
+    command::take(&mut state, Report::Read(wanted, other.map(Box::new)));
     let title = header(&state);
     assert!(!command::take(&mut state, crate::screen::work::run(&job, &|_| ())));
     assert_eq!(header(&state), title);

@@ -2,7 +2,7 @@
 
 use super::{opened, press, scene, text};
 use crate::screen::command;
-use crate::screen::state::{Report, Scene, Source};
+use crate::screen::state::{Report, Scene, Source, Wanted};
 
 const SHORT: &str = "
 [ground]
@@ -51,7 +51,7 @@ fn positions_without_assembly_are_told_and_keys_still_work() {
 fn a_scene_that_is_wrong_keeps_the_old_result() {
     let mut state = opened("shaper");
     let wrong = Scene::read(Source::File("bad.toml".into()), "[link.a]\nlenght = 1\n").map(Box::new);
-    assert!(command::take(&mut state, Report::Opened(wrong)));
+    assert!(command::take(&mut state, Report::Read(Wanted::Open(Source::File("bad.toml".into())), wrong)));
     let frame = text(&state, 80, 24);
     assert!(frame.contains("line 2, column 1"), "{frame}");
     press(&mut state, "Right");
