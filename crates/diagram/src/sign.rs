@@ -91,9 +91,10 @@ pub fn sign_changes(
         for (nth, changes) in found.iter_mut().enumerate() {
             for change in changes {
                 // The positions beside the change, instead of the examined ones.
-                let passed = |index: usize| (input.coordinate(index) - change.coordinate) * step <= 0.0;
-                let range = numbers[change.after_index]..numbers[change.after_index + 1];
-                let before = last_that(range, passed);
+                let passed = |index: &usize| (input.coordinate(*index) - change.coordinate) * step <= 0.0;
+                let first = numbers[change.after_index];
+                let before =
+                    (first..numbers[change.after_index + 1]).take_while(passed).last().unwrap_or(first);
                 change.after_index = before;
                 change.before = force(input.coordinate(before), nth)?;
                 change.after = force(input.coordinate(before + 1), nth)?;
@@ -101,16 +102,6 @@ pub fn sign_changes(
         }
     }
     Ok(found)
-}
-
-/// The last number of a range for which a condition holds that holds up to some number; the first if it never holds.
-fn last_that(range: std::ops::Range<usize>, holds: impl Fn(usize) -> bool) -> usize {
-    let (mut low, mut high) = (range.start, range.end);
-    while high - low > 1 {
-        let middle = low.midpoint(high);
-        if holds(middle) { low = middle } else { high = middle }
-    }
-    low
 }
 
 /// A coordinate at which the forces are computed.

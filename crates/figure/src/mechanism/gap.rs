@@ -1,12 +1,15 @@
-//! A group of two links that can't be assembled: each link in its outer pair, turned towards the other, and the gap between
-//! them.
+//! A group that can't be assembled, with its gap: of two links each in its outer pair, turned towards the other; of any other
+//! kind the group as it is in another position, with what is open then.
 
-use assur_group::{Body, PairGeometry};
+use assur_group::{Body, GroupFrame, Pair, PairGeometry};
 use assur_kinematics::Position;
 use assur_mechanism::LinkId;
 
 use super::{Drawing, hull};
 use crate::model::{Ink, Item, Point, Stroke};
+
+/// A gap below this part of the size of the mechanism is none.
+const CLOSED: f64 = 1e-9;
 
 /// A link in its outer pair alone.
 #[derive(Debug, Clone, Copy)]
@@ -18,35 +21,67 @@ enum Hanging {
 }
 
 impl Drawing<'_> {
-    /// The links of a group that can't be assembled, as near to each other as their outer pairs allow, and the gap between
-    /// them as a dashed line. The links that the group is joined to must have their places in `pose`. Nothing for a group
-    /// that is not two links with a pin between them, or two sliders.
-    pub fn gap(&self, pose: &Position, group: usize) -> Vec<Item> {
+    /// The links of a group that can't be assembled, and the gaps between them as dashed lines. The links that the group is
+    /// joined to must have their places in `pose`.
+    ///
+    /// Two links with a pin between them are as near to each other as their outer pairs allow. A group of another kind has
+    /// the poses of the position `near`, in which it exists; nothing is drawn where there is none.
+    pub fn gap(&self, pose: &Position, near: Option<&Position>, group: usize) -> Vec<Item> {
         let Some(group) = self.linkage.structure.groups.get(group) else { return Vec::new() };
-        let ([one, two], [inner]) = (&group.frame.links[..], &group.frame.inner[..]) else {
+        let mut bodies = pose.bodies.clone();
+        if let Some(poses) = two_links(pose, &group.frame) {
+            poses.into_iter().for_each(|(link, body)| bodies[link] = body);
+        } else if let Some(near) = near {
+            group.frame.links.iter().for_each(|link| bodies[*link] = near.bodies[*link]);
+        } else {
             return Vec::new();
-        };
-        let PairGeometry::Pin { at_a, at_b } = inner.geometry else { return Vec::new() };
-        let links = [*one, *two];
-        let ends = links.map(|link| if link == inner.a { at_a } else { at_b });
-        let hanging = links.map(|link| hanging(pose, &group.frame.outer, link));
-        let [Some(first), Some(second)] = hanging else { return Vec::new() };
-        let Some(bodies) = nearest([first, second], ends) else { return Vec::new() };
+        }
         let mut items = Vec::new();
-        for (link, body) in links.into_iter().zip(&bodies) {
+        for &link in &group.frame.links {
             let outline: Vec<Point> =
-                hull(&self.features(link)).into_iter().map(|at| body.point(at)).collect();
+                hull(&self.features(link)).into_iter().map(|at| bodies[link].point(at)).collect();
             items.extend(self.body(outline, link));
         }
-        let ends = [0, 1].map(|number| bodies[number].point(ends[number]));
-        items.push(Item::line(ends, Stroke::Dashed, Ink::Marked));
-        items.push(Item::name([0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis])), "gap", Ink::Marked));
+        for ends in group.frame.pairs().map(|pair| open(pair, &bodies)) {
+            if (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])
+                > CLOSED * self.linkage.structure.scale
+            {
+                items.push(Item::line(ends, Stroke::Dashed, Ink::Marked));
+                let middle = [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
+                items.push(Item::name(middle, "gap", Ink::Marked));
+            }
+        }
         items
     }
 }
 
+/// The places of a pair on both of its bodies; of a slide the point, and its foot on the guide.
+fn open(pair: &Pair, bodies: &[Body<f64>]) -> [Point; 2] {
+    let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => [a.point(at_a), b.point(at_b)],
+        PairGeometry::Slide { point, through, angle, .. } => {
+            let (point, through) = (a.point(point), b.point(through));
+            let along = b.turned([angle.cos(), angle.sin()]);
+            let ahead = (point[0] - through[0]) * along[0] + (point[1] - through[1]) * along[1];
+            [point, [through[0] + ahead * along[0], through[1] + ahead * along[1]]]
+        }
+    }
+}
+
+/// Two links with a pin between them, each in its outer pair, as near to each other as they come; `None` for another kind.
+fn two_links(pose: &Position, frame: &GroupFrame) -> Option<[(LinkId, Body<f64>); 2]> {
+    let ([one, two], [inner]) = (&frame.links[..], &frame.inner[..]) else { return None };
+    let PairGeometry::Pin { at_a, at_b } = inner.geometry else { return None };
+    let links = [*one, *two];
+    let ends = links.map(|link| if link == inner.a { at_a } else { at_b });
+    let [first, second] = links.map(|link| hanging(pose, &frame.outer, link));
+    let [one, two] = nearest([first?, second?], ends)?;
+    Some([(links[0], one), (links[1], two)])
+}
+
 /// How a link hangs in its outer pair; `None` if it has none.
-fn hanging(pose: &Position, outer: &[assur_group::Pair], link: LinkId) -> Option<Hanging> {
+fn hanging(pose: &Position, outer: &[Pair], link: LinkId) -> Option<Hanging> {
     let pair = outer.iter().find(|pair| [pair.a, pair.b].contains(&link))?;
     let (is_a, other) = (pair.a == link, &pose.bodies[if pair.a == link { pair.b } else { pair.a }]);
     Some(match pair.geometry {

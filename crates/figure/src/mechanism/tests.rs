@@ -65,7 +65,7 @@ fn gap(text: &str, index: usize) -> f64 {
     let error = linkage.solve_index(index, Order::Place, &mut position).unwrap_err();
     let strokes = vec![[0.0; 2]; linkage.mechanism.slides.len()];
     let drawing = Drawing { linkage: &linkage, strokes: &strokes, marked: &[], hidden: &[] };
-    let items = drawing.gap(&position, error.group);
+    let items = drawing.gap(&position, None, error.group);
     let ends = items.iter().find_map(|item| match item {
         Item::Line { points, ink: Ink::Marked, .. } => Some([points[0], points[1]]),
         _ => None,
@@ -93,4 +93,29 @@ fn a_gap_is_as_wide_as_the_lengths_miss() {
                   [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = \"G\"\nangle = 0\n\
                   [input]\nlink = \"crank\"\npositions = 4\n";
     assert!((gap(slider, 3) - 0.050).abs() < 1e-12);
+}
+
+#[test]
+fn a_group_of_any_kind_shows_what_is_open() {
+    // A slider on the turning guide (RPR): the pin of the crank comes nearer to the rocker's pin than the guide is away from it.
+    let text = "[ground]\npoints = { O = [0, 0], C = [0.15, 0] }\n[link.crank]\npoints = { O = 0, A = \"100 mm\" }\n\
+                [link.stone]\npoints = { A = 0 }\n[link.rocker]\npoints = { C = 0, G = [0, \"80 mm\"] }\n\
+                [[slide]]\nlink = \"stone\"\non = \"rocker\"\nthrough = \"G\"\nangle = 0\n\
+                [input]\nlink = \"crank\"\npositions = 12\nfrom = \"180 deg\"\n";
+    let linkage = Linkage::compile(assur_scene::read("scene.toml", text).unwrap()).unwrap();
+    let [mut there, mut here] = [linkage.position(), linkage.position()];
+    linkage.solve_index(0, Order::Place, &mut there).unwrap();
+    let error = linkage.solve_index(6, Order::Place, &mut here).unwrap_err();
+    let drawing = Drawing { linkage: &linkage, strokes: &[[0.0; 2]], marked: &[], hidden: &[] };
+    assert!(drawing.gap(&here, None, error.group).is_empty(), "without another position nothing is known");
+    let items = drawing.gap(&here, Some(&there), error.group);
+    let gaps = items.iter().filter_map(|item| match item {
+        Item::Line { points, ink: Ink::Marked, .. } => {
+            Some((points[0][0] - points[1][0]).hypot(points[0][1] - points[1][1]))
+        }
+        _ => None,
+    });
+    // The pin of the crank was at -100 mm and is at 100 mm; the guide and the other pin are where they were.
+    let gaps: Vec<f64> = gaps.collect();
+    assert!(gaps.len() == 1 && (gaps[0] - 0.2).abs() < 1e-12, "{gaps:?}");
 }

@@ -66,19 +66,14 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     rows
 }
 
-/// A word and its meaning, in as many rows as it needs; none if it does not match the search.
+/// A word and its meaning; none if they do not match the search.
 fn rows_of_word(state: &State, word: &str, meaning: &str, wanted: &str) -> Vec<Pieces> {
-    if ![word, meaning].iter().any(|text| text.to_lowercase().contains(wanted)) {
-        return Vec::new();
-    }
-    let width = usize::from(state.size.0.saturating_sub(NAME_AT + 2)).max(20);
-    let mut rows: Vec<Pieces> =
-        wrapped(meaning, width).into_iter().map(|line| vec![(NAME_AT, Role::Plain, line)]).collect();
-    rows[0].insert(0, (KEYS_AT, Role::Key, word.to_owned()));
-    rows
+    let found = [word, meaning].iter().any(|text| text.to_lowercase().contains(wanted));
+    let words = vec![(KEYS_AT, Role::Key, word.to_owned())];
+    if found { folded(state, words, NAME_AT, meaning) } else { Vec::new() }
 }
 
-/// A command in as many rows as its line of help needs; none if it does not match the search.
+/// A command and what it does; none if it does not match the search.
 fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
     let keys = state.keys.keys(command.name).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ");
     let words = state.words();
@@ -86,14 +81,16 @@ fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
     if ![command.name, &help, &keys, &also].iter().any(|text| text.to_lowercase().contains(wanted)) {
         return Vec::new();
     }
+    let names = vec![(KEYS_AT, Role::Key, keys), (NAME_AT, Role::Plain, command.name.to_owned())];
+    folded(state, names, HELP_AT, &format!("{help}{}", where_it_works(state, command)))
+}
+
+/// A text from a column on, in as many rows as it needs, behind other pieces in the first row.
+fn folded(state: &State, mut first: Pieces, column: u16, text: &str) -> Vec<Pieces> {
     // The border takes a column at each side.
-    let width = usize::from(state.size.0.saturating_sub(HELP_AT + 2)).max(20);
-    let text = format!("{}{}", help, where_it_works(state, command));
-    let lines = wrapped(&text, width).into_iter();
-    let mut rows: Vec<Pieces> = lines.map(|line| vec![(HELP_AT, Role::Plain, line)]).collect();
-    let name = command.name.to_owned();
-    rows[0].splice(0..0, [(KEYS_AT, Role::Key, keys), (NAME_AT, Role::Plain, name)]);
-    rows
+    let width = usize::from(state.size.0.saturating_sub(column + 2)).max(20);
+    let lines = wrapped(text, width).into_iter().map(|line| (column, Role::Plain, line));
+    lines.map(|line| std::mem::take(&mut first).into_iter().chain([line]).collect()).collect()
 }
 
 /// The views in which the keys of a command apply, if not every view with a scene: ` (view 3)`.

@@ -102,7 +102,10 @@ fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
     let Some(Some(broken)) = scene.broken.get(position) else { return drawing.ground() };
     let hidden = links_from(scene, broken.group);
     let mut items = Drawing { hidden: &hidden, ..drawing }.items(&broken.pose);
-    items.extend(drawing.gap(&broken.pose, broken.group));
+    let distance = |(number, _): &(usize, &Position)| number.abs_diff(position);
+    let exist = scene.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
+    let near = exist.min_by_key(distance).map(|(_, pose)| pose);
+    items.extend(drawing.gap(&broken.pose, near, broken.group));
     items
 }
 
