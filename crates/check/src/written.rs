@@ -301,3 +301,6 @@ fn senses(state: &State, of_input: f64) -> [f64; 2] {
         (direction, _) => [direction.unwrap_or(of_input).signum(); 2],
     }
 }
+
+#[cfg(test)]
+mod tests;
