@@ -1,4 +1,4 @@
-//! Progress of a long calculation, in words and as a line on standard error.
+//! The clock of this machine; progress of a long calculation, in words and as a line on standard error.
 
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};

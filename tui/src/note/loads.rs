@@ -2,11 +2,19 @@
 
 use assur_mechanism::{Direction, Mechanism, Over, Place, Table, Value};
 
-use super::task::number;
+use crate::number::trimmed;
 use crate::words::Words;
 
 /// Of a longer table the first rows are shown.
 const MOST_ROWS: usize = 12;
+
+/// Digits of given numbers.
+const DIGITS: usize = 6;
+
+/// A given number.
+pub(super) fn number(words: &Words, value: f64) -> String {
+    words.number(&trimmed(value, DIGITS))
+}
 
 /// A row for each load: its name, where and how it acts, its value.
 pub(super) fn rows(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {

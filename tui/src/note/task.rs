@@ -4,20 +4,12 @@ use assur_mechanism::{Drive, Mechanism, Motion, Motor, Solve, Torque};
 
 use super::Context;
 use super::document::Block;
-use super::loads;
-use crate::number::trimmed;
+use super::loads::{self, number};
 use crate::screen::state::View;
 use crate::words::Words;
 
 /// Page of a mechanism, mm.
 const MECHANISM: [f64; 2] = [160.0, 110.0];
-/// Digits of given numbers.
-const DIGITS: usize = 6;
-
-/// A given number.
-pub(super) fn number(words: &Words, value: f64) -> String {
-    words.number(&trimmed(value, DIGITS))
-}
 
 /// Heading, data of links, pairs, loads, motion and drive, and the mechanism drawn, moving.
 pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {

@@ -1,7 +1,7 @@
 //! Drawings as pixels in terminals that show pictures: kitty's protocol and that of iTerm2, which both take a PNG. A terminal is
 //! asked, and only when the user wants pixels.
 //!
-//! Sixels are left out: the crates that write them (ratatui-image 11, icy_sixel 0.7) bring forty others, seven of them in a
+//! Sixels are left out: the crates that write them (`ratatui-image` 11, `icy_sixel` 0.7) bring forty others, seven of them in a
 //! second version, to reduce colors of which these figures have a dozen.
 
 #[cfg(test)]

@@ -28,10 +28,8 @@ pub(crate) enum Event {
     Resized,
     /// The worker has a report.
     Work(Report),
-    /// The process was asked to suspend itself (SIGTSTP).
-    Suspend,
-    /// The process continues after it was suspended.
-    Continued,
+    /// A signal asks for something.
+    Wish(Wish),
 }
 
 /// Runs until the user leaves; `config`: where its configuration is kept.
@@ -54,14 +52,15 @@ pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
         if state.leaving {
             return Ok(());
         }
-        screen.capture_mouse(state.look.mouse)?;
+        terminal::capture_mouse(state.look.mouse)?;
         if state.look.pixels && state.pictures == Pictures::Unknown {
             state.pictures = Pictures::Asked;
             screen.write(pixels::QUESTION)?;
             let sender = sender.clone();
             thread::spawn(move || {
                 thread::sleep(ANSWER);
-                sender.send(Event::Input(Input::Answer(Answer::End)))
+                // If the receiver is gone, the program is ending.
+                drop(sender.send(Event::Input(Input::Answer(Answer::End))));
             });
         }
         if state.wishes.is_empty() {
@@ -141,12 +140,8 @@ fn apply(state: &mut State, event: Event) -> bool {
             true
         }
         Event::Work(report) => command::take(state, report),
-        Event::Suspend => {
-            state.wishes.push(Wish::Suspend);
-            true
-        }
-        Event::Continued => {
-            state.wishes.push(Wish::Retake);
+        Event::Wish(wish) => {
+            state.wishes.push(wish);
             true
         }
     }
@@ -194,8 +189,8 @@ fn listen_to_signals(sender: Sender<Event>) -> io::Result<()> {
     thread::Builder::new().name("assur-signals".into()).spawn(move || {
         for signal in signals.forever() {
             let sent = match signal {
-                SIGTSTP => sender.send(Event::Suspend),
-                SIGCONT => sender.send(Event::Continued),
+                SIGTSTP => sender.send(Event::Wish(Wish::Suspend)),
+                SIGCONT => sender.send(Event::Wish(Wish::Retake)),
                 SIGWINCH => sender.send(Event::Resized),
                 _ => {
                     terminal::give_back_soon();

@@ -154,7 +154,7 @@ fn choose_part(state: &mut State, name: &str) -> Result<(), String> {
         return Err(format!("the view `{}` has no parts", view.command()));
     }
     let Some(part) = parts.iter().find(|part| <&str>::from(**part) == name) else {
-        let names: Vec<&str> = parts.iter().map(|part| part.into()).collect();
+        let names: Vec<&str> = parts.iter().map(Into::into).collect();
         return Err(format!("there is no part `{name}` of this view; its parts are {}", names.join(", ")));
     };
     state.parts.insert(view, *part);

@@ -60,15 +60,6 @@ impl Screen {
         Ok(Self { terminal, shown: Vec::new() })
     }
 
-    /// Captures the mouse, or leaves it to the terminal.
-    pub(crate) fn capture_mouse(&self, mouse: bool) -> io::Result<()> {
-        match (MOUSE.swap(mouse, Ordering::SeqCst), mouse) {
-            (false, true) => execute!(io::stdout(), EnableMouseCapture),
-            (true, false) => execute!(io::stdout(), DisableMouseCapture),
-            _ => Ok(()),
-        }
-    }
-
     /// Writes a sequence to the terminal.
     pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
         let _writing = writing();
@@ -129,6 +120,15 @@ impl Screen {
         }
         enter()?;
         self.forget()
+    }
+}
+
+/// Captures the mouse, or leaves it to the terminal.
+pub(crate) fn capture_mouse(mouse: bool) -> io::Result<()> {
+    match (MOUSE.swap(mouse, Ordering::SeqCst), mouse) {
+        (false, true) => execute!(io::stdout(), EnableMouseCapture),
+        (true, false) => execute!(io::stdout(), DisableMouseCapture),
+        _ => Ok(()),
     }
 }
 

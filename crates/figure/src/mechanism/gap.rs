@@ -30,9 +30,13 @@ impl Drawing<'_> {
         let Some(group) = self.linkage.structure.groups.get(group) else { return Vec::new() };
         let mut bodies = pose.bodies.clone();
         if let Some(poses) = two_links(pose, &group.frame) {
-            poses.into_iter().for_each(|(link, body)| bodies[link] = body);
+            for (link, body) in poses {
+                bodies[link] = body;
+            }
         } else if let Some(near) = near {
-            group.frame.links.iter().for_each(|link| bodies[*link] = near.bodies[*link]);
+            for &link in &group.frame.links {
+                bodies[link] = near.bodies[link];
+            }
         } else {
             return Vec::new();
         }

@@ -29,7 +29,7 @@ fn words(state: &State) -> Vec<(String, Vec<String>)> {
     let views = state.commands.iter().filter(|command| command.group == Group::Views);
     let scenes: Vec<_> = SCENES.iter().map(|(name, _)| format!("{name}.toml")).collect();
     let settings =
-        SETTINGS.iter().map(|setting| (format!("set {}", setting.name), list(&setting.kind.words())));
+        SETTINGS.iter().map(|setting| (format!("set {}", setting.name), list(setting.kind.words())));
     let others = [
         ("point", of_scene("point")),
         ("link", of_scene("link")),

@@ -1,4 +1,4 @@
-//! Commands: their table, and their effects on the state.
+//! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
 mod jobs;

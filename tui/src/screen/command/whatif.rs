@@ -172,9 +172,7 @@ pub(super) fn search(state: &mut State, text: &str) {
 /// Opens the `:` line with a name for the changed scene.
 pub(super) fn save(state: &mut State) {
     let Some(scene) = &state.scene else { return };
-    let path = PathBuf::from(scene.source.name());
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let name = path.with_file_name(format!("{stem}-2.toml"));
+    let name = PathBuf::from(scene.source.name()).with_file_name(format!("{}-2.toml", scene.source.stem()));
     state.open_prompt(PromptKind::Command, format!("save {}", name.display()));
 }
 

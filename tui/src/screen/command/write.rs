@@ -18,8 +18,7 @@ pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, "this view has nothing to write");
     };
-    let name = scene.source.name();
-    let stem = Path::new(&name).file_stem().unwrap_or_default().to_string_lossy();
+    let stem = scene.source.stem();
     let of = match (state.view, scene.transfers.get(state.chosen.transfer)) {
         (View::Curves, Some(transfer)) => transfer.name.clone(),
         (view, _) => view.command().to_owned(),
@@ -61,8 +60,7 @@ pub(super) fn note(state: &mut State) {
     let (Some(scene), Some(write)) = (&state.scene, state.note) else {
         return state.say(Role::Plain, "there is no scene to write a note of");
     };
-    let name = scene.source.name();
-    let stem = Path::new(&name).file_stem().unwrap_or_default().to_string_lossy();
+    let (name, stem) = (scene.source.name(), scene.source.stem());
     let path = PathBuf::from(format!("{stem}-note.html"));
     let methods = [state.analyzer.clone(), state.integrator.clone()];
     let text = state.what_if.changed_text();

@@ -1,4 +1,5 @@
-//! The default configuration as a file with comments, generated from the settings, the table of commands and their texts.
+//! The configuration as a file: the default with comments, generated from the settings, the table of commands and their texts;
+//! and how the screen looks now, written into that of the user.
 
 use std::path::Path;
 
@@ -29,25 +30,28 @@ pub(super) fn settings(look: &Look, panels: &Panels) -> Vec<(&'static str, Strin
 /// The file.
 pub(crate) fn text() -> String {
     let (words, config) = (Words::of(LANGUAGES[0]), Config::default());
-    let comment = |text: &str| text.lines().map(|line| format!("# {line}\n")).collect::<String>();
-    let mut file = comment(&words.get("config-head"));
+    let comment = |text: &str| text.lines().map(|line| format!("# {line}")).collect::<Vec<_>>();
+    let mut lines = comment(&words.get("config-head"));
     for (name, value, told) in settings(&config.look, &config.panels) {
-        let help = words.with(&format!("config-{name}"), &[("values", told)]);
-        file += &format!("\n{}{name} = {value}\n", comment(&help));
+        lines.push(String::new());
+        lines.extend(comment(&words.with(&format!("config-{name}"), &[("values", told)])));
+        lines.push(format!("{name} = {value}"));
     }
-    file += &format!("\n{}[keys]\n", comment(&words.with("config-keys", &[("names", Key::names())])));
+    lines.push(String::new());
+    lines.extend(comment(&words.with("config-keys", &[("names", Key::names())])));
+    lines.push("[keys]".to_owned());
     for (group, id) in Group::ALL {
-        file += &format!("\n# {}\n", words.get(id));
+        lines.extend([String::new(), format!("# {}", words.get(id))]);
         let commands = COMMANDS.iter().filter(|command| command.group == group);
-        file.extend(commands.map(|command| line_of(command, words)));
+        lines.extend(commands.map(|command| line_of(command, words)));
     }
-    file
+    lines.join("\n") + "\n"
 }
 
 fn line_of(command: &Command, words: &Words) -> String {
     let keys: Vec<String> = command.default_keys().iter().map(|key| quoted(&key.name())).collect();
     let line = format!("{} = [{}]", command.name, keys.join(", "));
-    format!("{line:COMMENT_AT$} # {}\n", command.help(words))
+    format!("{line:COMMENT_AT$} # {}", command.help(words))
 }
 
 /// Writes what has changed since the start to the configuration file, and says so. What the terminal or its locale asks for is

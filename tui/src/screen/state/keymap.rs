@@ -1,4 +1,4 @@
-//! Commands as data, and the assignment of keys to commands, from the table or from the configuration.
+//! Keys and their names, commands as data, and the assignment of keys to commands, from the table or from the configuration.
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,5 @@
 //! What can be shown and chosen.
 
-use crossterm::event::KeyCode;
-
-use super::keymap::Key;
 use crate::words::Words;
 
 /// A view.
@@ -155,39 +152,6 @@ pub(crate) fn next_kind<T: Copy + PartialEq + strum::VariantArray>(now: T) -> T 
 pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     let count = isize::try_from(count.max(1)).unwrap_or(isize::MAX);
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
-}
-
-/// A text that is typed to search a list. Before the first letter, keys keep their meaning; `/` begins a search with any
-/// letter.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Filter {
-    pub(crate) text: String,
-    /// Whether every letter belongs to the text.
-    pub(crate) typing: bool,
-}
-
-impl Filter {
-    /// Takes a key; returns whether the text has changed.
-    pub(crate) fn press(&mut self, key: Key) -> bool {
-        match key.code {
-            KeyCode::Backspace => return self.text.pop().is_some(),
-            KeyCode::Char('/') if !self.typing => self.typing = true,
-            KeyCode::Char(letter) if !key.control => {
-                self.typing = true;
-                self.text.push(letter);
-                return true;
-            }
-            _ => {}
-        }
-        false
-    }
-}
-
-/// The help screen.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Help {
-    pub(crate) scroll: usize,
-    pub(crate) filter: Filter,
 }
 
 /// What the one-line input is for.

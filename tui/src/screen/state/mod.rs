@@ -31,11 +31,9 @@ pub(crate) use gather::Reaction;
 pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wanted, Wish};
 pub(crate) use keymap::{Command, Group, Key, Keymap};
-pub(crate) use kinds::{
-    Arrows, Chosen, Help, Part, Prompt, PromptKind, Traces, View, following, next_kind, round,
-};
+pub(crate) use kinds::{Arrows, Chosen, Part, Prompt, PromptKind, Traces, View, following, next_kind, round};
 pub(crate) use look::{AUTO, Kind, Look, Panels, Pictures, SETTINGS};
-pub(crate) use picker::{Choice, Picker, PickerKind};
+pub(crate) use picker::{Choice, Help, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene, Source};

@@ -1,9 +1,44 @@
-//! A list to choose from: scenes, quantities, motors. What is typed narrows it, letters in order and not necessarily
-//! side by side.
+//! What is searched by typing: the help, and a list to choose from (scenes, quantities, motors). What is typed narrows the
+//! list, letters in order and not necessarily side by side.
 
+use crossterm::event::KeyCode;
 use frizbee::{CaseMatching, Config, Matcher};
 
-use super::kinds::{Filter, round};
+use super::keymap::Key;
+use super::kinds::round;
+
+/// A text that is typed to search a list. Before the first letter, keys keep their meaning; `/` begins a search with any
+/// letter.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Filter {
+    pub(crate) text: String,
+    /// Whether every letter belongs to the text.
+    pub(crate) typing: bool,
+}
+
+impl Filter {
+    /// Takes a key; returns whether the text has changed.
+    pub(crate) fn press(&mut self, key: Key) -> bool {
+        match key.code {
+            KeyCode::Backspace => return self.text.pop().is_some(),
+            KeyCode::Char('/') if !self.typing => self.typing = true,
+            KeyCode::Char(letter) if !key.control => {
+                self.typing = true;
+                self.text.push(letter);
+                return true;
+            }
+            _ => {}
+        }
+        false
+    }
+}
+
+/// The help screen.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Help {
+    pub(crate) scroll: usize,
+    pub(crate) filter: Filter,
+}
 
 /// What a list is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

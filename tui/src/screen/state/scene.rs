@@ -1,7 +1,7 @@
-//! An open scene: its linkage, its positions, and the data for drawings and tables.
+//! An open scene: its linkage, its positions, and the data for drawings and tables; and a second one for comparison.
 
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assur_analysis::MOST_KEPT;
@@ -37,10 +37,12 @@ impl Source {
 
     /// The name without its folder.
     pub(crate) fn short_name(&self) -> String {
-        match self {
-            Self::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-            Self::Shipped(name) => format!("{name}.toml"),
-        }
+        Path::new(&self.name()).file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// The name without its folder and its ending.
+    pub(crate) fn stem(&self) -> String {
+        Path::new(&self.name()).file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 }
 

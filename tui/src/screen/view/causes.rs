@@ -1,4 +1,5 @@
-//! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
+//! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total; and what all panes of the
+//! forces have: rows of tables, directions, curves.
 
 use std::fmt::Write;
 

@@ -1,4 +1,5 @@
-//! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked.
+//! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
+//! with their extremes and means.
 
 use std::fmt::Write;
 

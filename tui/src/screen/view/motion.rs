@@ -1,6 +1,6 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
+use assur_analysis::results::{Analysis, Dynamics, Quantity};
 use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -87,7 +87,8 @@ fn speed_unit(angular: bool) -> &'static str {
 /// Coordinate, speed, acceleration and energies over time.
 fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let course = &analysis.trajectory;
-    let (times, q) = (sampled(analysis, Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
+    let (times, q) =
+        (regime::sampled(analysis, Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
     let all = [
         ("coordinate", q.to_owned(), Quantity::Transfer(0)),
         ("speed", format!("{q}/s"), Quantity::Velocity),
@@ -97,36 +98,13 @@ fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let Some(now) = times.get(row).copied() else { return Vec::new() };
     let x = Axis::around("time, s", times.iter().copied(), 0.0);
     let panel = |(name, unit, quantity): (&str, String, Quantity)| {
-        let values = sampled(analysis, quantity);
+        let values = regime::sampled(analysis, quantity);
         let points = times.iter().zip(values).map(|(time, value)| [*time, *value]).collect();
         let title = format!("{name}  {} {unit}", number(values[row]));
         plots::curves(&title, vec![(name, points)], x.clone(), Some(now))
     };
-    let energies = energies(analysis, times, x.clone(), now);
+    let energies = regime::energies(analysis, times, x.clone(), now);
     all.map(panel).into_iter().chain(energies).collect()
-}
-
-/// A quantity of the input at the samples of the motion.
-fn sampled(analysis: &Analysis, quantity: Quantity) -> &[f64] {
-    let course = &analysis.trajectory;
-    let column = course.schema().find(Column::of(quantity, Owner::Input));
-    column.map_or(&[][..], |column| course.values(column))
-}
-
-/// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
-/// not known.
-pub(super) fn energies(analysis: &Analysis, places: &[f64], x: Axis, cursor: f64) -> Option<Panel> {
-    let all = [
-        ("driving work", Quantity::DrivingWork),
-        ("resisting work", Quantity::ResistingWork),
-        ("kinetic energy", Quantity::KineticEnergy),
-    ];
-    let curve = |(name, quantity)| {
-        (name, places.iter().zip(sampled(analysis, quantity)).map(|(x, y)| [*x, *y]).collect())
-    };
-    let curves: Vec<(&str, Vec<[f64; 2]>)> = all.map(curve).into();
-    let known = curves.iter().all(|(_, points)| points.iter().any(|at| at[1].is_finite()));
-    known.then(|| plots::curves("energies, J", curves, x, Some(cursor)))
 }
 
 /// The numbers of the regime, one a line.

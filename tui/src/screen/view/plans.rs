@@ -30,7 +30,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
         Shown::Nothing(text) => {
             let text = text.unwrap_or_else(|| advice::text(state, scene));
-            return say(state, &text, list, buffer);
+            let rows = advice::rows(&text, usize::from(list.width.max(12)) - 2).into_iter();
+            let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
+            return lines(state, &rows, list, buffer);
         }
     }
     let mut figure = figure(state, scene);
@@ -119,12 +121,6 @@ fn one_scale(panels: &mut [Panel]) {
 /// Whether forces are determined in this position.
 pub(crate) fn has_forces(state: &State, found: &Found) -> bool {
     found.balancing().is_some_and(|series| series.at(state.position).is_finite())
-}
-
-fn say(state: &State, text: &str, area: Rect, buffer: &mut Buffer) {
-    let rows = advice::rows(text, usize::from(area.width.max(12)) - 2);
-    let rows: Vec<_> = rows.into_iter().map(|line| (Role::Plain, line)).collect();
-    lines(state, &rows, area, buffer);
 }
 
 fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {

@@ -1,4 +1,4 @@
-//! Curves over the positions or over time, as panels of figures.
+//! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
 use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
 

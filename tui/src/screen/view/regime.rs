@@ -1,4 +1,5 @@
-//! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration.
+//! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration, energies, the
+//! energy-mass diagram, the shares of the reduced inertia, the link of reduction.
 
 use assur_analysis::results::{
     Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Trial,
@@ -8,7 +9,7 @@ use assur_mechanism::InputPair;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{motion, plots};
+use super::plots;
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, short, table};
 use crate::screen::state::{Found, Role, Scene, State, coordinate_unit};
@@ -35,7 +36,7 @@ pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: 
     }
     let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), Some(cursor(state, scene)));
     let places: Vec<f64> = over(scene, regime, |_| 0.0).into_iter().map(|at| at[0]).collect();
-    let energies = motion::energies(analysis, &places, axis(scene, regime), cursor(state, scene));
+    let energies = energies(analysis, &places, axis(scene, regime), cursor(state, scene));
     [speed, moments(state, scene, regime)].into_iter().chain(energies).collect()
 }
 
@@ -213,4 +214,27 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     curves.push(curve("unevenness", part(&|trial| trial.unevenness)));
     panels.push(panel("trials, as parts of the values found", "trial", trials.len(), curves));
     panels
+}
+
+/// A quantity of the input at the samples of the motion.
+pub(super) fn sampled(analysis: &Analysis, quantity: Quantity) -> &[f64] {
+    let course = &analysis.trajectory;
+    let column = course.schema().find(Column::of(quantity, Owner::Input));
+    column.map_or(&[][..], |column| course.values(column))
+}
+
+/// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
+/// not known.
+pub(super) fn energies(analysis: &Analysis, places: &[f64], x: Axis, cursor: f64) -> Option<Panel> {
+    let all = [
+        ("driving work", Quantity::DrivingWork),
+        ("resisting work", Quantity::ResistingWork),
+        ("kinetic energy", Quantity::KineticEnergy),
+    ];
+    let curve = |(name, quantity)| {
+        (name, places.iter().zip(sampled(analysis, quantity)).map(|(x, y)| [*x, *y]).collect())
+    };
+    let curves: Vec<(&str, Vec<[f64; 2]>)> = all.map(curve).into();
+    let known = curves.iter().all(|(_, points)| points.iter().any(|at| at[1].is_finite()));
+    known.then(|| plots::curves("energies, J", curves, x, Some(cursor)))
 }

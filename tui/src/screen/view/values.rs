@@ -1,4 +1,5 @@
-//! The list of the scene's numbers, below the view, which follows their changes.
+//! The list of the scene's numbers, below the view, which follows their changes; beside it the most important results before and
+//! after them.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
