@@ -4,6 +4,7 @@ use assur_check::{Check, Chosen, Coverage, InputLoad, Residuals, Subject, method
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
 use assur_force::State;
 use assur_group::Order;
+use assur_integrator::Sample;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Motion, Solve, Torque};
 
@@ -77,11 +78,18 @@ impl Calculation {
         let loads = self.loads.as_ref()?;
         match &self.motion {
             InputMotion::Prescribed => None,
-            InputMotion::Transient(_) => {
+            InputMotion::Transient(found) => {
+                let samples = &found.trajectory.samples;
+                let span = |of: fn(&Sample) -> f64| {
+                    samples.iter().map(|at| (of(at) - of(&samples[0])).abs()).fold(0.0, f64::max)
+                };
+                let accuracy =
+                    [span(|at| at.coordinate), span(|at| at.time)].map(|span| self.tolerance() * span);
                 let machine = assur_dynamics::equation(&self.linkage, loads).ok()?;
                 let drive = *machine.drive();
                 Some(Box::new(move |state: &State| {
-                    input_load(&drive, state, drive.torque(state), f64::EPSILON)
+                    let load = input_load(&drive, state, drive.torque(state), f64::EPSILON);
+                    InputLoad { accuracy, ..load }
                 }))
             }
             InputMotion::Steady(found) => {
@@ -198,6 +206,7 @@ fn input_load(drive: &InputDrive, state: &State, moment: f64, of_speed: f64) -> 
     InputLoad {
         value: moment - of_inertia,
         error: (drive.torque(&faster) - drive.torque(state)).abs() + rounding,
+        accuracy: [0.0; 2],
     }
 }
 

@@ -10,7 +10,7 @@ use crate::kinetics;
 
 /// Why the drive is not compared there.
 const ON_A_JUMP: &str =
-    "at rest on a jump over the coordinate, where the load may have any value between both";
+    "at rest on a jump over coordinate or time, where the load may have any value between both";
 
 /// The checks of the reduced quantities, of the equation of motion, of virtual power, and of the drive.
 pub(crate) fn collectors() -> [Collector; 4] {
@@ -70,7 +70,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     if let Some(given) = case.subject.drive.map(|given| given(state)) {
         let total = total.max(given.value.abs());
         let off = (balancing - given.value).abs() / total;
-        match uncertain(case, limit * total) {
+        match uncertain(case, given.accuracy, limit * total) {
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
                 drive.offer(one.index, off, limit, || "input link".to_owned());
@@ -83,25 +83,32 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
 
 /// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the
 /// rounding of the coordinate, and where the motion is held by the rounding of the values on both sides, whose mean it is.
-/// `None` at rest on a jump over the coordinate, which is more than `rounding`.
-fn uncertain(case: &Case<'_>, rounding: f64) -> Option<f64> {
+/// `None` at rest on a jump over coordinate or time, within the `accuracy` of both, which is more than `rounding`.
+fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> {
     let (state, loads, bodies) = (case.state, case.loads, &case.one.position.bodies);
     let mut phase = loads.phase();
     loads.enter(state, &mut phase);
     let period = case.subject.linkage.mechanism.input.period();
-    let states = [-1.0, 1.0].map(|side| {
-        let coordinate = state.coordinate + side * tolerance(state.coordinate, period);
-        State { coordinate, ..*state }
-    });
+    let of_rounding = [tolerance(state.coordinate, period), 0.0];
+    let states = |[coordinate, time]: [f64; 2]| {
+        [-1.0, 1.0].map(|side| State {
+            coordinate: state.coordinate + side * coordinate,
+            time: state.time + side * time,
+            ..*state
+        })
+    };
     let difference = |[before, after]: [f64; 2]| (after - before).abs();
-    let gained = difference(states.map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment));
-    let across = difference(states.map(|at| loads.reduced(&at, bodies).moment));
-    if state.speed == 0.0 && across > 2.0 * gained + rounding {
-        return None;
+    let gained = |off| difference(states(off).map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment));
+    if state.speed == 0.0 {
+        let off = [accuracy[0].max(of_rounding[0]), accuracy[1]];
+        let across = difference(states(off).map(|at| loads.reduced(&at, bodies).moment));
+        if across > 2.0 * gained(off) + rounding {
+            return None;
+        }
     }
     let side = |upper| loads.reduced(&State { side: Side::Held { upper }, ..*state }, bodies).moment.abs();
     let sides = if matches!(state.side, Side::Held { .. }) { side(0.0) + side(1.0) } else { 0.0 };
-    Some(gained + ROUNDINGS * f64::EPSILON * sides)
+    Some(gained(of_rounding) + ROUNDINGS * f64::EPSILON * sides)
 }
 
 /// Power that the joints transfer from one link to another: the sum is zero but for rounding.

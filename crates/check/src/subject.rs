@@ -33,6 +33,8 @@ pub struct InputLoad {
     pub value: f64,
     /// How far it may be off: by rounding, and since the motion is known with a limited accuracy only, N m (N).
     pub error: f64,
+    /// How far the motion may be off, rad (m) and s.
+    pub accuracy: [f64; 2],
 }
 
 /// A solved position.

@@ -261,8 +261,19 @@ impl<'a> Writer<'a> {
         let mut wrench = Wrench::ZERO;
         wrench.add_at(arm, along.map(|a| size * a), 0.0);
         let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
-        // The rounding of the angle turns the force.
-        Item { wrench, size: size.abs() * square.sqrt() * lever * (1.0 + angle.abs()) }
+        // The rounding of the angle turns the force, and beyond half a turn there is nothing left of its direction.
+        let turned = (angle.abs() + self.turned(now, contact) / f64::EPSILON).min(1.0 / f64::EPSILON);
+        Item { wrench, size: size.abs() * square.sqrt() * lever * (1.0 + turned) }
+    }
+
+    /// By how much the angle of a contact changes over the rounding of the coordinate.
+    fn turned(&self, now: &Now<'_>, contact: &Contact) -> f64 {
+        let rounding = f64::EPSILON * now.state.coordinate;
+        let [before, after] = [-rounding, rounding].map(|off| {
+            let state = State { coordinate: now.state.coordinate + off, ..*now.state };
+            self.size(&Now { state: &state, ..*now }, &contact.angle, contact.center, None, f64::INFINITY)
+        });
+        (after - before).abs()
     }
 
     /// The angle of a contact: the one of the given force, if the scene allows it.

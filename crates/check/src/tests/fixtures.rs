@@ -79,7 +79,7 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
             let found = loads.reduced(state, &position.bodies);
             let of_inertia =
                 found.inertia * state.acceleration + 0.5 * found.inertia_derivative * state.speed.powi(2);
-            InputLoad { value: factor * (of_inertia - found.moment), error: 0.0 }
+            InputLoad { value: factor * (of_inertia - found.moment), error: 0.0, accuracy: [0.0; 2] }
         };
         let subject = Subject {
             linkage: &linkage,
