@@ -71,14 +71,8 @@ impl Closure {
 
 /// The least distance of two joints of a link that do not coincide, m; infinite where there are none.
 fn span(linkage: &Linkage, link: usize) -> f64 {
-    let of = |pair: &Pair| {
-        let (a, b) = match pair.geometry {
-            PairGeometry::Pin { at_a, at_b } => (at_a, at_b),
-            PairGeometry::Slide { point, through, .. } => (point, through),
-        };
-        [(pair.a, a), (pair.b, b)].into_iter().find(|(body, _)| *body == link).map(|(_, at)| at)
-    };
-    let places: Vec<_> = linkage.structure.pairs.iter().filter_map(|named| of(&named.pair)).collect();
+    let ends = linkage.structure.pairs.iter().flat_map(|named| named.pair.places());
+    let places: Vec<_> = ends.filter(|(body, _)| *body == link).map(|(_, at)| at).collect();
     let distances = places.iter().flat_map(|a| places.iter().map(|b| (a[0] - b[0]).hypot(a[1] - b[1])));
     distances.filter(|distance| *distance > 0.0).fold(f64::INFINITY, f64::min)
 }

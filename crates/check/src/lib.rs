@@ -8,7 +8,6 @@
 //! Residual and limit are those of the element that is closest to failing, so they belong together.
 
 mod agreement;
-mod by_cause;
 mod case;
 mod check;
 mod closure;

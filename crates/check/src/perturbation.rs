@@ -31,11 +31,7 @@ impl Perturbation {
     pub(crate) fn new(linkage: &Linkage, part: f64) -> Self {
         let mut reach = vec![0.0_f64; linkage.structure.links];
         for named in &linkage.structure.pairs {
-            let (a, b) = match named.pair.geometry {
-                PairGeometry::Pin { at_a, at_b } => (at_a, at_b),
-                PairGeometry::Slide { point, through, .. } => (point, through),
-            };
-            for (link, at) in [(named.pair.a, a), (named.pair.b, b)] {
+            for (link, at) in named.pair.places() {
                 reach[link] = reach[link].max(at[0].hypot(at[1]));
             }
         }

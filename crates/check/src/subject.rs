@@ -1,7 +1,7 @@
 //! What is checked: a linkage, and where there are loads the states and methods.
 
 use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
-use assur_group::{Order, PairGeometry};
+use assur_group::Order;
 use assur_kinematics::{Interpolation, Linkage, Position};
 
 use crate::Chosen;
@@ -74,11 +74,8 @@ impl Subject<'_> {
     /// differences of places, which are rounded by that distance.
     pub(crate) fn reach(&self) -> f64 {
         let structure = &self.linkage.structure;
-        let places = structure.pairs.iter().flat_map(|named| match named.pair.geometry {
-            PairGeometry::Pin { at_a, at_b } => [at_a, at_b],
-            PairGeometry::Slide { point, through, .. } => [point, through],
-        });
-        places.map(|at| at[0].hypot(at[1]) / structure.scale).fold(1.0, f64::max)
+        let places = structure.pairs.iter().flat_map(|named| named.pair.places());
+        places.map(|(_, at)| at[0].hypot(at[1]) / structure.scale).fold(1.0, f64::max)
     }
 
     /// Unit of a transfer function of this order: a typical length (or 1 rad) per unit of the coordinate.

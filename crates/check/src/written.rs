@@ -1,12 +1,12 @@
 //! The loads, computed independently from the scene, without the compiled loads that the methods use.
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Brake, Contact, Direction, Force, GROUND, Mechanism, Moment, Place, Spring, Value};
 
-use crate::by_cause::{ByCause, Key};
 use crate::stroke::{At, Extremes, extremes, sizes};
 use crate::subject::Subject;
 
@@ -24,11 +24,14 @@ pub(crate) struct Item {
     pub(crate) size: f64,
 }
 
+/// A load and the link on which it acts.
+pub(crate) type Key = (Cause, usize);
+
 /// All loads of one position, by cause and link.
-pub(crate) type Items = ByCause<Item>;
+pub(crate) type Items = BTreeMap<Key, Item>;
 
 /// The compiled loads of one position, by cause and link.
-pub(crate) type Given = ByCause<Wrench<f64>>;
+pub(crate) type Given = BTreeMap<Key, Wrench<f64>>;
 
 /// Computes loads; the extremes of strokes are found once.
 pub(crate) struct Writer<'a> {
@@ -54,9 +57,11 @@ impl Now<'_> {
 
 /// The compiled loads, summed by cause and link.
 pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Given {
-    let mut all = Vec::new();
-    loads.by_cause(state, bodies, &mut |cause, link, wrench| all.push(((cause, link), wrench)));
-    ByCause::of(all, |sum, wrench| sum.add_at([0.0; 2], wrench.force(), wrench.m))
+    let mut all = Given::new();
+    loads.by_cause(state, bodies, &mut |cause, link, wrench| {
+        all.entry((cause, link)).or_insert(Wrench::ZERO).add_at([0.0; 2], wrench.force(), wrench.m);
+    });
+    all
 }
 
 impl<'a> Writer<'a> {
@@ -77,19 +82,19 @@ impl<'a> Writer<'a> {
     /// against the motion of a point at rest), the choice of the compiled loads is accepted if it is possible.
     pub(crate) fn items(&self, given: &Given, state: &State, bodies: &[Body<f64>]) -> Items {
         let now = Now { bodies, state, given };
-        let mut items = Vec::new();
+        let mut items = Items::new();
         for id in 1..self.mechanism.links.len() {
             self.masses(&now, id, &mut items);
         }
         for (id, force) in self.mechanism.forces.iter().enumerate().filter(|(_, f)| f.at.link != GROUND) {
-            items.push(((Cause::Force(id), force.at.link), self.force(&now, id, force)));
+            items.insert((Cause::Force(id), force.at.link), self.force(&now, id, force));
         }
         for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
             let m = now.given(Cause::Moment(id), moment.link).m;
             let m = self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m);
             let m = moment.brake.map_or(m, |brake| self.brake(&now, id, moment, &brake));
             let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: m.abs() / self.scale };
-            items.push(((Cause::Moment(id), moment.link), item));
+            items.insert((Cause::Moment(id), moment.link), item);
         }
         for (id, spring) in self.mechanism.springs.iter().enumerate() {
             if spring.ends[0].link != spring.ends[1].link {
@@ -99,10 +104,9 @@ impl<'a> Writer<'a> {
         for (id, contact) in
             self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND)
         {
-            items.push(((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact)));
+            items.insert((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact));
         }
-        // Each key has one item.
-        ByCause::of(items, |_, _| ())
+        items
     }
 
     /// A force at a place of a link.
@@ -113,12 +117,12 @@ impl<'a> Writer<'a> {
         Item { wrench, size: terms * (1.0 + arm[0].hypot(arm[1]) / self.scale) }
     }
 
-    fn masses(&self, now: &Now<'_>, id: usize, items: &mut Vec<(Key, Item)>) {
+    fn masses(&self, now: &Now<'_>, id: usize, items: &mut Items) {
         let (link, body) = (&self.mechanism.links[id], &now.bodies[id]);
         if let Some(g) = self.mechanism.gravity.filter(|_| link.mass > 0.0) {
             let force = [link.mass * g[0], link.mass * g[1]];
             let item = self.at(body, link.center, force, force[0].hypot(force[1]));
-            items.push(((Cause::Weight(id), id), item));
+            items.insert((Cause::Weight(id), id), item);
         }
         let (w, e) = (now.state.speed, now.state.acceleration);
         if (link.mass == 0.0 && link.inertia == 0.0) || (w == 0.0 && e == 0.0) {
@@ -134,7 +138,7 @@ impl<'a> Writer<'a> {
         let mut item = self.at(body, link.center, a.map(|a| -link.mass * a), link.mass * terms);
         item.wrench.m += turn;
         item.size += link.inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) / self.scale;
-        items.push(((Cause::Inertia(id), id), item));
+        items.insert((Cause::Inertia(id), id), item);
     }
 
     /// Size of a load by its law; of several possible sizes, the one closest to the given size.
@@ -218,7 +222,7 @@ impl<'a> Writer<'a> {
         if rests && given.abs() <= (brake.lever() * size).abs() { given } else { lever * size }
     }
 
-    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Vec<(Key, Item)>) {
+    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {
         let ends = spring.ends.map(|end| &now.bodies[end.link]);
         let places = [0, 1].map(|k| ends[k].point(spring.ends[k].at));
         let d = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
@@ -236,7 +240,7 @@ impl<'a> Writer<'a> {
             + spring.damping * fast;
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
             let item = self.at(ends[k], spring.ends[k].at, along.map(|a| sign * pull * a), terms);
-            items.push(((Cause::Spring(id), spring.ends[k].link), item));
+            items.insert((Cause::Spring(id), spring.ends[k].link), item);
         }
     }
 

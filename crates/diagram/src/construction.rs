@@ -1,9 +1,9 @@
 //! The construction of a force analyzer as plans.
 
-use assur_force::{Construction, Drawing, Step, StepKind};
+use assur_force::{Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{minus, plus, scaled};
 
-use crate::plan::{Plan, PlanVector, VectorKind, length};
+use crate::plan::{Plan, PlanVector, length};
 
 /// One plan for each drawing of the construction: mechanism (m), polygon (N), lever (m/rad).
 ///
@@ -27,14 +27,14 @@ pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Optio
     let mut plan = Plan::new(format!("{}: {what}", construction.title), unit);
     let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
     for step in &steps {
-        if step.kind == StepKind::Point {
+        if step.kind == VectorKind::Point {
             plan.point(&step.name, step.start);
             continue;
         }
         let factor = if is_force(step) { per_newton } else { 1.0 };
         plan.items.push(PlanVector {
             name: step.name.clone(),
-            kind: kind(step.kind),
+            kind: step.kind,
             start: step.start,
             end: plus(step.start, scaled(factor, step.vector)),
             size: length(step.vector),
@@ -66,21 +66,9 @@ fn end_of_line(step: &Step) -> Option<[f64; 2]> {
 
 /// Closure error of the sides up to the closing one, and of the reactions that replace it.
 fn open(steps: &[&Step]) -> f64 {
-    let sum = |wanted: &dyn Fn(StepKind) -> bool| {
+    let sum = |wanted: &dyn Fn(VectorKind) -> bool| {
         let sides = steps.iter().filter(|step| wanted(step.kind));
         length(sides.fold([0.0; 2], |sum, side| plus(sum, side.vector)))
     };
-    sum(&|kind| kind != StepKind::Reaction).max(sum(&|kind| kind != StepKind::Closing))
-}
-
-fn kind(of: StepKind) -> VectorKind {
-    match of {
-        StepKind::Point | StepKind::Line => VectorKind::Line,
-        StepKind::Load => VectorKind::Load,
-        StepKind::Part => VectorKind::Part,
-        StepKind::Balancing => VectorKind::Balancing,
-        StepKind::Closing => VectorKind::Closing,
-        StepKind::Reaction => VectorKind::Reaction,
-        StepKind::Velocity => VectorKind::Absolute,
-    }
+    sum(&|kind| kind != VectorKind::Reaction).max(sum(&|kind| kind != VectorKind::Closing))
 }

@@ -20,13 +20,14 @@ mod polygon;
 mod sheet;
 mod sign;
 
+pub use assur_force::VectorKind;
 pub use construction::{construction_plan, construction_plans};
 pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
 pub use joint::{JointForce, joint_forces};
 pub use motion_plan::{acceleration_plan, velocity_plan};
-pub use plan::{Plan, PlanPoint, PlanVector, VectorKind};
+pub use plan::{Plan, PlanPoint, PlanVector};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
 pub use sheet::{Share, Split, split};
 pub use sheet::{Sheet, constructions, sheet};

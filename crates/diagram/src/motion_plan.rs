@@ -5,7 +5,8 @@ use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
 
-use crate::plan::{Plan, VectorKind, length};
+use crate::plan::{Plan, length};
+use assur_force::VectorKind;
 
 /// The plan of velocities at a position: from the pole (the origin) to the image of each point, then the rotation of
 /// each link and each slide on a moving guide as separate vectors.

@@ -1,44 +1,11 @@
 //! A plan as data.
 
+use assur_force::VectorKind;
 use assur_group::plane::minus;
 use serde::Serialize;
 
 /// Width of a drawing for which the scale is suggested, mm.
 const PAPER: f64 = 150.0;
-
-/// What a vector of a plan represents.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum VectorKind {
-    /// A load of the scene.
-    Load,
-    /// A weight.
-    Weight,
-    /// An inertia load.
-    Inertia,
-    /// A reaction in a pair to a body outside.
-    Reaction,
-    /// The reaction in an inner pair: drawn inside the polygon, no side of it.
-    Inner,
-    /// The balancing load.
-    Balancing,
-    /// The closing side of a polygon.
-    Closing,
-    /// A part of a force along a line.
-    Part,
-    /// A line of the construction.
-    Line,
-    /// From the pole to the image of a point.
-    Absolute,
-    /// Velocity or acceleration of one point of a link relative to another.
-    Relative,
-    /// Normal part, towards the other point.
-    Normal,
-    /// Tangential part.
-    Tangential,
-    /// Coriolis part.
-    Coriolis,
-}
 
 /// One vector of a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]

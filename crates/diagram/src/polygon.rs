@@ -6,7 +6,8 @@ use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, InputPair, LinkId};
 
-use crate::plan::{Plan, VectorKind, length};
+use crate::plan::{Plan, length};
+use assur_force::VectorKind;
 
 /// Forces below this part of the greatest reaction of the mechanism count as zero.
 const UNLOADED: f64 = 1e-6;

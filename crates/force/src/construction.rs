@@ -1,40 +1,43 @@
 //! The construction behind a result: named vectors in the order in which they are drawn.
 
-/// What a step draws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StepKind {
-    /// A point; its vector is zero.
-    Point,
-    /// A line from the start along the vector.
-    Line,
-    /// A force that is given.
+use serde::Serialize;
+
+/// What a vector of a plan or a step of a construction represents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::Display)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum VectorKind {
+    /// A load of the scene.
     Load,
+    /// A weight.
+    Weight,
+    /// An inertia load.
+    Inertia,
+    /// A reaction in a pair to a body outside.
+    Reaction,
+    /// The reaction in an inner pair: drawn inside the polygon, no side of it.
+    Inner,
+    /// The balancing load.
+    Balancing,
+    /// The closing side of a polygon.
+    Closing,
     /// A part of a force along a line.
     Part,
-    /// The balancing force.
-    Balancing,
-    /// The vector that closes a polygon.
-    Closing,
-    /// A reaction.
-    Reaction,
-    /// A vector of a turned velocity plan.
-    Velocity,
-}
-
-impl StepKind {
-    /// The word for this kind in reports.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Point => "point",
-            Self::Line => "line",
-            Self::Load => "load",
-            Self::Part => "part",
-            Self::Balancing => "balancing",
-            Self::Closing => "closing",
-            Self::Reaction => "reaction",
-            Self::Velocity => "velocity",
-        }
-    }
+    /// A line of the construction.
+    Line,
+    /// A point, whose vector is zero: a step of a construction, but no vector of a plan.
+    Point,
+    /// From the pole to the image of a point.
+    #[strum(serialize = "velocity")]
+    Absolute,
+    /// Velocity or acceleration of one point of a link relative to another.
+    Relative,
+    /// Normal part, towards the other point.
+    Normal,
+    /// Tangential part.
+    Tangential,
+    /// Coriolis part.
+    Coriolis,
 }
 
 /// Which drawing a step belongs to.
@@ -54,7 +57,7 @@ pub struct Step {
     /// Short name: `F`, `R3`.
     pub name: String,
     /// What it draws.
-    pub kind: StepKind,
+    pub kind: VectorKind,
     /// Which drawing it belongs to.
     pub drawing: Drawing,
     /// Where it begins, in the unit of its drawing.

@@ -39,7 +39,7 @@ pub use balance::Reactions;
 pub use balance::{IdleBalance, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
-pub use construction::{Construction, Drawing, Step, StepKind};
+pub use construction::{Construction, Drawing, Step, VectorKind};
 pub use error::LoadError;
 pub use group_by_group::{Unsolved, group_by_group};
 pub use joints::{Joint, JointReaction, joints};

@@ -42,6 +42,13 @@ impl Pair {
         matches!(self.geometry, PairGeometry::Slide { .. })
     }
 
+    /// Where it lies in each of its bodies.
+    pub fn places(&self) -> [(usize, [f64; 2]); 2] {
+        let (PairGeometry::Pin { at_a, at_b } | PairGeometry::Slide { point: at_a, through: at_b, .. }) =
+            self.geometry;
+        [(self.a, at_a), (self.b, at_b)]
+    }
+
     /// Whether it joins this body.
     pub fn joins(&self, body: usize) -> bool {
         self.a == body || self.b == body

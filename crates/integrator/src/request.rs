@@ -144,8 +144,9 @@ impl From<Node> for Sample {
 }
 
 /// What happened at an instant between smooth pieces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::Display)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 #[non_exhaustive]
 pub enum EventKind {
     /// A bound of a piece along the coordinate was reached: a row of a table, a contact.
@@ -162,21 +163,6 @@ pub enum EventKind {
     Held,
     /// A motion that rested or was held continues.
     Release,
-}
-
-impl EventKind {
-    /// The word for this event in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Coordinate => "coordinate",
-            Self::Speed => "speed",
-            Self::Time => "time",
-            Self::Reversal => "reversal",
-            Self::Rest => "rest",
-            Self::Held => "held",
-            Self::Release => "release",
-        }
-    }
 }
 
 /// An event and the state at which it happened.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use assur_analysis::results::{Base, Column, Owner, Part, Quantity, Schema};
+use assur_analysis::results::{Column, Owner, Part, Quantity, Schema};
 
 /// A step into an object or an array of JSON.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -116,29 +116,7 @@ pub(crate) fn csv(schema: &Schema, column: Column) -> Option<String> {
     if matches!(column.quantity, Quantity::Residual(_)) {
         name = name.replace(' ', "_");
     }
-    let unit = unit(schema, column);
+    // `m_per_rad2`, `kgm2`.
+    let unit = schema.unit(column).replace('/', "_per_").replace(' ', "");
     Some(if unit.is_empty() { name } else { name + "_" + &unit })
-}
-
-/// The unit as part of a name: `m_per_rad2`, `kgm2`; empty for a plain number.
-fn unit(schema: &Schema, column: Column) -> String {
-    let unit = schema.unit(column);
-    let base = match unit.base {
-        Base::One => "",
-        Base::Second => "s",
-        Base::Radian => "rad",
-        Base::Meter => "m",
-        Base::Kilogram => "kg",
-        Base::KilogramMeter2 => "kgm2",
-        Base::Newton => "N",
-        Base::NewtonMeter => "Nm",
-        Base::Joule => "J",
-    };
-    let q = if schema.angular() { "rad" } else { "m" };
-    let per = |of: &str, times: u8| match times {
-        0 => String::new(),
-        1 => format!("_per_{of}"),
-        times => format!("_per_{of}{times}"),
-    };
-    format!("{base}{}{}", per(q, unit.per_coordinate), per("s", unit.per_time))
 }

@@ -3,6 +3,10 @@
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
+use petgraph::Incoming;
+use petgraph::algo::condensation;
+use petgraph::graph::{DiGraph, NodeIndex};
+
 /// Unknowns: moving links with 3 degrees of freedom, pins with 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Node {
@@ -148,22 +152,13 @@ impl Graph {
     /// The strongly connected parts of a perfectly matched system in solving order; if several could be next, the one
     /// with the first link.
     pub(crate) fn parts(&self) -> Vec<Vec<usize>> {
-        let needs = self.needs();
-        let mut parts = strongly_connected(&needs);
-        let mut part_of = vec![0; self.nodes.len()];
-        for (i, part) in parts.iter().enumerate() {
-            for &node in part {
-                part_of[node] = i;
-            }
-        }
-        // Edges from each part to the parts that depend on it, and the number of unsolved dependencies of each part.
-        let (mut waiting_for, mut open) = (vec![Vec::new(); parts.len()], vec![0_usize; parts.len()]);
-        for (node, list) in needs.iter().enumerate() {
-            for &other in list.iter().filter(|&&other| part_of[other] != part_of[node]) {
-                waiting_for[part_of[other]].push(part_of[node]);
-                open[part_of[node]] += 1;
-            }
-        }
+        // Edges from each node to those that depend on it; then the same between the parts.
+        let needs = self.needs().into_iter().enumerate();
+        let edges = needs.flat_map(|(node, list)| list.into_iter().map(move |other| (other, node)));
+        let mut dependents = DiGraph::<usize, (), usize>::default();
+        (0..self.nodes.len()).for_each(|node| _ = dependents.add_node(node));
+        dependents.extend_with_edges(edges);
+        let mut parts = condensation(dependents, true);
         let rank = |part: &[usize]| {
             let links = part.iter().filter_map(|&node| match self.nodes[node] {
                 Node::Link(link) => Some(link),
@@ -172,20 +167,21 @@ impl Graph {
             // Parts that are a single pin are taken as soon as possible.
             links.min().unwrap_or(0)
         };
-        let entry = |i: usize, parts: &[Vec<usize>]| Reverse((rank(&parts[i]), i));
-        let mut ready: BinaryHeap<_> =
-            (0..parts.len()).filter(|&i| open[i] == 0).map(|i| entry(i, &parts)).collect();
-        let mut order = Vec::with_capacity(parts.len());
-        while let Some(Reverse((_, i))) = ready.pop() {
-            order.push(i);
-            for &next in &waiting_for[i] {
-                open[next] -= 1;
-                if open[next] == 0 {
-                    ready.push(entry(next, &parts));
+        let entry = |part: NodeIndex<usize>| Reverse((rank(&parts[part]), part));
+        let mut open: Vec<_> =
+            parts.node_indices().map(|part| parts.neighbors_directed(part, Incoming).count()).collect();
+        let mut ready: BinaryHeap<_> = parts.externals(Incoming).map(entry).collect();
+        let mut order = Vec::with_capacity(open.len());
+        while let Some(Reverse((_, part))) = ready.pop() {
+            order.push(part);
+            for next in parts.neighbors(part) {
+                open[next.index()] -= 1;
+                if open[next.index()] == 0 {
+                    ready.push(entry(next));
                 }
             }
         }
-        order.into_iter().map(|i| std::mem::take(&mut parts[i])).collect()
+        order.into_iter().map(|part| std::mem::take(&mut parts[part])).collect()
     }
 }
 
@@ -209,50 +205,4 @@ fn reached<I: IntoIterator<Item = usize>>(
         at += 1;
     }
     found
-}
-
-/// Strongly connected components: mutual reachability, by two sweeps of depth-first search (Kosaraju).
-fn strongly_connected(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    let mut reverse = vec![Vec::new(); needs.len()];
-    for (node, list) in needs.iter().enumerate() {
-        for &other in list {
-            reverse[other].push(node);
-        }
-    }
-    let mut finished = Vec::new();
-    let mut seen = vec![false; needs.len()];
-    for start in 0..needs.len() {
-        visit(start, needs, &mut seen, &mut finished);
-    }
-    seen.fill(false);
-    let mut parts = Vec::new();
-    for &start in finished.iter().rev() {
-        let mut part = Vec::new();
-        visit(start, &reverse, &mut seen, &mut part);
-        if !part.is_empty() {
-            parts.push(part);
-        }
-    }
-    parts
-}
-
-/// Depth-first search without recursion; appends nodes in the order in which they finish.
-fn visit(start: usize, edges: &[Vec<usize>], seen: &mut [bool], finished: &mut Vec<usize>) {
-    if seen[start] {
-        return;
-    }
-    seen[start] = true;
-    let mut path = vec![(start, 0)];
-    while let Some((node, next)) = path.last_mut() {
-        if let Some(&other) = edges[*node].get(*next) {
-            *next += 1;
-            if !seen[other] {
-                seen[other] = true;
-                path.push((other, 0));
-            }
-        } else {
-            finished.push(*node);
-            path.pop();
-        }
-    }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use assur_scene::edit::{Document, Place, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
+use strum::VariantArray;
 
 use crate::{SweepError, Vary};
 
@@ -162,28 +163,9 @@ fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End,
     }
 }
 
-/// Every kind of quantity of a scene, with the unit as a column writes it.
-const ALL: [(Dimension, &str); 15] = [
-    (Dimension::Number, ""),
-    (Dimension::Length, "m"),
-    (Dimension::Angle, "rad"),
-    (Dimension::Mass, "kg"),
-    (Dimension::Time, "s"),
-    (Dimension::Force, "N"),
-    (Dimension::Moment, "Nm"),
-    (Dimension::Speed, "m_per_s"),
-    (Dimension::AngularSpeed, "rad_per_s"),
-    (Dimension::Acceleration, "m_per_s2"),
-    (Dimension::AngularAcceleration, "rad_per_s2"),
-    (Dimension::Inertia, "kgm2"),
-    (Dimension::Stiffness, "N_per_m"),
-    (Dimension::Damping, "Ns_per_m"),
-    (Dimension::Power, "W"),
-];
-
-/// The unit as the end of a column's name; empty for a plain number.
-pub(crate) fn suffix(dimension: Dimension) -> &'static str {
-    ALL.iter().find(|row| row.0 == dimension).map_or("", |row| row.1)
+/// The unit as the end of a column's name, `kgm2`, `m_per_s`; empty for a plain number.
+pub(crate) fn suffix(dimension: Dimension) -> String {
+    dimension.si().replace('/', "_per_").replace(['*', '^'], "")
 }
 
 /// The possible values of a key, as determined by the reader of scenes.
@@ -204,8 +186,8 @@ pub(crate) enum Takes {
 /// quantities whose numbers are tried: the value of the scene, which is within every bound, and the ends of the range.
 pub(crate) fn takes(texts: &[&str], accepts: impl Fn(&str) -> bool) -> Takes {
     let takes = |dimension: Dimension| texts.iter().any(|text| accepts(&as_quantity(text, dimension)));
-    let found: Vec<_> = ALL.iter().map(|row| row.0).filter(|dimension| takes(*dimension)).collect();
-    if found.len() == ALL.len() {
+    let found: Vec<_> = Dimension::VARIANTS.iter().copied().filter(|dimension| takes(*dimension)).collect();
+    if found.len() == Dimension::VARIANTS.len() {
         Takes::Text
     } else if !found.is_empty() {
         Takes::Quantity(found)

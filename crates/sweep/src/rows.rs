@@ -3,17 +3,21 @@
 use std::sync::Arc;
 
 use assur_report::csv::{Cell, CsvError, header, rows};
+use strum::{EnumString, IntoStaticStr};
 
 use crate::Sweep;
 
 /// How the calculation of a point ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum Status {
     /// Everything that the scene requests was found.
     Ok,
     /// A position can't be assembled.
+    #[strum(serialize = "no assembly")]
     NoAssembly,
     /// A position is singular, or the motion has no solution.
+    #[strum(serialize = "no solution")]
     NoSolution,
     /// The scene as a whole can't be calculated.
     Error,
@@ -22,22 +26,9 @@ pub enum Status {
 }
 
 impl Status {
-    const ALL: [Self; 5] = [Self::Ok, Self::NoAssembly, Self::NoSolution, Self::Error, Self::Refused];
-
     /// The word for it in the table.
     pub fn text(self) -> &'static str {
-        match self {
-            Self::Ok => "ok",
-            Self::NoAssembly => "no assembly",
-            Self::NoSolution => "no solution",
-            Self::Error => "error",
-            Self::Refused => "refused",
-        }
-    }
-
-    /// The status of a word in the table.
-    pub fn of(text: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|status| status.text() == text)
+        self.into()
     }
 
     /// Whether the scene with these values can't be calculated at all: if that holds for every point, the call is at fault.
@@ -229,7 +220,7 @@ impl Sweep {
     /// point ended. `None` if it is no row of this sweep.
     pub fn status_in_csv(&self, row: &str) -> Option<crate::Status> {
         // Parameters are numbers, so there is no quoted comma before the status.
-        crate::Status::of(row.split(',').nth(self.columns.status())?)
+        row.split(',').nth(self.columns.status())?.parse().ok()
     }
 }
 

@@ -146,11 +146,8 @@ impl Work<'_> {
         links: &[usize],
         acting: &mut Vec<(usize, Load)>,
     ) {
-        let at = match pair.geometry {
-            PairGeometry::Pin { at_a, .. } => at_a,
-            PairGeometry::Slide { point, .. } => point,
-        };
-        let at = self.sheet.point(pair.a, at);
+        let [(link, at), _] = pair.places();
+        let at = self.sheet.point(link, at);
         let of = format!("{}_{}", self.sheet.pair_tag(pair.id), self.sheet.tag(pair.a));
         let x = self.sheet.given(&format!("Rx_{of}"), found.fx, "N", "solution");
         let y = self.sheet.given(&format!("Ry_{of}"), found.fy, "N", "solution");

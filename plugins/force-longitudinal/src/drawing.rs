@@ -1,6 +1,6 @@
 //! The construction as L draws it: the pole, F resolved along KA and KP, the polygon that closes in P.
 
-use assur_force::{Construction, Drawing, Step, StepKind};
+use assur_force::{Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
@@ -101,10 +101,10 @@ impl Pole {
 /// Adds steps of one kind to a drawing; for each: name, start, vector, note.
 fn push<const N: usize>(
     draft: &mut Vec<Step>,
-    (drawing, kind): (Drawing, StepKind),
+    (drawing, kind): (Drawing, VectorKind),
     steps: [(&str, [f64; 2], [f64; 2], String); N],
 ) {
-    let unit = if matches!(kind, StepKind::Point | StepKind::Line) { "m" } else { "N" };
+    let unit = if matches!(kind, VectorKind::Point | VectorKind::Line) { "m" } else { "N" };
     draft.extend(steps.map(|(name, start, vector, note)| Step {
         name: name.to_owned(),
         kind,
@@ -149,14 +149,14 @@ fn loads(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting) {
                 ),
             )
         };
-        push(draft, (Drawing::Mechanism, StepKind::Load), [(name, at.b, at.known, what)]);
+        push(draft, (Drawing::Mechanism, VectorKind::Load), [(name, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
     let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m remains") };
     let what = "the point at which the loads of the coupler are taken".to_owned();
-    push(draft, (Drawing::Mechanism, StepKind::Point), [("K", k, [0.0; 2], what)]);
+    push(draft, (Drawing::Mechanism, VectorKind::Point), [("K", k, [0.0; 2], what)]);
     let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);
-    push(draft, (Drawing::Mechanism, StepKind::Load), [("F", k, at.force, what)]);
+    push(draft, (Drawing::Mechanism, VectorKind::Load), [("F", k, at.force, what)]);
 }
 
 /// K: a point of action of a load, if it is on the line of F and off the line KP; and the remaining couple.
@@ -189,7 +189,7 @@ fn lines(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, pole: Pole) {
         let second = format!("{third}; P is at infinity along it");
         push(
             draft,
-            (Drawing::Mechanism, StepKind::Line),
+            (Drawing::Mechanism, VectorKind::Line),
             [("OP", at.o, along, first), ("BP", at.b, along, second)],
         );
         return;
@@ -197,9 +197,9 @@ fn lines(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, pole: Pole) {
     let first = format!("the line of the crank, {}{}", scene.o, scene.a);
     let second = format!("{third} through {}", scene.b);
     let lines = [("OP", at.o, minus(place, at.o), first), ("BP", at.b, minus(place, at.b), second)];
-    push(draft, (Drawing::Mechanism, StepKind::Line), lines);
+    push(draft, (Drawing::Mechanism, VectorKind::Line), lines);
     let what = format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
-    push(draft, (Drawing::Mechanism, StepKind::Point), [("P", place, [0.0; 2], what)]);
+    push(draft, (Drawing::Mechanism, VectorKind::Point), [("P", place, [0.0; 2], what)]);
 }
 
 /// F along KA and KP, and the balancing force.
@@ -217,7 +217,7 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Un
             ("KA", k, to_a, format!("from K to {}", scene.a)),
             ("KP", k, line, "from K to the pole".to_owned()),
         ];
-        push(draft, (Drawing::Mechanism, StepKind::Line), lines);
+        push(draft, (Drawing::Mechanism, VectorKind::Line), lines);
     }
     let (along, _) = at.crank();
     let across = scaled(dot(part_a, perp(along)), perp(along));
@@ -229,11 +229,11 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Un
         ("F(KA)", at.a, part_a, moved),
         ("F(KA) across", at.a, across, cancelled),
     ];
-    push(draft, (Drawing::Mechanism, StepKind::Part), parts);
+    push(draft, (Drawing::Mechanism, VectorKind::Part), parts);
     let rest = if couple == 0.0 { "" } else { " together with the couple of the coupler" };
     let what =
         format!("the balancing force at {}, opposite to the component across the crank{rest}", scene.a);
-    push(draft, (Drawing::Mechanism, StepKind::Balancing), [("Fb", at.a, found.fb, what)]);
+    push(draft, (Drawing::Mechanism, VectorKind::Balancing), [("Fb", at.a, found.fb, what)]);
 }
 
 /// F + Fb + RP = 0, RP = R1 + R3, drawn head to tail.
@@ -243,14 +243,14 @@ fn polygon(draft: &mut Vec<Step>, at: &Setting, found: &Unknowns) {
     let mut side = |kind, name, start, vector, note: &str| {
         push(draft, (Drawing::Polygon, kind), [(name, start, vector, note.to_owned())]);
     };
-    side(StepKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F");
-    side(StepKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force");
+    side(VectorKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F");
+    side(VectorKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force");
     let closing = "the closing side: the polar reaction, F + Fb + RP = 0";
-    side(StepKind::Closing, "RP", after, opposite(after), closing);
+    side(VectorKind::Closing, "RP", after, opposite(after), closing);
     let along = "RP resolved: along the crank, the longitudinal reaction R1";
-    side(StepKind::Reaction, "R1", after, found.r1, along);
+    side(VectorKind::Reaction, "R1", after, found.r1, along);
     let other = "and along the other line, the longitudinal reaction R3; it ends in the pole";
-    side(StepKind::Reaction, "R3", last, found.r3, other);
+    side(VectorKind::Reaction, "R3", last, found.r3, other);
 }
 
 fn reactions(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
@@ -279,5 +279,5 @@ fn reactions(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unk
         ),
         (name, at.c, at_end, format!("the {kind} {end} on `{third}`")),
     ];
-    push(draft, (Drawing::Mechanism, StepKind::Reaction), steps);
+    push(draft, (Drawing::Mechanism, VectorKind::Reaction), steps);
 }

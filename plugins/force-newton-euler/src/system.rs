@@ -108,7 +108,7 @@ impl<'a> System<'a> {
             Unknown::Member(pin, member) => {
                 let places = &self.mechanism.points[pin].places;
                 for (sign, place) in [(1.0, places[member]), (-1.0, places[0])] {
-                    let arm = turn(&bodies[place.link], place.at);
+                    let arm = bodies[place.link].arm(place.at);
                     for (column, unit) in columns.into_iter().zip(units) {
                         self.add(rows, column, place.link, (arm, unit.map(|u| sign * u), 0.0));
                     }
@@ -118,7 +118,7 @@ impl<'a> System<'a> {
                 let slide = &self.mechanism.slides[id];
                 let (link, on) = (&bodies[slide.link], &bodies[slide.on]);
                 let normal = self.normal(id, bodies);
-                let arm = turn(link, slide.point);
+                let arm = link.arm(slide.point);
                 let arm_on = [link.x + arm[0] - on.x, link.y + arm[1] - on.y];
                 self.add(rows, columns[0], slide.link, (arm, normal, 0.0));
                 self.add(rows, columns[0], slide.on, (arm_on, normal.map(|n| -n), 0.0));
@@ -149,7 +149,7 @@ impl<'a> System<'a> {
         let input = &self.mechanism.input;
         match (self.mechanism.balance, input.pair) {
             (Some(Balance::Force { at, angle }), _) => {
-                let arm = turn(&bodies[at.link], at.at);
+                let arm = bodies[at.link].arm(at.at);
                 self.add(rows, column, at.link, (arm, [angle.cos(), angle.sin()], 0.0));
             }
             (Some(Balance::Moment(link)), _) => {
@@ -163,7 +163,7 @@ impl<'a> System<'a> {
                 // The coordinate is the displacement of the sliding link; if that is the ground, the input moves in the opposite direction.
                 let (sign, body) =
                     if slide.link == input.link { (1.0, input.link) } else { (-1.0, slide.on) };
-                let (link, own) = (&bodies[slide.link], turn(&bodies[slide.link], slide.point));
+                let (link, own) = (&bodies[slide.link], bodies[slide.link].arm(slide.point));
                 let arm = [link.x + own[0] - bodies[body].x, link.y + own[1] - bodies[body].y];
                 self.add(rows, column, body, (arm, along.map(|a| sign * a), 0.0));
             }
@@ -173,7 +173,7 @@ impl<'a> System<'a> {
     /// Unit vector to the left of the guide of a slide.
     fn normal(&self, slide: SlideId, bodies: &[Body<f64>]) -> [f64; 2] {
         let slide = &self.mechanism.slides[slide];
-        turn(&bodies[slide.on], [-slide.angle.sin(), slide.angle.cos()])
+        bodies[slide.on].arm([-slide.angle.sin(), slide.angle.cos()])
     }
 
     fn read(&self, columns: Vec<f64>, bodies: &[Body<f64>]) -> Solution {
@@ -240,9 +240,4 @@ fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
     found.extend(pairs.iter().zip(is_taken).filter(|(_, taken)| !taken).map(|((pair, _), _)| *pair));
     found.reverse();
     found
-}
-
-/// A vector of a link turned into the frame of the ground.
-fn turn(body: &Body<f64>, v: [f64; 2]) -> [f64; 2] {
-    [body.c * v[0] - body.s * v[1], body.s * v[0] + body.c * v[1]]
 }

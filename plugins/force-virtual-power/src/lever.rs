@@ -1,6 +1,6 @@
 //! The turned velocity plan with the forces on it.
 
-use assur_force::{Construction, Drawing, Step, StepKind, UnitBalance};
+use assur_force::{Construction, Drawing, Step, UnitBalance, VectorKind};
 use assur_group::plane::{opposite, perp, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -20,7 +20,7 @@ pub(crate) fn draw(
     for (link, load) in loads.iter().enumerate().skip(1) {
         let what = format!("the loads of `{}`", linkage.mechanism.links[link].name);
         let name = format!("F({})", linkage.mechanism.links[link].name);
-        steps.extend(on_lever(linkage, &position.bodies[link], load, StepKind::Load, &name, &what));
+        steps.extend(on_lever(linkage, &position.bodies[link], load, VectorKind::Load, &name, &what));
     }
     steps.extend(balance(linkage, position, balancing));
     let title = "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise".to_owned();
@@ -41,7 +41,7 @@ fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
     points
         .map(|(id, point)| Step {
             name: point.name.clone(),
-            kind: StepKind::Velocity,
+            kind: VectorKind::Absolute,
             drawing: Drawing::Lever,
             start: [0.0; 2],
             vector: turned(linkage.point_motion(id, position).pf1),
@@ -57,7 +57,7 @@ fn on_lever(
     linkage: &Linkage,
     body: &Body<f64>,
     load: &Wrench<f64>,
-    kind: StepKind,
+    kind: VectorKind,
     name: &str,
     what: &str,
 ) -> Vec<Step> {
@@ -94,7 +94,7 @@ fn on_lever(
 /// The balancing load where it acts.
 fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
     let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
-    let kind = StepKind::Balancing;
+    let kind = VectorKind::Balancing;
     let Some(unit) = UnitBalance::of(mechanism) else {
         let body = &bodies[mechanism.input.link];
         let load = match mechanism.input.pair {

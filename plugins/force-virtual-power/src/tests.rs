@@ -1,4 +1,4 @@
-use assur_force::{Drawing, ForceAnalyzer, Loads, Reactions, State, StepKind, find};
+use assur_force::{Drawing, ForceAnalyzer, Loads, Reactions, State, VectorKind, find};
 use assur_force_newton_euler::NewtonEuler;
 use assur_group::plane::cross;
 use assur_group::{Order, Wrench};
@@ -61,7 +61,7 @@ fn agrees_with_newton_euler_on_fixtures() {
 fn moments(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> (f64, f64) {
     let drawn = VirtualPower.construction(linkage, position, loads).unwrap().unwrap();
     let forces =
-        drawn.steps.iter().filter(|step| step.drawing == Drawing::Lever && step.kind != StepKind::Velocity);
+        drawn.steps.iter().filter(|step| step.drawing == Drawing::Lever && step.kind != VectorKind::Absolute);
     let moments: Vec<f64> = forces.map(|step| cross(step.start, step.vector)).collect();
     (moments.iter().sum(), moments.iter().map(|m| m.abs()).sum())
 }

@@ -128,37 +128,3 @@ impl Column {
         [whole.part(Part::X), whole.part(Part::Y)]
     }
 }
-
-/// SI unit without its derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Base {
-    /// A plain number.
-    One,
-    /// s
-    Second,
-    /// rad
-    Radian,
-    /// m
-    Meter,
-    /// kg
-    Kilogram,
-    /// kg m²
-    KilogramMeter2,
-    /// N
-    Newton,
-    /// N m
-    NewtonMeter,
-    /// J
-    Joule,
-}
-
-/// SI unit of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Unit {
-    /// Unit of the value.
-    pub base: Base,
-    /// How many times it is differentiated with respect to the coordinate.
-    pub per_coordinate: u8,
-    /// How many times it is differentiated by time.
-    pub per_time: u8,
-}

@@ -37,7 +37,7 @@ pub use analysis::{Energy, Integration};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};
-pub use column::{Base, Column, Owner, Part, Quantity, Unit};
+pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
     RegimePoint, RegimeReport, RunnerUp,

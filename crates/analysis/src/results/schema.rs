@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use assur_mechanism::{LinkId, Mechanism, PairId};
 
-use super::{Base, Column, Owner, Quantity, Unit};
+use super::{Column, Owner, Quantity};
 
 /// Columns that have numbers in the same rows, by a number of their own; see [`Table`](super::Table).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,7 +28,7 @@ pub struct Schema {
     links: Vec<String>,
     points: Vec<String>,
     slides: Vec<String>,
-    loads: Vec<(String, Base)>,
+    loads: Vec<(String, &'static str)>,
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
@@ -133,48 +133,49 @@ impl Schema {
         &self.links[link]
     }
 
-    /// The SI unit of a column.
-    pub fn unit(&self, column: Column) -> Unit {
-        let (moment, inertia) = if self.angular {
-            (Base::NewtonMeter, Base::KilogramMeter2)
-        } else {
-            (Base::Newton, Base::Kilogram)
-        };
-        let plain = |base| Unit { base, per_coordinate: 0, per_time: 0 };
+    /// The SI unit of a column: `kg m2/rad`; empty for a plain number.
+    pub fn unit(&self, column: Column) -> String {
+        let (coordinate, moment, inertia) =
+            if self.angular { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
         let place = match column.owner {
-            Owner::Link(_) => Base::Radian,
-            Owner::Input if self.angular => Base::Radian,
-            _ => Base::Meter,
+            Owner::Link(_) => "rad",
+            Owner::Input => coordinate,
+            _ => "m",
         };
-        match column.quantity {
-            Quantity::Time => plain(Base::Second),
-            Quantity::Transfer(order) => Unit { per_coordinate: order, ..plain(place) },
-            Quantity::Velocity => Unit { per_time: 1, ..plain(place) },
-            Quantity::Acceleration => Unit { per_time: 2, ..plain(place) },
-            Quantity::ReducedInertia => plain(inertia),
-            Quantity::ReducedInertiaDerivative => Unit { per_coordinate: 1, ..plain(inertia) },
-            Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => plain(moment),
-            Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => plain(Base::NewtonMeter),
-            Quantity::DrivingWork | Quantity::ResistingWork | Quantity::KineticEnergy => plain(Base::Joule),
-            Quantity::Offset => plain(Base::Meter),
-            Quantity::Balancing if self.balances_by_moment => plain(Base::NewtonMeter),
+        let (base, per, times) = match column.quantity {
+            Quantity::Time => ("s", "", 0),
+            Quantity::Transfer(order) => (place, coordinate, order),
+            Quantity::Velocity => (place, "s", 1),
+            Quantity::Acceleration => (place, "s", 2),
+            Quantity::ReducedInertia => (inertia, "", 0),
+            Quantity::ReducedInertiaDerivative => (inertia, coordinate, 1),
+            Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => (moment, "", 0),
+            Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => ("N m", "", 0),
+            Quantity::DrivingWork | Quantity::ResistingWork | Quantity::KineticEnergy => ("J", "", 0),
+            Quantity::Offset => ("m", "", 0),
+            Quantity::Balancing if self.balances_by_moment => ("N m", "", 0),
             Quantity::Balancing | Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => {
-                plain(Base::Newton)
+                ("N", "", 0)
             }
             Quantity::Load => match column.owner {
-                Owner::Load(load) => plain(self.loads[load].1),
-                _ => plain(Base::Newton),
+                Owner::Load(load) => (self.loads[load].1, "", 0),
+                _ => ("N", "", 0),
             },
-            Quantity::Condition | Quantity::Residual(_) => plain(Base::One),
+            Quantity::Condition | Quantity::Residual(_) => ("", "", 0),
+        };
+        match times {
+            0 => base.to_owned(),
+            1 => format!("{base}/{per}"),
+            times => format!("{base}/{per}{times}"),
         }
     }
 }
 
 /// Names and units of the loads of a scene: forces, moments, springs, contacts.
-fn loads(mechanism: &Mechanism) -> Vec<(String, Base)> {
-    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), Base::Newton));
-    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), Base::NewtonMeter));
-    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), Base::Newton));
-    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), Base::Newton));
+fn loads(mechanism: &Mechanism) -> Vec<(String, &'static str)> {
+    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), "N"));
+    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), "N m"));
+    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), "N"));
+    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), "N"));
     forces.chain(moments).chain(springs).chain(contacts).collect()
 }

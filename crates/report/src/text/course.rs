@@ -148,7 +148,7 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Page) {
     let row = |event: &Event| {
         let Event { kind, state } = event;
         let [coordinate, speed] = [state.coordinate * unit.factor, state.speed * rate.factor].map(single);
-        vec![kind.name().to_owned(), single(state.time), coordinate, speed]
+        vec![kind.to_string(), single(state.time), coordinate, speed]
     };
     let rows: Vec<_> = found.events.iter().take(EVENTS).map(row).collect();
     page.caption(&format!("Events: jumps, reversals, rest (first {} of {})", rows.len(), found.events.len()));

@@ -1,19 +1,19 @@
 //! Steady regime, drive and flywheel.
 
+use assur_analysis::results::{
+    Column as Values, Dynamics, FlywheelByMethod, Iteration, MotorAdvice, MotorReport, Owner, Quantity,
+    RegimePoint, RegimeReport, RunnerUp, Table, Trial,
+};
+use assur_motor::{USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
+
 use super::Source;
 use super::layout::{Column, Page};
 use super::motion::each;
 use super::number::{short, single};
 use super::units::Unit;
-use assur_analysis::results::{
-    Column as Values, Dynamics, FlywheelByMethod, Iteration, MotorReport, Owner, Quantity, RegimePoint,
-    RegimeReport, RunnerUp, Table, Trial,
-};
 
 /// Rows of the table over a cycle, without the first.
 const ROWS: usize = 48;
-/// Factor from revolutions per minute to rad/s.
-const RPM: f64 = 30.0 / std::f64::consts::PI;
 
 pub(super) fn write(source: &Source<'_>, page: &mut Page) {
     let Some(found) = &source.analysis.dynamics else { return };
@@ -180,7 +180,7 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
             &single(found.figures.unevenness),
             "",
         );
-        super::advice::write(&found.motors_by_unevenness, page);
+        compared(&found.motors_by_unevenness, page);
     }
     if let Some(flywheel) = found.flywheel {
         row(page, "Flywheel, on its own shaft, without the rotor", &single(flywheel), "kg·m²");
@@ -194,7 +194,7 @@ fn drive(source: &Source<'_>, found: &Dynamics, page: &mut Page) {
     }
     if !motor.runners_up.is_empty() {
         let row = |other: &RunnerUp| {
-            let [power, speed] = [other.power / 1e3, other.rated_speed * RPM].map(short);
+            let [power, speed] = [other.power / 1e3, rpm(other.rated_speed)].map(short);
             let (name, catalogue) = (other.designation.clone(), other.catalogue.clone());
             vec![name, catalogue, power, speed, single(other.ratio), optional(other.mass, short)]
         };
@@ -216,7 +216,7 @@ fn motor_lines(motor: &MotorReport, page: &mut Page) {
     for (what, speed) in
         [("  Synchronous speed", motor.rated.synchronous_speed), ("  Rated speed", motor.rated.rated_speed)]
     {
-        row(page, what, &single(speed), &format!("rad/s ({} rpm)", short(speed * RPM)));
+        row(page, what, &single(speed), &format!("rad/s ({} rpm)", short(rpm(speed))));
     }
     let optional = [
         ("  Breakdown torque / rated torque", motor.rated.max_torque_ratio, ""),
@@ -278,4 +278,51 @@ fn flywheels(found: &Dynamics, page: &mut Page) {
         );
         page.rows(&head, &rows.collect::<Vec<_>>());
     }
+}
+
+/// The motors that suit a scene, the best first, out of `count`; `ascii`: no character beyond ASCII.
+pub fn advice(motors: &[MotorAdvice], count: usize, ascii: bool) -> String {
+    let mut page = Page::new(ascii);
+    page.paragraph(&format!(
+        "The first {} of {count} motors that have the power and keep the limit of speed",
+        motors.len()
+    ));
+    compared(motors, &mut page);
+    page.finish()
+}
+
+/// The table of the motors, and the usual values.
+fn compared(motors: &[MotorAdvice], page: &mut Page) {
+    let row = |motor: &MotorAdvice| {
+        let of = |value: fn(&assur_analysis::results::AdvisedRegime) -> f64| {
+            motor.regime.as_ref().map_or_else(|| "-".to_owned(), |regime| single(value(regime)))
+        };
+        vec![
+            motor.designation.clone(),
+            motor.catalogue.clone(),
+            short(motor.power / 1e3),
+            short(rpm(motor.rated_speed)),
+            of(|regime| regime.unevenness),
+            of(|regime| regime.ratio),
+            of(|regime| regime.flywheel),
+            optional(motor.regime.as_ref().and_then(|regime| regime.torque_reserve), short),
+            optional(motor.mass, short),
+        ]
+    };
+    let head =
+        ["motor", "catalogue", "kW", "rpm", "unevenness", "ratio", "flywheel, kg·m²", "reserve", "mass, kg"];
+    page.caption(
+        "Greatest unevenness for which each motor stays on the stable section of its characteristic, with the flywheel for it; \
+         reserve: breakdown torque over the greatest torque of the cycle",
+    );
+    page.rows(&head, &motors.iter().map(row).collect::<Vec<_>>());
+    page.caption(&format!("Usual unevenness of machines ({USUAL_SOURCE})"));
+    let usual: Vec<_> = USUAL_UNEVENNESS
+        .iter()
+        .map(|usual| {
+            let [least, most] = usual.range.map(short);
+            vec![usual.machine.to_owned(), if least == most { least } else { format!("{least} to {most}") }]
+        })
+        .collect();
+    page.rows(&["machine", "unevenness"], &usual);
 }

@@ -1,6 +1,6 @@
 //! Reduction, reactions with their causes, and the balancing load.
 
-use assur_analysis::results::{Base, Column as Values, Owner, Part, Quantity, Table};
+use assur_analysis::results::{Column as Values, Owner, Part, Quantity, Table};
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 
 use super::Source;
@@ -229,7 +229,7 @@ pub(super) fn write_loads(source: &Source<'_>, page: &mut Page) {
     page.section("Loads and inertia loads");
     let load = |owner: &Owner| {
         let values = Values::of(Quantity::Load, *owner);
-        let unit = if schema.unit(values).base == Base::NewtonMeter { MOMENT } else { FORCE };
+        let unit = if schema.unit(values) == "N m" { MOMENT } else { FORCE };
         vec![column(source, schema.name(*owner), unit, values)]
     };
     let caption = "Loads: a force along its direction, a moment counter-clockwise, the tension of a spring";

@@ -2,6 +2,9 @@
 
 use std::borrow::Cow;
 
+use textwrap::Options;
+use textwrap::WordSeparator::AsciiSpace;
+use textwrap::WordSplitter::NoHyphenation;
 use unicode_width::UnicodeWidthStr;
 
 use super::number;
@@ -265,22 +268,9 @@ fn grid(heads: &[Vec<&str>], rows: &[Vec<String>], right: &[bool]) -> String {
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
 pub(crate) fn wrap(words: &str, first: usize, rest: usize) -> String {
-    let mut text = " ".repeat(first);
-    let (mut used, mut empty) = (first, true);
-    for word in words.split_whitespace() {
-        let width = word.width();
-        if !empty && used + 1 + width > WIDTH {
-            text.push('\n');
-            text += &" ".repeat(rest);
-            used = rest;
-        } else if !empty {
-            text.push(' ');
-            used += 1;
-        }
-        text += word;
-        used += width;
-        empty = false;
-    }
-    text.push('\n');
-    text
+    let words: Vec<_> = words.split_whitespace().collect();
+    let indents = [first, rest].map(|columns| " ".repeat(columns));
+    let options = Options::new(WIDTH).initial_indent(&indents[0]).subsequent_indent(&indents[1]);
+    let whole = options.break_words(false).word_separator(AsciiSpace).word_splitter(NoHyphenation);
+    textwrap::fill(&words.join(" "), whole) + "\n"
 }

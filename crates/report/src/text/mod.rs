@@ -2,7 +2,6 @@
 //!
 //! Angles in degrees, lengths in millimeters, the rest in SI; each column with as many digits as its largest value needs.
 
-mod advice;
 mod contact;
 mod course;
 mod drive;
@@ -25,7 +24,7 @@ use assur_analysis::results::{Analysis, Check};
 
 use crate::json::NotFinite;
 use crate::json::analysis::finite;
-pub use advice::advice;
+pub use drive::advice;
 use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;

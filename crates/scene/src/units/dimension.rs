@@ -5,7 +5,7 @@
 pub(crate) type Powers = [i32; 4];
 
 /// A kind of quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
 #[non_exhaustive]
 pub enum Dimension {
     /// A plain number.

@@ -16,7 +16,6 @@ mod forces;
 pub(crate) mod kinematics;
 mod motion;
 mod options;
-mod pareto;
 mod race;
 mod ruler;
 mod run;

@@ -4,19 +4,17 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_force::Loads;
-use assur_integrator::{Motion, Request, Until};
+use assur_integrator::{AUTO, Dependence, Motion, Request, Until, choose};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
 
 use super::entry::Field;
 use super::forces::{self, Loaded};
-use super::kinematics;
 use super::motion::{self, Task};
-use super::pareto;
 use super::race::Judge;
 use super::steady::{self, Cycle};
 use super::work::Work;
-use super::{ChartData, Clock, Options, Progress, Stage};
+use super::{ChartData, Clock, Options, Progress, Row, Stage, Value, kinematics};
 
 /// Output instants over a cycle of a steady regime.
 const SAMPLES_OF_A_CYCLE: usize = 48;
@@ -93,7 +91,7 @@ pub fn chart(
     charting.positions(linkage)?;
     let Charting { judge, mut data } = charting;
     data.complete = !judge.stopped;
-    pareto::mark(&mut data.rows);
+    mark(&mut data.rows);
     Ok(data)
 }
 
@@ -178,7 +176,53 @@ impl Charting<'_> {
         }
         let field = motion::field(task, options)?;
         self.stage(Stage::Motion, field);
-        pareto::mark_choice(&mut self.data.rows, task.motion.dependence());
+        mark_choice(&mut self.data.rows, task.motion.dependence());
         Ok(())
+    }
+}
+
+/// Indices of the points for which no other point is better in both coordinates (smaller is better), from the fastest
+/// to the most exact. Of equal points the first is on the front.
+pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|a, b| {
+        let ((xa, ya), (xb, yb)) = (points[*a], points[*b]);
+        xa.total_cmp(&xb).then(ya.total_cmp(&yb)).then(a.cmp(b))
+    });
+    let mut least = f64::INFINITY;
+    order.retain(|index| {
+        let better = points[*index].1 < least;
+        least = least.min(points[*index].1);
+        better
+    });
+    order
+}
+
+/// Marks the rows that are on the front of their stage.
+pub(crate) fn mark(rows: &mut [Row]) {
+    for stage in Stage::ALL {
+        let known: Vec<(usize, (f64, f64))> = rows
+            .iter()
+            .enumerate()
+            .filter(|(_, row)| row.stage == stage && row.whole())
+            .filter_map(|(index, row)| Some((index, row.point()?)))
+            .collect();
+        let points: Vec<(f64, f64)> = known.iter().map(|(_, point)| *point).collect();
+        for index in front(&points) {
+            rows[known[index].0].front = true;
+        }
+    }
+}
+
+/// Marks the rows that `auto` would choose for their tolerance; a method without one is chosen for every tolerance.
+pub(super) fn mark_choice(rows: &mut [Row], dependence: Dependence) {
+    for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
+        let tolerance = match row.setting.get("tolerance") {
+            Some(Value::Number(tolerance)) => tolerance,
+            None if row.setting.0.is_empty() => f64::EPSILON,
+            _ => continue,
+        };
+        row.auto = choose(AUTO, &dependence, tolerance)
+            .is_ok_and(|choice| choice.first.integrator.name == row.method);
     }
 }

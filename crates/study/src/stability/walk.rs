@@ -1,7 +1,7 @@
 //! Walks of the whole mechanism along its coordinate towards places where a group is nearly singular.
 
 use assur_force::{AnalyzerPlugin, Reactions, applicable};
-use assur_group::{Order, PairGeometry, Wrench, plane};
+use assur_group::{Order, Wrench, plane};
 use assur_kinematics::{Linkage, Position};
 use assur_structure::Group;
 
@@ -82,15 +82,10 @@ pub(crate) fn disparity(group: &Group) -> f64 {
     let (mut size, mut shortest) = (frame.scale, f64::INFINITY);
     let mut pins: Vec<(usize, [f64; 2])> = Vec::new();
     for pair in frame.pairs() {
-        let (own, other) = match pair.geometry {
-            PairGeometry::Pin { at_a, at_b } => (at_a, at_b),
-            PairGeometry::Slide { point, through, .. } => (point, through),
-        };
-        size = [own, other].iter().fold(size, |size, at| size.max(at[0].hypot(at[1])));
+        let places = pair.places();
+        size = places.iter().fold(size, |size, (_, at)| size.max(at[0].hypot(at[1])));
         if !pair.is_slide() {
-            pins.extend(
-                [(pair.a, own), (pair.b, other)].iter().filter(|(body, _)| frame.links.contains(body)),
-            );
+            pins.extend(places.iter().filter(|(body, _)| frame.links.contains(body)));
         }
     }
     for (i, (link, at)) in pins.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
-use assur_analysis::results::{Base, Column, Owner, Part, Quantity, Schema, Table, Unit};
+use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
 use assur_mechanism::{GROUND, LinkId, PairId};
 
 use super::series::{Series, greatest};
@@ -88,7 +88,7 @@ impl Gather<'_> {
             return None;
         }
         let schema = self.table.schema();
-        let unit = unit(schema.unit(column), schema.angular());
+        let unit = schema.unit(column);
         self.series.push(Series { of, short, kind, unit, values, floor: 0.0 });
         Some(self.series.len() - 1)
     }
@@ -187,28 +187,6 @@ impl Gather<'_> {
         let floor = ROUNDING * greatest(forces().flat_map(|index| &self.series[index].values));
         forces().for_each(|index| self.series[index].floor = floor);
     }
-}
-
-/// A unit as it is shown: `kg m2/rad`.
-fn unit(unit: Unit, angular: bool) -> String {
-    let base = match unit.base {
-        Base::One => "",
-        Base::Second => "s",
-        Base::Radian => "rad",
-        Base::Meter => "m",
-        Base::Kilogram => "kg",
-        Base::KilogramMeter2 => "kg m2",
-        Base::Newton => "N",
-        Base::NewtonMeter => "N m",
-        Base::Joule => "J",
-    };
-    let q = if angular { "rad" } else { "m" };
-    let per = |of: &str, times: u8| match times {
-        0 => String::new(),
-        1 => format!("/{of}"),
-        times => format!("/{of}{times}"),
-    };
-    format!("{base}{}{}", per(q, unit.per_coordinate), per("s", unit.per_time))
 }
 
 /// Pairs and links: of a pair of two links one, because the other force is opposite; of a multiple joint all.

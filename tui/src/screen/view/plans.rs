@@ -1,8 +1,8 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
-use assur_diagram::{Plan, PlanVector, VectorKind, construction_plan};
+use assur_diagram::{Plan, PlanVector, construction_plan};
 use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
-use assur_force::{Construction, Drawing, Step, StepKind};
+use assur_force::{Construction, Drawing, Step, VectorKind};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -229,7 +229,7 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     ));
     let Some(step) = construction.steps.get(last) else { return };
     let size = digits(step.vector[0].hypot(step.vector[1]), 5);
-    rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind.word(), step.unit)));
+    rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind, step.unit)));
     rows.extend(wrapped(&step.note, width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
 }
@@ -242,7 +242,7 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
     let steps = construction.steps.iter().take(last + 1).filter(|step| step.drawing == drawing);
     let vector = |step: &Step| {
         let (from, to, ink) = match step.kind {
-            StepKind::Point => (step.start, step.start, Ink::Trace),
+            VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
         Some(Vector { from, to, name: step.name.clone(), ink })

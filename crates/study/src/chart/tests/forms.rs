@@ -1,7 +1,7 @@
 //! The forms of a chart: JSON, CSV, text; rows of methods that can't.
 
 use super::scenes::charted;
-use crate::chart::pareto::front;
+use crate::chart::run::front;
 use crate::chart::{ChartData, Stage, WIDTH, csv, figure, text};
 use assur_figure::{Frame, Item};
 use proptest::prelude::*;
