@@ -205,11 +205,10 @@ fn change(values: impl Iterator<Item = f64> + Clone) -> f64 {
 fn split(loads: &Loads, state: &State, bodies: &[Body<f64>], torque: f64, direction: f64) -> [f64; 2] {
     let mut moments: Vec<(Option<Cause>, f64)> = vec![(None, torque)];
     loads.by_cause(state, bodies, &mut |cause, link, wrench| {
-        let cause = match cause {
-            Cause::Inertia(_) => return,
-            Cause::Weight(_) => Cause::Weight(0),
-            other => other,
-        };
+        if matches!(cause, Cause::Inertia(_)) {
+            return;
+        }
+        let cause = cause.of_all();
         let moment = assur_force::power(&wrench, &bodies[link]);
         match moments.iter_mut().find(|(known, _)| *known == Some(cause)) {
             Some((_, sum)) => *sum += moment,

@@ -13,7 +13,6 @@ mod construction;
 mod cycle;
 mod enveloping;
 mod error;
-mod joint;
 mod motion_plan;
 mod plan;
 mod polygon;
@@ -25,12 +24,10 @@ pub use construction::{construction_plan, construction_plans};
 pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
-pub use joint::{JointForce, joint_forces};
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{Plan, PlanPoint, PlanVector};
 pub use polygon::{NamedLoad, force_polygons, named_loads};
-pub use sheet::{Share, Split, split};
-pub use sheet::{Sheet, constructions, sheet};
+pub use sheet::{JointForce, Share, Sheet, Split, constructions, sheet, split};
 pub use sign::{SignChange, Solver, sign_changes};
 
 #[cfg(test)]

@@ -1,15 +1,18 @@
 //! All plans of one position.
 
-use assur_force::{AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Loads, Reactions, State, analyzers};
+use assur_force::{
+    AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Loads, Reactions, State, analyzers, joints,
+};
 use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
+use assur_structure::name_of;
 use serde::Serialize;
 
 use crate::plan::length;
 use crate::{
-    DiagramError, JointForce, NamedLoad, Plan, acceleration_plan, construction_plans, force_polygons,
-    joint_forces, named_loads, velocity_plan,
+    DiagramError, NamedLoad, Plan, acceleration_plan, construction_plans, force_polygons, named_loads,
+    velocity_plan,
 };
 
 /// All plans of one position.
@@ -119,24 +122,6 @@ pub struct Split {
     pub residual: f64,
 }
 
-/// Loads that count as one cause: all weights, all inertia loads, or a load of the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
-    Weight,
-    Inertia,
-    Load(Cause),
-}
-
-impl Kind {
-    fn of(cause: Cause) -> Self {
-        match cause {
-            Cause::Weight(_) => Self::Weight,
-            Cause::Inertia(_) => Self::Inertia,
-            load => Self::Load(load),
-        }
-    }
-}
-
 /// The reactions at a position, in total and by cause. The analyzer must give reactions.
 ///
 /// # Errors
@@ -150,23 +135,16 @@ pub fn split(
     analyzer: &dyn ForceAnalyzer,
 ) -> Result<Split, DiagramError> {
     let list = named_loads(loads, state, &position.bodies);
-    let mut kinds: Vec<Kind> = list.iter().map(|load| Kind::of(load.cause)).collect();
-    kinds.sort_unstable();
-    kinds.dedup();
-    let solve = |cause: String, kind: Option<Kind>| {
-        let acting = list.iter().filter(|load| kind.is_none_or(|kind| kind == Kind::of(load.cause)));
-        share(linkage, position, analyzer, cause, acting)
+    let mut causes: Vec<Cause> = list.iter().map(|load| load.cause.of_all()).collect();
+    causes.sort_unstable();
+    causes.dedup();
+    let solve = |name: String, cause: Option<Cause>| {
+        let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
+        share(linkage, position, analyzer, name, acting)
     };
     let whole = solve("all".to_owned(), None)?;
-    let mut shares = Vec::new();
-    for kind in kinds {
-        let cause = match kind {
-            Kind::Weight => "weight".to_owned(),
-            Kind::Inertia => "inertia".to_owned(),
-            Kind::Load(cause) => cause.name(&linkage.mechanism),
-        };
-        shares.push(solve(cause, Some(kind))?);
-    }
+    let each = causes.into_iter().map(|cause| solve(cause.name(&linkage.mechanism), Some(cause)));
+    let shares = each.collect::<Result<Vec<_>, _>>()?;
     let residual = residual(&whole, &shares);
     Ok(Split { whole, shares, residual })
 }
@@ -201,4 +179,35 @@ fn residual(whole: &Share, shares: &[Share]) -> f64 {
         length(left)
     });
     open.fold(0.0, f64::max) / greatest
+}
+
+/// The force that a pin or slide exerts on one of its links.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct JointForce {
+    /// Pin or slide.
+    pub joint: String,
+    /// The link that the force acts on.
+    pub on: String,
+    /// Force, N.
+    pub force: [f64; 2],
+    /// Of a slide, for the sliding link: moment about its point, N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+}
+
+/// All reactions: pins in the order of the points, then slides; each for every link that it joins.
+pub(crate) fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<JointForce> {
+    let mechanism = &linkage.mechanism;
+    let mut list = Vec::new();
+    for joint in joints(&linkage.mechanism, &linkage.structure) {
+        for (nth, link) in joint.links.iter().enumerate() {
+            list.push(JointForce {
+                joint: name_of(mechanism, joint.id).to_owned(),
+                on: mechanism.links[*link].name.clone(),
+                force: joint.force(nth, &reactions.pairs),
+                moment: joint.moment(&reactions.pairs).filter(|_| nth == 0),
+            });
+        }
+    }
+    list
 }

@@ -141,9 +141,20 @@ pub enum Cause {
 }
 
 impl Cause {
+    /// The cause of all loads that count as one with this: the weights or the inertia loads of all links, as if of the ground.
+    pub fn of_all(self) -> Self {
+        match self {
+            Self::Weight(_) => Self::Weight(GROUND),
+            Self::Inertia(_) => Self::Inertia(GROUND),
+            load => load,
+        }
+    }
+
     /// Name for reports.
     pub fn name(self, mechanism: &Mechanism) -> String {
         match self {
+            Self::Weight(GROUND) => "weight".to_owned(),
+            Self::Inertia(GROUND) => "inertia".to_owned(),
             Self::Weight(link) => format!("weight of {}", mechanism.links[link].name),
             Self::Inertia(link) => format!("inertia of {}", mechanism.links[link].name),
             Self::Force(id) => mechanism.forces[id].name.clone(),

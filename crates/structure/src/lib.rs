@@ -5,14 +5,12 @@
 //! equations to unknowns shows which links are loose and which pairs are surplus. The strongly connected parts of the
 //! matched system are the Assur groups, of any class and order, in solving order.
 
-mod class;
 mod compose;
 mod error;
 mod frame;
 mod graph;
 mod taken_apart;
 
-pub use class::class_and_order;
 pub use error::{Counted, StructureError};
 pub use taken_apart::{Group, Mobility, NamedPair, Structure, name_of, roman};
 

@@ -35,16 +35,14 @@ mod positions;
 mod rows;
 mod statistics;
 mod sweep;
-mod tally;
 mod variants;
 mod vary;
 
 pub use error::SweepError;
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
-pub use rows::{Rows, Status};
+pub use rows::{Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
-pub use tally::Tally;
 pub use vary::Vary;
 
 #[cfg(test)]

@@ -90,16 +90,6 @@ pub struct Section {
     pub entries: Vec<Entry>,
 }
 
-impl Section {
-    /// Its equations.
-    pub fn lines(&self) -> impl Iterator<Item = &Line> {
-        self.entries.iter().filter_map(|entry| match entry {
-            Entry::Line(line) => Some(line),
-            _ => None,
-        })
-    }
-}
-
 /// How symbols are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Show {

@@ -2,7 +2,8 @@ use assur_force::{Loads, State, analyzers};
 use assur_group::Wrench;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
-use crate::{Extreme, Hodograph, Sizes, joint_forces, split};
+use crate::sheet::joint_forces;
+use crate::{Extreme, Hodograph, Sizes, split};
 
 /// The polar diagram of the reaction in the pin on the arm in the positions of the scene.
 fn hodograph(scene: &str, closed: bool) -> Hodograph {
