@@ -243,7 +243,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.run.node = to;
         self.check_stability_at_times()?;
         self.check_creeping()?;
-        self.run.check_way()?;
+        self.run.check_way(self.run.node.state.coordinate)?;
         match (plan.time, plan.bound) {
             (Some(_), _) => self.meet_time(),
             (None, Some(side)) => self.meet_if_at(side, plan.h),

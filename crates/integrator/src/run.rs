@@ -149,18 +149,21 @@ impl<'a, C: Curve> Run<'a, C> {
         Ok(())
     }
 
-    /// An error where the coordinate has grown so large that few of its digits are significant, and the motion does not
+    /// An error where a coordinate that is reached has grown so large that few of its digits are significant, and the motion does not
     /// end in time.
     ///
     /// # Errors
     ///
     /// [`IntegrationError::NotReached`].
-    pub fn check_way(&self) -> Result<(), IntegrationError> {
+    pub fn check_way(&self, coordinate: f64) -> Result<(), IntegrationError> {
         /// Coordinate, rad (m).
         const FURTHEST: f64 = 1e12;
         let endless = !matches!(self.request.until, Until::Time(_));
-        let far = self.node.state.coordinate.abs() > FURTHEST;
-        if endless && far { Err(self.not_reached("goes on without end")) } else { Ok(()) }
+        if endless && coordinate.abs() > FURTHEST {
+            Err(self.not_reached("goes on without end"))
+        } else {
+            Ok(())
+        }
     }
 
     /// Stores the motion from the present state to the time `end`, s, for its samples.

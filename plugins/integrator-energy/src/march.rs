@@ -71,7 +71,7 @@ impl Integrator for Energy {
             if march.run.is_exhausted() {
                 return Err(march.run.too_many_steps(march.step(), None));
             }
-            march.run.check_way()?;
+            march.run.check_way(march.run.node.state.coordinate)?;
             march.advance()?;
         }
         march.run.conclude()

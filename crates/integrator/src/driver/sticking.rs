@@ -68,6 +68,7 @@ impl<S: Stepper> Drive<'_, S> {
                 // Nothing releases it within any representable time.
                 return self.run.coast_to_end();
             }
+            self.run.check_way(self.after(held).coordinate)?;
             // What holds before a jump may not hold after it, and the other way round.
             let before = next - BESIDE * (start + next).abs().max(1.0);
             for dt in [before, next] {

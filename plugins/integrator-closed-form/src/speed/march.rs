@@ -52,7 +52,7 @@ pub(crate) fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajecto
             let step = march.length / march.run.node.acceleration.abs().max(f64::MIN_POSITIVE);
             return Err(march.run.too_many_steps(step, None));
         }
-        march.run.check_way()?;
+        march.run.check_way(march.run.node.state.coordinate)?;
         march.advance()?;
     }
     march.run.conclude()
