@@ -49,7 +49,11 @@ impl Found {
             Gather { table, positions: self.positions, series: std::mem::take(&mut self.series) };
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
-                let name = format!("residual {}", of.name(column.owner));
+                // Results count groups from 0, readers from 1.
+                let name = match column.owner {
+                    Owner::Group(group) => format!("residual group {}", group + 1),
+                    owner => format!("residual {}", of.name(owner)),
+                };
                 gather.add([name.clone(), name], "", *column);
             }
         }
