@@ -80,12 +80,8 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     });
     let mut hints = hints.filter(|(_, hint)| !hint.is_empty()).peekable();
     for row in rows {
-        let fixed = fixed.as_str();
-        let room = area.width.saturating_sub(if *row == rows[rows.len() - 1] {
-            short(fixed.width()) + 2
-        } else {
-            1
-        });
+        let kept = if *row == rows[rows.len() - 1] { short(fixed.width()) + 2 } else { 1 };
+        let room = area.width.saturating_sub(kept);
         let mut column = 1;
         while let Some((command, hint)) = hints.peek() {
             let key = keys_of_hint(state, command);
@@ -99,15 +95,8 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
             hints.next();
         }
     }
-    let last = rows[rows.len() - 1];
-    put(
-        buffer,
-        area,
-        area.width.saturating_sub(short(fixed.width()) + 1),
-        last,
-        &fixed,
-        theme.style(Role::Plain),
-    );
+    let column = area.width.saturating_sub(short(fixed.width()) + 1);
+    put(buffer, area, column, rows[rows.len() - 1], &fixed, theme.style(Role::Plain));
 }
 
 /// Commands that have a key now: first stepping, then the list of values, the commands of the view alone, and the

@@ -52,11 +52,8 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
             rows.push(Vec::new());
         }
     }
-    let glossary: Vec<Pieces> = words
-        .glossary
-        .iter()
-        .flat_map(|(word, meaning)| rows_of_word(state, word, meaning, &wanted))
-        .collect();
+    let words_of = |(word, meaning): &(String, String)| rows_of_word(state, word, meaning, &wanted);
+    let glossary: Vec<Pieces> = words.glossary.iter().flat_map(words_of).collect();
     if !glossary.is_empty() {
         rows.push(vec![(0, Role::Header, words.get("group-words"))]);
         rows.extend(glossary);

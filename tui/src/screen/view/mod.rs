@@ -101,14 +101,8 @@ fn shared(state: &State, body: Rect) -> [Rect; 2] {
 fn tiles(state: &State, body: Rect) -> Vec<(View, Rect)> {
     let beside = |view: &View| *view != state.view && state.has(*view);
     let rows = usize::from(body.height / PANEL);
-    let others: Vec<View> = state
-        .panels
-        .views
-        .iter()
-        .copied()
-        .filter(beside)
-        .take(if state.panels.shown { rows } else { 0 })
-        .collect();
+    let most = if state.panels.shown { rows } else { 0 };
+    let others: Vec<View> = state.panels.views.iter().copied().filter(beside).take(most).collect();
     if body.width < SEVERAL || others.is_empty() || state.scene.is_none() {
         return vec![(state.view, body)];
     }

@@ -32,12 +32,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         return regime::draw_iteration(state, regime, area, buffer);
     }
     put_lines(buffer, numbers, 1, state, &lines);
-    paint(
-        state,
-        &figure(state, scene, usize::from(charts.height.saturating_sub(2) / LEAST_ROWS)),
-        charts,
-        buffer,
-    );
+    let most = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS);
+    paint(state, &figure(state, scene, most), charts, buffer);
 }
 
 /// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.

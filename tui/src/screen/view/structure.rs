@@ -38,14 +38,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let name = structure.group_name(&scene.linkage.mechanism, group);
         let nearest =
             words.shown(&format!("nearest to singular: {} at position {at}, {name}", digits(health, LEAST)));
-        put(
-            buffer,
-            top,
-            1,
-            2,
-            &cut(&nearest, usize::from(top.width.saturating_sub(2))),
-            theme.style(Role::Plain),
-        );
+        let nearest = cut(&nearest, usize::from(top.width.saturating_sub(2)));
+        put(buffer, top, 1, 2, &nearest, theme.style(Role::Plain));
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);

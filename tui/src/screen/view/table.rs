@@ -27,36 +27,17 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     for &(column, width) in &columns {
         let Some(series) = scene.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
-        put(
-            buffer,
-            area,
-            left,
-            0,
-            &format!("{:>1$}", series.short, usize::from(width) - 1),
-            theme.style(role),
-        );
-        put(
-            buffer,
-            area,
-            left,
-            1,
-            &format!("{:>1$}", series.unit, usize::from(width) - 1),
-            theme.style(Role::Dim),
-        );
+        for (row, text, role) in [(0, &series.short, role), (1, &series.unit, Role::Dim)] {
+            put(buffer, area, left, row, &format!("{text:>0$}", usize::from(width) - 1), theme.style(role));
+        }
         left += width;
     }
     let height = usize::from(area.height - 3);
     let row = order.iter().position(|position| *position == state.position).unwrap_or(0);
     let skip = row.saturating_sub(height / 2).min(order.len().saturating_sub(height));
     for (line, &position) in order.iter().skip(skip).take(height).enumerate() {
-        draw_row(
-            state,
-            scene,
-            position,
-            &columns,
-            Rect { y: area.y + 2 + short(line), height: 1, ..area },
-            buffer,
-        );
+        let place = Rect { y: area.y + 2 + short(line), height: 1, ..area };
+        draw_row(state, scene, position, &columns, place, buffer);
     }
     let below = Rect { y: area.bottom() - 1, height: 1, ..area };
     status(state, scene, &columns, below, buffer);
@@ -97,16 +78,12 @@ fn fitted(text: String, width: usize) -> String {
 
 /// The content of a cell: the value, or the difference to a second scene; of the coordinate always the value.
 fn value(state: &State, column: usize, series: &Series, position: usize) -> String {
-    match &state.compared {
-        Some(compared) if column > 0 && !compared.before => {
-            compared.difference(series, position).map_or_else(
-                || "-".to_owned(),
-                |difference| {
-                    if difference.abs() <= series.floor { "0".to_owned() } else { number(difference) }
-                },
-            )
-        }
-        _ => series.bare(position),
+    let compared = state.compared.as_ref().filter(|compared| column > 0 && !compared.before);
+    let Some(compared) = compared else { return series.bare(position) };
+    match compared.difference(series, position) {
+        None => "-".to_owned(),
+        Some(difference) if difference.abs() <= series.floor => "0".to_owned(),
+        Some(difference) => number(difference),
     }
 }
 

@@ -39,14 +39,8 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
     let block = Block::new().borders(Borders::TOP).title(title).title_bottom("");
     let inner = block.inner(area);
     block.render(area, buffer);
-    put(
-        buffer,
-        area,
-        area.width.saturating_sub(short(place.width()) + 1),
-        0,
-        &place,
-        theme.style(Role::Plain),
-    );
+    let column = area.width.saturating_sub(short(place.width()) + 1);
+    put(buffer, area, column, 0, &place, theme.style(Role::Plain));
     let widest = what.values.iter().map(|value| value.key.width()).max().unwrap_or(0);
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
     let rows = usize::from(inner.height);
