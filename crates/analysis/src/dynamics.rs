@@ -1,7 +1,5 @@
 //! Converts a motion to results.
 
-use std::sync::Arc;
-
 use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, SteadyMotor, Transient, advise};
 use assur_mechanism::{Motion, Solve};
 
@@ -30,7 +28,7 @@ impl Calculation {
             flywheel: has_flywheel.then_some(regime.flywheel),
             figures: regime.figures.clone(),
             motor: found.motor.as_ref().map(motor),
-            flywheel_by_method: methods.clone().map(|row| (Arc::from(row.method), row.flywheel)).collect(),
+            flywheel_by_method: methods.clone().map(|row| (row.method, row.flywheel)).collect(),
             flywheel_methods: methods.copied().collect(),
             flywheel_places: found.flywheel_sizes.clone(),
             motors_by_unevenness: match self.linkage.mechanism.motion {

@@ -1,8 +1,6 @@
 //! Plans of a position, reactions by cause and over the cycle, geometry of the contacts.
 
-use std::sync::Arc;
-
-use crate::results::{Analysis, Column, Cycle, Named, Owner, Part, Quantity, Schema, Survey, Table};
+use crate::results::{Analysis, Column, Cycle, Owner, Part, Quantity, Schema, Survey, Table};
 use assur_diagram::{
     DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Sizes, Solver, constructions, enveloping,
     sheet, sign_changes, split,
@@ -11,6 +9,7 @@ use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
 use assur_mechanism::{LinkId, PairId, Range};
 use assur_structure::name_of;
+use indexmap::IndexMap;
 
 use crate::Calculation;
 
@@ -143,9 +142,9 @@ impl Calculation {
     }
 
     /// Of the guides with a force; none where a position is missing, because the force is unknown there.
-    fn sign_changes(&self, survey: &Survey) -> Named<Vec<SignChange>> {
+    fn sign_changes(&self, survey: &Survey) -> IndexMap<String, Vec<SignChange>> {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
-            return Named::default();
+            return IndexMap::new();
         };
         let state_at = |coordinate: f64| self.state(coordinate);
         let least = LEAST_FORCE * greatest(survey, |_| true);
@@ -155,7 +154,7 @@ impl Calculation {
         });
         let slides: Vec<usize> = slides.collect();
         if slides.is_empty() {
-            return Named::default();
+            return IndexMap::new();
         }
         let solver = Solver {
             linkage: &self.linkage,
@@ -165,7 +164,7 @@ impl Calculation {
             carrying: &self.plan.groups_carrying,
         };
         let changes = sign_changes(&solver, &slides, &state_at).unwrap_or_default();
-        let name = |slide: usize| Arc::from(self.linkage.mechanism.slides[slide].name.as_str());
+        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.clone();
         slides.into_iter().map(name).zip(changes).collect()
     }
 }

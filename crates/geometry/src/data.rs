@@ -1,15 +1,12 @@
 //! The geometry of the motion as data that serializes itself.
 
-use serde::{Serialize, Serializer};
+use indexmap::IndexMap;
+use serde::Serialize;
 
 use crate::{Centers, Curvature, Extremes, Stroke};
 
-/// Values by name, in the order of the scene; serializes to a map.
-type Named<T> = Vec<(String, T)>;
-
-fn by_name<T: Serialize, S: Serializer>(named: &[(String, T)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(named.iter().map(|(name, value)| (name, value)))
-}
+/// Values by name, in the order of the scene.
+pub(crate) type Named<T> = IndexMap<String, T>;
 
 /// The geometry of the motion of a mechanism over its cycle. Coordinates in rad (sliding input: m).
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -23,16 +20,12 @@ pub struct Geometry {
     /// The link from which the centers are seen; `ground` for absolute ones.
     pub against: String,
     /// Moving links.
-    #[serde(serialize_with = "by_name")]
     pub links: Named<LinkCourse>,
     /// Points that move.
-    #[serde(serialize_with = "by_name")]
     pub points: Named<PointCourse>,
     /// Slides.
-    #[serde(serialize_with = "by_name")]
     pub slides: Named<SlideCourse>,
     /// The angle of each group that shows how well it transmits forces, by the name of the group.
-    #[serde(serialize_with = "by_name")]
     pub groups: Named<ForceAngles>,
     /// What belongs to one position of the scene.
     pub positions: Vec<AtPosition>,
@@ -114,10 +107,8 @@ pub struct AtPosition {
     /// Its coordinate, rad or m.
     pub coordinate: f64,
     /// Centers of the links, in the frame of [`Geometry::against`].
-    #[serde(serialize_with = "by_name")]
     pub links: Named<Centers>,
     /// Curvature of the paths of points; a point that rests is left out.
-    #[serde(serialize_with = "by_name")]
     pub points: Named<Curvature>,
     /// Force angles of the groups, rad, in the order of [`Geometry::groups`].
     pub angles: Vec<f64>,

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use assur_group::Order;
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::{GROUND, LinkId, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
 
 use crate::course::{Course, Motion, Rest};
 use crate::cycle::Cycle;
-use crate::data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+use crate::data::{AtPosition, ForceAngles, Geometry, LinkCourse, Named, PointCourse, SlideCourse};
 use crate::{Curvature, Stroke, centers_of};
 
 /// Version of the format of the JSON.
@@ -34,12 +34,11 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.clone()));
     let links =
         moving().map(|(id, name)| Ok((name, link(&cycle, id)?))).collect::<Result<_, PositionError>>()?;
-    let mut points = Vec::new();
-    for (id, point) in mechanism.points.iter().enumerate() {
-        if point.places.iter().all(|place| place.link != GROUND) {
-            points.push((point.name.clone(), self::point(&cycle, id)?));
-        }
-    }
+    let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
+    let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
+    let points = points
+        .map(|(id, found)| Ok((found.name.clone(), point(&cycle, id)?)))
+        .collect::<Result<_, PositionError>>()?;
     let slides = mechanism.slides.iter().enumerate();
     let slides = slides
         .map(|(id, found)| Ok((found.name.clone(), slide(&cycle, id)?)))
@@ -183,7 +182,7 @@ fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, Position
 fn positions(
     linkage: &Linkage,
     against: LinkId,
-    points: &[(String, PointCourse)],
+    points: &Named<PointCourse>,
 ) -> Result<Vec<AtPosition>, PositionError> {
     let mechanism = &linkage.mechanism;
     let scale = linkage.structure.scale;

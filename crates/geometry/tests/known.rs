@@ -19,10 +19,6 @@ fn measured(scene: &str) -> Geometry {
     geometry(&compile(scene), GROUND).unwrap()
 }
 
-fn named<'a, T>(list: &'a [(String, T)], name: &str) -> &'a T {
-    &list.iter().find(|(found, _)| found == name).unwrap_or_else(|| panic!("no {name}")).1
-}
-
 fn near(found: f64, wanted: f64, limit: f64) {
     assert!((found - wanted).abs() <= limit, "{found} instead of {wanted}: {:e} apart", found - wanted);
 }
@@ -37,7 +33,7 @@ fn quick_return_of_a_shaper() {
             &format!("link = \"crank\"\ndirection = \"{direction}\"\npositions"),
         );
         let found = measured(&scene);
-        let ram = named(&found.slides, "ram/ground");
+        let ram = &found.slides["ram/ground"];
         let stroke = ram.stroke.as_ref().unwrap();
         near(stroke.stroke, 2.0 * 0.7 * 0.25, 1e-12);
         near(ram.pf0.max, 0.175, 1e-12);
@@ -53,16 +49,16 @@ fn quick_return_of_a_shaper() {
         for (speed, time) in stroke.mean_speeds.unwrap().iter().zip(times) {
             near(*speed, 0.35 / time, 1e-12);
         }
-        let rocker = named(&found.links, "rocker");
+        let rocker = &found.links["rocker"];
         near(rocker.stroke.as_ref().unwrap().stroke, 2.0 * swing, 1e-12);
         assert_eq!(rocker.rests.len(), 2);
-        assert_eq!(named(&found.links, "crank").turns, Some(if cw { -1.0 } else { 1.0 }));
+        assert_eq!(found.links["crank"].turns, Some(if cw { -1.0 } else { 1.0 }));
         // D moves on an arc: the chord between its dead points.
-        near(named(&found.points, "D").stroke.as_ref().unwrap().stroke, 0.35, 1e-12);
+        near(found.points["D"].stroke.as_ref().unwrap().stroke, 0.35, 1e-12);
         // Rocker vertical, crank towards C or away from it: r/(d - r) and r/(d + r).
         near(rocker.pf1.min, -1.0 / 3.0, 1e-12);
         near(rocker.pf1.max, 0.2, 1e-12);
-        near(named(&found.points, "D").pf1.max, 0.7 / 3.0, 1e-12);
+        near(found.points["D"].pf1.max, 0.7 / 3.0, 1e-12);
     }
 }
 
@@ -72,7 +68,7 @@ fn slider_crank_in_line() {
     let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.05 }\n[link.rod]\npoints = { A = 0, B = 0.2 }\n\
         [link.piston]\npoints = { B = 0 }\n[[slide]]\nlink = 'piston'\non = 'ground'\n[input]\nlink = 'crank'\npositions = 8\n[assembly]\nB = [0.25, 0]";
     let found = measured(scene);
-    let slide = named(&found.slides, "piston/ground");
+    let slide = &found.slides["piston/ground"];
     let stroke = slide.stroke.as_ref().unwrap();
     near(stroke.stroke, 0.1, 1e-14);
     near(stroke.time_ratio.unwrap(), 1.0, 1e-12);
@@ -83,10 +79,10 @@ fn slider_crank_in_line() {
     near(slide.pf2.min, -0.05 * 1.25, 1e-13);
     near(slide.pf2.at_min.min(TAU - slide.pf2.at_min), 0.0, 1e-5);
     // The pressure angle is greatest where the crank is normal to the guide.
-    let angles = &found.groups[0].1;
+    let angles = &found.groups[0];
     near(angles.extremes.max, 0.25_f64.asin(), 1e-12);
     near(angles.extremes.min, 0.0, 1e-7);
-    let piston = named(&found.links, "piston");
+    let piston = &found.links["piston"];
     assert!(!piston.rests_always && piston.stroke.is_none());
     assert_eq!(piston.rests.len(), 2);
 }
@@ -100,7 +96,7 @@ fn elliptic_trammel_rolls_a_circle_in_one_of_twice_its_size() {
     let linkage = compile(scene);
     let found = geometry(&linkage, GROUND).unwrap();
     for at in &found.positions {
-        let centers = named(&at.links, "rod");
+        let centers = &at.links["rod"];
         let CenterAt::Point([x, y]) = centers.center else { panic!() };
         near(x.hypot(y), 0.3, 1e-12);
         let [u, v] = centers.on_link.unwrap();
@@ -222,7 +218,7 @@ fn transmission_angle_of_a_crank_rocker() {
     let scene = "[ground]\npoints = { O = 0, C = 0.32 }\n[link.crank]\npoints = { O = 0, A = 0.09 }\n[link.coupler]\npoints = { A = 0, B = 0.28 }\n\
         [link.rocker]\npoints = { C = 0, B = 0.21 }\n[input]\nlink = 'crank'\npositions = 10\n[assembly]\nB = [0.3, 0.18]";
     let found = measured(scene);
-    let angle = &found.groups[0].1;
+    let angle = &found.groups[0];
     assert_eq!(angle.what, "transmission angle between the links");
     let between = |d: f64| ((0.28_f64.powi(2) + 0.21_f64.powi(2) - d * d) / (2.0 * 0.28 * 0.21)).acos();
     let [least, greatest] = [between(0.32 - 0.09), between(0.32 + 0.09)];

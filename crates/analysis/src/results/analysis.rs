@@ -5,10 +5,11 @@ use std::borrow::Cow;
 use assur_check::Check;
 use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use assur_integrator::{Event, State, Statistics};
+use indexmap::IndexMap;
 use serde::Serialize;
 
 use super::Owner;
-use crate::results::{Dynamics, Named, Starts, StructureReport, Survey, Table};
+use crate::results::{Dynamics, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,8 +89,8 @@ pub struct Cycle {
     pub reaction_extremes: Vec<Extreme>,
     /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an
     /// empty list.
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    pub sign_changes: Named<Vec<SignChange>>,
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub sign_changes: IndexMap<String, Vec<SignChange>>,
     /// The straight line that the arc of each contact envelopes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub enveloping: Vec<Enveloping>,

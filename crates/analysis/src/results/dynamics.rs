@@ -2,9 +2,8 @@
 
 use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 use assur_motor::{FlywheelSize, RatedData};
+use indexmap::IndexMap;
 use serde::Serialize;
-
-use crate::results::Named;
 
 /// Results on the motion under loads and drive; those that do not apply are absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -19,8 +18,8 @@ pub struct Dynamics {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motor: Option<MotorReport>,
     /// Flywheel by each method that applies, kg m².
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    pub flywheel_by_method: Named<f64>,
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub flywheel_by_method: IndexMap<&'static str, f64>,
     /// The flywheel of each method with its formula and the difference from the exact one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flywheel_methods: Vec<FlywheelByMethod>,

@@ -23,7 +23,6 @@
 mod analysis;
 mod column;
 mod dynamics;
-mod named;
 mod schema;
 pub(crate) mod structure;
 mod survey;
@@ -42,7 +41,6 @@ pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
     RegimePoint, RegimeReport, RunnerUp,
 };
-pub use named::Named;
 pub use schema::{Schema, Section};
 pub use structure::{GroupReport, StructureReport};
 pub use survey::Survey;

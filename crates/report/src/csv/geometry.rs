@@ -14,12 +14,12 @@ pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
     let unit = if found.angular { "rad" } else { "m" };
     let mut header = vec!["position".to_owned(), format!("coordinate_{unit}")];
     let first = found.positions.first();
-    for (link, _) in first.iter().flat_map(|at| &at.links) {
+    for link in first.iter().flat_map(|at| at.links.keys()) {
         for center in ["center", "center_on_link", "inflection_pole", "acceleration_pole"] {
             header.extend(["x", "y"].map(|axis| format!("{link}_{center}_{axis}_m")));
         }
     }
-    for (point, _) in &found.points {
+    for point in found.points.keys() {
         header.extend([
             format!("{point}_curvature_1/m"),
             format!("{point}_curvature_center_x_m"),
@@ -36,14 +36,14 @@ fn row(found: &Geometry, at: &AtPosition) -> Vec<Cell<'static>> {
         Some(place) => cells.extend(place.map(Cell::Number)),
         None => cells.extend([Cell::Empty; 2]),
     };
-    for (_, centers) in &at.links {
+    for centers in at.links.values() {
         let center = if let CenterAt::Point(center) = centers.center { Some(center) } else { None };
         for point in [center, centers.on_link, centers.inflection_pole, centers.acceleration_pole] {
             place(&mut cells, point);
         }
     }
-    for (name, _) in &found.points {
-        let curvature = at.points.iter().find(|(point, _)| point == name).map(|(_, curvature)| curvature);
+    for name in found.points.keys() {
+        let curvature = at.points.get(name);
         cells.push(curvature.map_or(Cell::Empty, |found| Cell::Number(found.curvature)));
         place(&mut cells, curvature.and_then(|found| found.center));
     }

@@ -1,6 +1,6 @@
 //! The geometry of the motion as tables.
 
-use assur_geometry::{CenterAt, Extremes, Geometry, Stroke};
+use assur_geometry::{AtPosition, CenterAt, Centers, Extremes, Geometry, Stroke};
 
 use super::layout::{Column, Page};
 use super::number::short;
@@ -173,13 +173,11 @@ fn centers(found: &Geometry, units: &Units, page: &mut Page) {
         found.against
     ));
     let Some(first) = found.positions.first() else { return };
-    let groups = first.links.iter().enumerate().map(|(link, (name, _))| {
-        let column = |head: String, at: fn(&assur_geometry::Centers) -> Option<[f64; 2]>, axis: usize| {
-            Column::of(&found.positions, head, LENGTH, move |row| {
-                at(&row.links.get(link)?.1).map(|at| at[axis])
-            })
+    let groups = first.links.keys().map(|name| {
+        let column = |head: String, at: fn(&Centers) -> Option<[f64; 2]>, axis: usize| {
+            Column::of(&found.positions, head, LENGTH, move |row| at(row.links.get(name)?).map(|at| at[axis]))
         };
-        let point = |letter: &str, at: fn(&assur_geometry::Centers) -> Option<[f64; 2]>| {
+        let point = |letter: &str, at: fn(&Centers) -> Option<[f64; 2]>| {
             [("x", 0), ("y", 1)].map(|(axis, i)| column(format!("{name} {letter}{axis}"), at, i))
         };
         let mut columns = Vec::new();
@@ -203,10 +201,8 @@ fn curvature(found: &Geometry, units: &Units, page: &mut Page) {
     page.section("Curvature of the paths of points");
     page.paragraph("The curvature is positive where the path turns left. A dash: the point rests.");
     let unit = Unit { name: "1/m", factor: 1.0 };
-    let groups = found.points.iter().map(|(name, _)| {
-        let value = |row: &assur_geometry::AtPosition| {
-            row.points.iter().find(|(found, _)| found == name).map(|(_, at)| at.curvature)
-        };
+    let groups = found.points.keys().map(|name| {
+        let value = |row: &AtPosition| row.points.get(name).map(|at| at.curvature);
         vec![Column::of(&found.positions, name.clone(), unit, value)]
     });
     page.table("Curvature", &keys(found, units), groups.collect());
