@@ -35,7 +35,7 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     let (linkage, one) = (case.subject.linkage, case.one);
     let scale = linkage.structure.scale;
     let mut sums = Sums { linkage, one, all: vec![Sum::ZERO; linkage.structure.links] };
-    for ((_, link), item) in case.items.iter() {
+    for ((_, link), item) in case.items {
         sums.all[*link].wrench.add_at([0.0; 2], item.wrench.force(), item.wrench.m);
         sums.all[*link].size += item.size;
     }

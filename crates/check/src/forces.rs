@@ -94,8 +94,8 @@ fn compare_loads(
 ) {
     let scale = subject.linkage.structure.scale;
     let total: f64 = items.values().map(|item| item.size).sum();
-    let missing = given.iter().map(|(key, _)| key).filter(|key| items.get(key).is_none());
-    for key in items.iter().map(|(key, _)| key).chain(missing) {
+    let missing = given.keys().filter(|key| !items.contains_key(key));
+    for key in items.keys().chain(missing) {
         let zero = Wrench::ZERO;
         let (mine, theirs) = (items.get(key), given.get(key).unwrap_or(&zero));
         let (own, size) = mine.map_or((zero, 0.0), |item| (item.wrench, item.size));

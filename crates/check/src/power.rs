@@ -48,7 +48,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
     let (mut moment, mut sizes) = (0.0, 0.0);
-    for ((cause, link), item) in case.items.iter() {
+    for ((cause, link), item) in case.items {
         let body = &bodies[*link];
         // Rounding of a power: that of the load times the greatest motion of the link and its neighbors.
         sizes += item.size * (body.x1.hypot(body.y1) + body.w1.abs() * scale);

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
-use assur_mechanism::{Brake, Contact, Direction, Force, GROUND, Mechanism, Moment, Place, Spring, Value};
+use assur_mechanism::{
+    Brake, Contact, Direction, Force, GROUND, LinkId, Mechanism, Moment, Place, Spring, Value,
+};
 
 use crate::stroke::{At, Extremes, extremes, sizes};
 use crate::subject::Subject;
@@ -24,14 +26,11 @@ pub(crate) struct Item {
     pub(crate) size: f64,
 }
 
-/// A load and the link on which it acts.
-pub(crate) type Key = (Cause, usize);
-
-/// All loads of one position, by cause and link.
-pub(crate) type Items = BTreeMap<Key, Item>;
+/// All loads of one position, by cause and the link on which they act.
+pub(crate) type Items = BTreeMap<(Cause, LinkId), Item>;
 
 /// The compiled loads of one position, by cause and link.
-pub(crate) type Given = BTreeMap<Key, Wrench<f64>>;
+pub(crate) type Given = BTreeMap<(Cause, LinkId), Wrench<f64>>;
 
 /// Computes loads; the extremes of strokes are found once.
 pub(crate) struct Writer<'a> {

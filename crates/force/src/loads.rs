@@ -142,6 +142,7 @@ pub enum Cause {
 
 impl Cause {
     /// The cause of all loads that count as one with this: the weights or the inertia loads of all links, as if of the ground.
+    #[must_use]
     pub fn of_all(self) -> Self {
         match self {
             Self::Weight(_) => Self::Weight(GROUND),

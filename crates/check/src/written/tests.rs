@@ -1,3 +1,5 @@
+#![expect(clippy::float_cmp, reason = "a sense is exactly 1 or -1")]
+
 use assur_force::{Side, State};
 
 use super::senses;

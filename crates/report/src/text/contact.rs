@@ -23,7 +23,7 @@ fn sides(source: &Source<'_>, page: &mut Page) {
     page.paragraph("Where the force of a guide on its sliding link changes its side.");
     let coordinate = source.units.coordinate;
     let mut rows = Vec::new();
-    for (slide, changes) in source.analysis.cycle.sign_changes.iter() {
+    for (slide, changes) in &source.analysis.cycle.sign_changes {
         if changes.is_empty() {
             rows.push([slide, "-", "-", "-", "-", "stays on one side"].map(str::to_owned).to_vec());
         }
