@@ -95,3 +95,9 @@ impl Breaks {
         Interval { index, ends, start: self.points[index], shift }
     }
 }
+
+/// Shrinks an interval to what it has in common with another.
+pub(crate) fn cut(bounds: &mut [f64; 2], other: [f64; 2]) {
+    bounds[0] = bounds[0].max(other[0]);
+    bounds[1] = bounds[1].min(other[1]);
+}

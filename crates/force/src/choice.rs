@@ -3,7 +3,8 @@
 use assur_integrator::Piece;
 
 use crate::State;
-use crate::law::{Active, cut};
+use crate::breaks::cut;
+use crate::law::Active;
 use crate::loads::{Along, ArcContact, Loads};
 use crate::state::{Selection, Side};
 

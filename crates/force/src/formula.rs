@@ -5,9 +5,8 @@ use assur_integrator::Piece;
 use assur_number::search::bisect;
 
 use crate::State;
-use crate::breaks::Breaks;
+use crate::breaks::{Breaks, cut};
 use crate::grid::Span;
-use crate::law::cut;
 use crate::state::Selection;
 use crate::stroke::Travel;
 

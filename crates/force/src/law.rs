@@ -4,7 +4,7 @@ use assur_formula::Used;
 use assur_integrator::Piece;
 
 use crate::State;
-use crate::breaks::Breaks;
+use crate::breaks::{Breaks, cut};
 use crate::curve::Curve;
 use crate::formula::FormulaLaw;
 use crate::state::Selection;
@@ -157,10 +157,4 @@ fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2
     // Rounding of the shift must not put a repeated table before its first row.
     let argument = (ahead - interval.shift).max(interval.start);
     (Active::segment(table.segment(argument), interval.shift), interval.ends)
-}
-
-/// Shrinks an interval to what it has in common with another.
-pub(crate) fn cut(bounds: &mut [f64; 2], other: [f64; 2]) {
-    bounds[0] = bounds[0].max(other[0]);
-    bounds[1] = bounds[1].min(other[1]);
 }
