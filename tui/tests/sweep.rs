@@ -103,7 +103,7 @@ fn bad_usage_ends_with_2_and_touches_no_file() {
 }
 
 /// Some points can't be assembled: the rod of 300 mm is too short for the longest cranks.
-const MANY: &str = "link.crank.points.A=100 mm..301 mm:500";
+const MANY: &str = "link.crank.points.A=100 mm..301 mm:5000";
 
 #[test]
 fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
