@@ -23,7 +23,7 @@ impl Calculation {
         let mut worst = (f64::NAN, f64::NAN);
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
-            let balance = Balance::of(&mut motion, &trajectory)?;
+            let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
             worst = balance.worst(own);
@@ -65,7 +65,8 @@ struct Balance {
     step: f64,
     kinetic: Vec<f64>,
     power: Vec<f64>,
-    /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed.
+    /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed, and that of the
+    /// coordinate.
     rounding: Vec<f64>,
     /// The greatest work over a rounding unit of the coordinate in every step, N m: the motion is known no better.
     unresolved: f64,
@@ -108,7 +109,8 @@ impl Between {
 }
 
 impl Balance {
-    fn of(motion: &mut dyn Motion, trajectory: &Trajectory) -> Option<Self> {
+    /// `careful`: what the rounding of the coordinate makes of the power is measured, too.
+    fn of(motion: &mut dyn Motion, trajectory: &Trajectory, careful: bool) -> Option<Self> {
         let samples = &trajectory.samples;
         let step =
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;
@@ -131,8 +133,10 @@ impl Balance {
             let moment = if acceleration == 0.0 { held } else { reduced.moment };
             power.push(moment * speed);
             unresolved = unresolved.max((moment * coordinate).abs() * f64::EPSILON);
-            let beside = State { speed: speed * (1.0 + f64::EPSILON), ..state };
-            let change = if on_speed { motion.reduced(&beside).ok()?.moment - reduced.moment } else { 0.0 };
+            let more = |value: f64, much: bool| if much { value * (1.0 + f64::EPSILON) } else { value };
+            let beside = State { coordinate: more(coordinate, careful), speed: more(speed, on_speed), time };
+            let measured = careful || on_speed;
+            let change = if measured { motion.reduced(&beside).ok()?.moment - reduced.moment } else { 0.0 };
             rounding.push((change * speed).abs());
         }
         let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
