@@ -16,6 +16,9 @@ const STEPS: f64 = 4.0;
 /// Least part of the largest energy that a sum of energies can resolve.
 const ROUNDING: f64 = 1e-12;
 
+/// How many times greater than one that is measured a rounding may be.
+const ROUNDINGS: f64 = 4.0;
+
 impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
@@ -137,7 +140,8 @@ impl Balance {
             let beside = State { coordinate: more(coordinate, careful), speed: more(speed, on_speed), time };
             let measured = careful || on_speed;
             let change = if measured { motion.reduced(&beside).ok()?.moment - reduced.moment } else { 0.0 };
-            rounding.push((change * speed).abs());
+            // One difference tells the size of a rounding, not its greatest value.
+            rounding.push(ROUNDINGS * (change * speed).abs());
         }
         let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
         let pairs = samples.windows(2).zip(pieces.windows(2));
