@@ -12,6 +12,7 @@ use super::regime;
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
+use crate::words::Words;
 
 /// Second column of the view.
 const RIGHT: u16 = 46;
@@ -36,7 +37,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Part::Places => put_lines(buffer, area, 1, state, &places_and_motors(dynamics)),
         _ => {
             let area = warned(state, dynamics, area, buffer);
-            let left = motor_and_flywheel(dynamics);
+            let left = motor_and_flywheel(dynamics, state.words());
             let rows = short(left.len().max(12)) + 1;
             put_lines(buffer, area, 1, state, &left);
             put_lines(buffer, area, RIGHT, state, &numbers(dynamics, angular));
@@ -76,14 +77,23 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     Figure { title: "drive".to_owned(), panels, columns, legend: Vec::new() }
 }
 
-fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {
-    let mut lines = dynamics.motor.as_ref().map(motor_rows).unwrap_or_default();
+/// Rows of a name in the words of the screen, and what follows it, one below the other.
+fn aligned(rows: &[(String, String)], words: &Words) -> Vec<Line> {
+    let names: Vec<String> = rows.iter().map(|(name, _)| words.shown(name)).collect();
+    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let lines = names.iter().zip(rows);
+    lines.map(|(name, (_, value))| (Role::Plain, format!("  {name:<width$} {value}"))).collect()
+}
+
+fn motor_and_flywheel(dynamics: &Dynamics, words: &Words) -> Vec<Line> {
+    let mut lines = dynamics.motor.as_ref().map(|motor| motor_rows(motor, words)).unwrap_or_default();
     lines.extend(dynamics.figures.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
     lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
-    for row in &dynamics.flywheel_methods {
+    let sizes = dynamics.flywheel_methods.iter().map(|row| {
         let off = row.difference.map_or_else(String::new, |part| format!("{:+.2} %", 1e2 * part));
-        lines.push((Role::Plain, format!("  {:<25} {:>9} {off:>8}", row.method, digits(row.flywheel, 5))));
-    }
+        (row.method.to_string(), format!("{:>9} {off:>8}", digits(row.flywheel, 5)))
+    });
+    lines.extend(aligned(&sizes.collect::<Vec<_>>(), words));
     if lines.is_empty() {
         lines.push((Role::Dim, "this regime has no motor of a catalogue".to_owned()));
     }
@@ -91,13 +101,13 @@ fn motor_and_flywheel(dynamics: &Dynamics) -> Vec<Line> {
 }
 
 /// Rated data, and the motor's operation in the regime.
-fn motor_rows(motor: &MotorReport) -> Vec<Line> {
+fn motor_rows(motor: &MotorReport, words: &Words) -> Vec<Line> {
     let title = match &motor.catalogue {
         Some(catalogue) => format!("motor {} ({catalogue})", motor.designation),
         None => "motor (rated data of the scene)".to_owned(),
     };
-    let mut lines = vec![(Role::Header, title)];
-    let mut add = |name: &str, value: String| lines.push((Role::Plain, format!("  {name:<18} {value}")));
+    let mut rows = Vec::new();
+    let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
     add("rated power", format!("{} W", digits(motor.rated.power, 5)));
     add("synchronous speed", format!("{} rad/s", digits(motor.rated.synchronous_speed, 5)));
     add("rated speed", format!("{} rad/s", digits(motor.rated.rated_speed, 5)));
@@ -113,7 +123,7 @@ fn motor_rows(motor: &MotorReport) -> Vec<Line> {
     let [low, high] = work.torque.map(|torque| digits(torque, 4));
     add("torque", format!("{low} .. {high} N m"));
     add("rms torque", format!("{} N m", digits(work.rms_torque, 4)));
-    lines
+    std::iter::once((Role::Header, title)).chain(aligned(&rows, words)).collect()
 }
 
 /// The two places of the flywheel, warnings, and other suitable motors of the catalogue.

@@ -94,7 +94,8 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
         let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);
-        let row_cells = [state.words().shown(&reaction.name()), fx, fy, modulus, direction, last];
+        let row_cells = [reaction.name(), fx, fy, modulus, direction, last];
+        let row_cells = row_cells.map(|text| state.words().shown(&text));
         let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
         put(buffer, area, 0, short(row) + 1, &text, style);
     }
