@@ -86,8 +86,6 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
 /// `None` at rest on a jump over coordinate or time, within the `accuracy` of both, which is more than `rounding`.
 fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> {
     let (state, loads, bodies) = (case.state, case.loads, &case.one.position.bodies);
-    let mut phase = loads.phase();
-    loads.enter(state, &mut phase);
     let period = case.subject.linkage.mechanism.input.period();
     let of_rounding = [tolerance(state.coordinate, period), 0.0];
     let states = |[coordinate, time]: [f64; 2]| {
@@ -98,7 +96,16 @@ fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> 
         })
     };
     let difference = |[before, after]: [f64; 2]| (after - before).abs();
-    let gained = |off| difference(states(off).map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment));
+    // By the formulas of either side: at a bend the steeper line tells, at a jump neither does.
+    let gained = |off| {
+        let sides = states(off);
+        let by = |side: &State| {
+            let mut phase = loads.phase();
+            loads.enter(side, &mut phase);
+            difference(sides.map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment))
+        };
+        sides.iter().map(by).fold(0.0, f64::max)
+    };
     if state.speed == 0.0 {
         let off = [accuracy[0].max(of_rounding[0]), accuracy[1]];
         let across = difference(states(off).map(|at| loads.reduced(&at, bodies).moment));
