@@ -396,3 +396,22 @@ fn the_first_turn_ends_with_the_speed_after_it() {
     assert!((ends[0] - first.speed_start).abs() < 1e-9, "{ends:?} {first:?}");
     assert!((ends[1] - first.speed_end).abs() < 1e-9, "{ends:?} {first:?}");
 }
+
+/// A motion that begins at rest where the line of a table bends is judged there; on a jump the load may have any value.
+#[test]
+fn a_drive_at_rest_is_judged_at_a_bend_but_not_on_a_jump() {
+    let left_out = |table: &str| {
+        let scene = format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.arm]\npoints = {{ O = 0, A = 0.1 }}\ncenter = 0\ninertia = 0.1\n\
+             [input]\nlink = 'arm'\n[[moment]]\nlink = 'arm'\n\
+             value = {{ over = 'angle', table = [{table}], repeat = false }}\n\
+             [motion]\nkind = 'transient'\nspeed = 0\nuntil = '0.2 s'\n"
+        );
+        let checks = study(&scene).unwrap().checks(Coverage::Sample, &mut unwatched).unwrap().all;
+        let check = checks.iter().find(|check| check.name == "drive against force analysis").unwrap();
+        assert!(check.ok, "{check:?}");
+        check.left_out
+    };
+    assert_eq!(left_out("[-1, 5], [0, 5], [1, 90]"), 0);
+    assert_eq!(left_out("[-1, 2], [0, 2], [0, 5], [1, 5]"), 1);
+}
