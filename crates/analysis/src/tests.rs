@@ -412,6 +412,8 @@ fn a_drive_at_rest_is_judged_at_a_bend_but_not_on_a_jump() {
         assert!(check.ok, "{check:?}");
         check.left_out
     };
-    assert_eq!(left_out("[-1, 5], [0, 5], [1, 90]"), 0);
+    for bend in ["[-1, 5], [0, 5], [1, 90]", "[-1, 90], [0, 5], [1, 5]"] {
+        assert_eq!(left_out(bend), 0, "{bend}");
+    }
     assert_eq!(left_out("[-1, 2], [0, 2], [0, 5], [1, 5]"), 1);
 }
