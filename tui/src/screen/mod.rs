@@ -3,12 +3,13 @@
 //! [`run`] is the entry point. The layers, from below: `state` is everything on which a frame depends; `draw` puts
 //! figures, curves and text into cells; `view` is pure functions from the state to a frame; `command` changes the
 //! state, by a table of commands that is passed to the state, so that views can show its keys without depending on it;
-//! `still` draws a view without a terminal; `session` waits for events and redraws only after an event that changed something. Nothing here calculates; reading
-//! and calculating run in a worker thread (`work`).
+//! `still` draws a view without a terminal; `session` applies the events that wait in `inbox` and redraws only after one that
+//! changed something. Nothing here calculates; reading and calculating (`work`) run in threads of `workers`.
 
 pub(crate) mod command;
 mod config;
 mod draw;
+mod inbox;
 mod input;
 mod pixels;
 mod session;
@@ -17,6 +18,7 @@ pub(crate) mod still;
 mod terminal;
 pub(crate) mod view;
 mod work;
+mod workers;
 
 #[cfg(test)]
 mod tests;
@@ -106,8 +108,7 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     command::start(&mut state);
-    session::run(state, options.config_file.as_deref())?;
-    Ok(0)
+    Ok(session::run(state, options.config_file.as_deref())?)
 }
 
 /// How to draw, from options, configuration, locale and `NO_COLOR`.

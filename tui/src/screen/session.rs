@@ -1,8 +1,8 @@
-//! The loop: waits for an event, applies it and all that are queued, draws once.
+//! The loop: applies what has come, a limited time long, then draws once.
 
-use std::io;
+use std::io::{self, IsTerminal};
 use std::path::Path;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -10,140 +10,199 @@ use crossterm::event::{Event as Own, KeyEventKind};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
+use super::inbox::{Event, Inbox};
 use super::input::Input;
 use super::pixels::{self, Answer};
-use super::state::{Pictures, Report, Role, State, Wish};
+use super::state::{Pictures, Role, State, Wish};
 use super::terminal::{self, Screen};
-use super::{command, config, input, view, work};
+use super::workers::Workers;
+use super::{command, config, input, view};
 
 /// A terminal that has not answered after this time shows no pictures.
 const ANSWER: Duration = Duration::from_secs(1);
+/// While more events come, a frame is drawn after this time: it shows that something happens, and most of the time is
+/// still left for the events.
+const FRAME: Duration = Duration::from_millis(40);
+/// The exit status of a program whose terminal has died: that of one that is ended by SIGHUP.
+const DIED: u8 = 129;
 
-/// The events that wake the loop.
-#[derive(Debug)]
-pub(crate) enum Event {
-    /// A key, the mouse, the focus, an answer of the terminal, the end of input.
-    Input(Input),
-    /// The terminal has changed its size.
-    Resized,
-    /// The worker has a report.
-    Work(Report),
-    /// A signal asks for something.
-    Wish(Wish),
+/// Runs until the user leaves, and returns the exit status; `config`: where its configuration is kept.
+pub(crate) fn run(state: State, config: Option<&Path>) -> io::Result<u8> {
+    let inbox = Inbox::new(state.keys.everywhere("quit"));
+    listen_to_signals(Arc::clone(&inbox))?;
+    let mut screen = Screen::take(state.look.mouse)?;
+    let keys = Arc::clone(&inbox);
+    input::listen(move |inputs| keys.take(inputs))?;
+    let ended = Session::new(state, inbox).play(&mut screen, config);
+    // Every call fails on a terminal that has died, and nothing can be said there.
+    let died = !(io::stdin().is_terminal() && io::stdout().is_terminal());
+    if ended.is_err() && died { Ok(DIED) } else { ended }
 }
 
-/// Runs until the user leaves; `config`: where its configuration is kept.
-pub(crate) fn run(mut state: State, config: Option<&Path>) -> io::Result<()> {
-    let start = (state.look, state.panels.clone());
-    let (sender, events) = channel();
-    listen_to_signals(sender.clone())?;
-    let mut screen = Screen::take(state.look.mouse)?;
-    let keys = sender.clone();
-    input::listen(move |input| keys.send(Event::Input(input)).is_ok())?;
-    let mut next_tick = Instant::now();
-    loop {
-        for wish in std::mem::take(&mut state.wishes) {
-            if matches!(wish, Wish::Keep) {
-                config::keep(&mut state, config, &start);
-            } else {
-                grant(wish, &mut state, &mut screen, &sender)?;
+/// The loop and what it keeps from one round to the next.
+struct Session {
+    state: State,
+    inbox: Arc<Inbox>,
+    workers: Workers,
+    /// The time of the next frame of the animation.
+    next_tick: Instant,
+    /// When the last frame was drawn, and whether the next one differs.
+    drawn: Instant,
+    stale: bool,
+    /// Whether the input has ended: the terminal has died.
+    ended: bool,
+}
+
+impl Session {
+    fn new(state: State, inbox: Arc<Inbox>) -> Self {
+        let reports = Arc::clone(&inbox);
+        let workers = Workers::new(move |report| reports.send(Event::Work(report)));
+        let now = Instant::now();
+        Self { state, inbox, workers, next_tick: now, drawn: now, stale: true, ended: false }
+    }
+
+    fn play(&mut self, screen: &mut Screen, config: Option<&Path>) -> io::Result<u8> {
+        let start = (self.state.look, self.state.panels.clone());
+        loop {
+            for wish in std::mem::take(&mut self.state.wishes) {
+                if matches!(wish, Wish::Keep) {
+                    config::keep(&mut self.state, config, &start);
+                } else {
+                    self.grant(wish, screen)?;
+                }
+                // What a wish leads to is seen: a message, a question, another terminal.
+                self.stale = true;
             }
+            if self.ended {
+                return Ok(DIED);
+            }
+            if self.state.leaving {
+                return Ok(0);
+            }
+            self.ask_for_pictures(screen)?;
+            if self.stale && (self.inbox.is_empty() || self.drawn.elapsed() >= FRAME) {
+                self.draw(screen)?;
+            }
+            self.apply_what_waits();
         }
-        if state.leaving {
-            return Ok(());
+    }
+
+    fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+        terminal::capture_mouse(self.state.look.mouse)?;
+        let dropped = self.inbox.dropped();
+        if dropped > 0 {
+            let text = format!("more keys came than could be taken: {dropped} were dropped");
+            self.state.say(Role::Bad, text);
         }
-        terminal::capture_mouse(state.look.mouse)?;
-        if state.look.pixels && state.pictures == Pictures::Unknown {
-            state.pictures = Pictures::Asked;
+        command::prepare(&mut self.state);
+        let state = &self.state;
+        screen.draw(|frame| view::draw(state, frame))?;
+        screen.show(state)?;
+        self.inbox.answered();
+        (self.stale, self.drawn) = (false, Instant::now());
+        Ok(())
+    }
+
+    /// Applies what has come until something is to be done outside the state, or a frame is due; waits for the first
+    /// event only if the present frame is shown.
+    fn apply_what_waits(&mut self) {
+        let start = Instant::now();
+        let mut next = if self.stale || !self.state.wishes.is_empty() {
+            self.inbox.try_next()
+        } else {
+            let until = self.state.animates().then_some(self.next_tick);
+            let event = self.inbox.next(until);
+            if event.is_none() {
+                self.next_tick =
+                    Instant::now() + Duration::from_secs(1) / u32::from(self.state.look.fps.max(1));
+                self.state.advance();
+                self.stale = true;
+            }
+            event
+        };
+        while let Some(event) = next {
+            self.stale |= self.apply(event);
+            self.inbox.set_free(self.state.what_if.may_drop());
+            let is_due = start.elapsed() >= FRAME;
+            if is_due || self.state.leaving || !self.state.wishes.is_empty() {
+                return;
+            }
+            next = self.inbox.try_next();
+        }
+    }
+
+    fn ask_for_pictures(&mut self, screen: &mut Screen) -> io::Result<()> {
+        if self.state.look.pixels && self.state.pictures == Pictures::Unknown {
+            self.state.pictures = Pictures::Asked;
             screen.write(pixels::QUESTION)?;
-            let sender = sender.clone();
+            let inbox = Arc::clone(&self.inbox);
             thread::spawn(move || {
                 thread::sleep(ANSWER);
-                // If the receiver is gone, the program is ending.
-                drop(sender.send(Event::Input(Input::Answer(Answer::End))));
+                inbox.send(Event::Input(Input::Answer(Answer::End)));
             });
         }
-        if state.wishes.is_empty() {
-            screen.draw(|frame| view::draw(&state, frame))?;
-            screen.show(&state)?;
-        }
-        if !wait(&mut state, &events, &mut next_tick) {
-            return Ok(());
+        Ok(())
+    }
+
+    /// Applies one event; returns whether the frame may differ.
+    fn apply(&mut self, event: Event) -> bool {
+        let state = &mut self.state;
+        match event {
+            Event::Input(Input::Event(Own::Key(key))) if key.kind != KeyEventKind::Release => {
+                #[cfg(debug_assertions)]
+                assert!(
+                    std::env::var_os("ASSUR_PANIC_ON_KEY").is_none(),
+                    "a panic on request (ASSUR_PANIC_ON_KEY)"
+                );
+                command::press(state, key);
+                true
+            }
+            Event::Input(Input::Event(Own::Paste(text))) => {
+                command::paste(state, &text);
+                true
+            }
+            Event::Input(Input::Event(Own::Mouse(mouse))) => command::click(state, mouse),
+            Event::Resized => {
+                state.size = terminal::size().unwrap_or(state.size);
+                true
+            }
+            Event::Input(Input::Event(Own::FocusGained)) => {
+                std::mem::replace(&mut state.focused, true) != state.focused
+            }
+            Event::Input(Input::Event(Own::FocusLost)) => {
+                state.focused = false;
+                false
+            }
+            Event::Input(Input::Event(_)) => false,
+            Event::Input(Input::Answer(answer)) => take_answer(state, answer),
+            Event::Input(Input::End) => {
+                (state.leaving, self.ended) = (true, true);
+                true
+            }
+            Event::Work(report) => command::take(state, report),
+            Event::Wish(wish) => {
+                state.wishes.push(wish);
+                true
+            }
         }
     }
-}
 
-/// Blocks until an event has changed the state; `false` when no more events can come.
-fn wait(state: &mut State, events: &Receiver<Event>, next_tick: &mut Instant) -> bool {
-    loop {
-        if !state.wishes.is_empty() {
-            return true;
-        }
-        let first = if state.animates() {
-            match events.recv_timeout(next_tick.saturating_duration_since(Instant::now())) {
-                Ok(event) => event,
-                Err(RecvTimeoutError::Timeout) => {
-                    *next_tick = Instant::now() + Duration::from_secs(1) / u32::from(state.look.fps.max(1));
-                    state.advance();
-                    return true;
-                }
-                Err(RecvTimeoutError::Disconnected) => return false,
+    /// Performs the actions that a command requested because the state can't do them.
+    fn grant(&mut self, wish: Wish, screen: &mut Screen) -> io::Result<()> {
+        match wish {
+            Wish::Quit => self.state.leaving = true,
+            Wish::Redraw => screen.forget()?,
+            Wish::Retake => screen.retake()?,
+            Wish::Suspend => {
+                terminal::give_back();
+                signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
+                screen.retake()?;
             }
-        } else {
-            match events.recv() {
-                Ok(event) => event,
-                Err(_) => return false,
-            }
-        };
-        let mut changed = apply(state, first);
-        while let Ok(event) = events.try_recv() {
-            changed |= apply(state, event);
+            Wish::Work(job) => self.workers.start(job),
+            Wish::Write(file) => command::grant(&mut self.state, file),
+            Wish::Keep => {}
         }
-        if changed || state.leaving {
-            return true;
-        }
-    }
-}
-
-/// Applies one event; returns whether the frame may differ.
-fn apply(state: &mut State, event: Event) -> bool {
-    match event {
-        Event::Input(Input::Event(Own::Key(key))) if key.kind != KeyEventKind::Release => {
-            #[cfg(debug_assertions)]
-            assert!(
-                std::env::var_os("ASSUR_PANIC_ON_KEY").is_none(),
-                "a panic on request (ASSUR_PANIC_ON_KEY)"
-            );
-            command::press(state, key);
-            true
-        }
-        Event::Input(Input::Event(Own::Paste(text))) => {
-            command::paste(state, &text);
-            true
-        }
-        Event::Input(Input::Event(Own::Mouse(mouse))) => command::click(state, mouse),
-        Event::Resized => {
-            state.size = terminal::size().unwrap_or(state.size);
-            true
-        }
-        Event::Input(Input::Event(Own::FocusGained)) => {
-            std::mem::replace(&mut state.focused, true) != state.focused
-        }
-        Event::Input(Input::Event(Own::FocusLost)) => {
-            state.focused = false;
-            false
-        }
-        Event::Input(Input::Event(_)) => false,
-        Event::Input(Input::Answer(answer)) => take_answer(state, answer),
-        Event::Input(Input::End) => {
-            state.leaving = true;
-            true
-        }
-        Event::Work(report) => command::take(state, report),
-        Event::Wish(wish) => {
-            state.wishes.push(wish);
-            true
-        }
+        Ok(())
     }
 }
 
@@ -161,45 +220,16 @@ fn take_answer(state: &mut State, answer: Answer) -> bool {
     true
 }
 
-/// Performs the actions that a command requested because the state can't do them.
-fn grant(wish: Wish, state: &mut State, screen: &mut Screen, sender: &Sender<Event>) -> io::Result<()> {
-    match wish {
-        Wish::Quit => state.leaving = true,
-        Wish::Redraw => screen.forget()?,
-        Wish::Retake => screen.retake()?,
-        Wish::Suspend => {
-            terminal::give_back();
-            signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
-            screen.retake()?;
-        }
-        Wish::Work(job) => {
-            let sender = sender.clone();
-            // If the receiver is gone, the program is ending.
-            work::start(job, move |report| drop(sender.send(Event::Work(report))));
-        }
-        Wish::Write(file) => command::grant(state, file),
-        Wish::Keep => {}
-    }
-    Ok(())
-}
-
 /// A thread that ends the program when a signal says so, and passes the other signals on.
-fn listen_to_signals(sender: Sender<Event>) -> io::Result<()> {
+fn listen_to_signals(inbox: Arc<Inbox>) -> io::Result<()> {
     let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGCONT, SIGWINCH])?;
     thread::Builder::new().name("assur-signals".into()).spawn(move || {
         for signal in signals.forever() {
-            let sent = match signal {
-                SIGTSTP => sender.send(Event::Wish(Wish::Suspend)),
-                SIGCONT => sender.send(Event::Wish(Wish::Retake)),
-                SIGWINCH => sender.send(Event::Resized),
-                _ => {
-                    terminal::give_back_soon();
-                    crate::files::remove_temporaries();
-                    std::process::exit(128 + signal);
-                }
-            };
-            if sent.is_err() {
-                return;
+            match signal {
+                SIGTSTP => inbox.send(Event::Wish(Wish::Suspend)),
+                SIGCONT => inbox.send(Event::Wish(Wish::Retake)),
+                SIGWINCH => inbox.send(Event::Resized),
+                _ => terminal::end(128 + signal),
             }
         }
     })?;

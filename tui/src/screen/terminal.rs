@@ -1,6 +1,6 @@
 //! Taking the terminal, and restoring it on every exit.
 
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -32,20 +32,44 @@ pub(crate) const WORKER: &str = "assur-work";
 /// memory.
 const MOST: (u16, u16) = (1000, 500);
 
-/// Size of the buffer: a whole frame fits, so a frame is one write.
-const FRAME_BYTES: usize = 1 << 16;
 /// Width and height of a cell, pixels, where the terminal doesn't say them.
 const CELL: [f64; 2] = [10.0, 20.0];
-/// How long an exit waits for the terminal.
-const PATIENCE: Duration = Duration::from_millis(300);
+/// How long an exit waits for the terminal: long for one that takes bytes, and too short to be felt.
+const PATIENCE: Duration = Duration::from_millis(40);
 
 static TAKEN: AtomicBool = AtomicBool::new(false);
+/// Whether a write has failed: the terminal takes nothing more.
+static LOST: AtomicBool = AtomicBool::new(false);
 static MOUSE: AtomicBool = AtomicBool::new(false);
 static WRITING: Mutex<()> = Mutex::new(());
 
+/// The bytes of a frame. They go to the terminal all at once, and the lock is held for no longer: an exit does not wait
+/// until a frame is painted. After the terminal was given back or has failed they are discarded, so that the libraries,
+/// which print their errors where nobody can read them, see none.
+#[derive(Debug, Default)]
+struct Sheet(Vec<u8>);
+
+impl Write for Sheet {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let bytes = std::mem::take(&mut self.0);
+        let _writing = writing();
+        if !TAKEN.load(Ordering::SeqCst) || LOST.load(Ordering::SeqCst) {
+            return Ok(());
+        }
+        let mut out = io::stdout().lock();
+        let written = out.write_all(&bytes).and_then(|()| out.flush());
+        written.inspect_err(|_| LOST.store(true, Ordering::SeqCst))
+    }
+}
+
 /// The terminal while the UI uses it.
 pub(crate) struct Screen {
-    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+    terminal: Terminal<CrosstermBackend<Sheet>>,
     /// The pictures that it shows.
     shown: Vec<(Figure, Rect)>,
 }
@@ -62,7 +86,6 @@ impl Screen {
 
     /// Writes a sequence to the terminal.
     pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
-        let _writing = writing();
         let out = self.terminal.backend_mut();
         out.write_all(text.as_bytes())?;
         io::Write::flush(out)
@@ -91,7 +114,6 @@ impl Screen {
 
     /// Draws one frame as one synchronized update.
     pub(crate) fn draw(&mut self, paint: impl FnOnce(&mut Frame<'_>)) -> io::Result<()> {
-        let _writing = writing();
         queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
         let area = area()?;
         if self.terminal.get_frame().area() != area {
@@ -104,7 +126,6 @@ impl Screen {
 
     /// Forgets the content of the terminal, so that the next frame is written completely.
     pub(crate) fn forget(&mut self) -> io::Result<()> {
-        let _writing = writing();
         // `Terminal::clear` queries the position of the cursor, and the answer would go to the thread that reads input.
         queue!(self.terminal.backend_mut(), Clear(ClearType::All))?;
         io::Write::flush(self.terminal.backend_mut())?;
@@ -138,8 +159,8 @@ impl Drop for Screen {
     }
 }
 
-fn terminal() -> io::Result<Terminal<CrosstermBackend<BufWriter<Stdout>>>> {
-    let backend = CrosstermBackend::new(BufWriter::with_capacity(FRAME_BYTES, io::stdout()));
+fn terminal() -> io::Result<Terminal<CrosstermBackend<Sheet>>> {
+    let backend = CrosstermBackend::new(Sheet::default());
     Terminal::with_options(backend, TerminalOptions { viewport: Viewport::Fixed(area()?) })
 }
 
@@ -184,7 +205,7 @@ pub(crate) fn give_back() {
 
 /// [`give_back`] from another thread: lets a frame end first, but waits for a limited time only, in case the terminal
 /// takes no more bytes.
-pub(crate) fn give_back_soon() {
+fn give_back_soon() {
     let (done, wait) = channel();
     let writer = std::thread::Builder::new().spawn(move || {
         let guard = writing();
@@ -196,6 +217,13 @@ pub(crate) fn give_back_soon() {
         // The modes of the terminal need no byte to be taken.
         let _ = disable_raw_mode();
     }
+}
+
+/// Ends the program from another thread than that of the loop, which may be busy or blocked.
+pub(crate) fn end(status: i32) -> ! {
+    give_back_soon();
+    crate::files::remove_temporaries();
+    std::process::exit(status)
 }
 
 /// A panic restores the terminal before its message is printed; a panic of a worker is caught and shown by the UI

@@ -69,6 +69,7 @@ fn run(state: &mut State, job: &Job) {
 
 /// Does at once what the session would have done beside.
 fn settle(state: &mut State) {
+    command::prepare(state);
     while !state.wishes.is_empty() {
         for wish in std::mem::take(&mut state.wishes) {
             match wish {

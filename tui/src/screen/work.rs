@@ -1,9 +1,7 @@
 //! The work of the worker thread: reading, compiling, calculating.
 
 use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::thread;
 use std::time::{Duration, Instant};
 
 use assur_analysis::results::Checks;
@@ -14,27 +12,14 @@ use assur_study::chart;
 use assur_study::stability::stability;
 
 use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source, Wanted};
-use super::terminal::WORKER;
 use crate::files;
 use crate::progress::{SystemClock, words};
 
 /// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);
 
-/// Starts a job; its findings are passed to `tell`.
-pub(crate) fn start(job: Job, tell: impl Fn(Report) + Send + 'static) {
-    let beside = thread::Builder::new().name(WORKER.into()).spawn(move || {
-        let report = catch_unwind(AssertUnwindSafe(|| run(&job, &tell))).unwrap_or_else(|panic| {
-            let what = panic.downcast_ref::<String>().map_or("", String::as_str);
-            let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
-            failed(&job, format!("the calculation stopped unexpectedly: {what}"))
-        });
-        tell(report);
-    });
-    drop(beside);
-}
-
-fn failed(job: &Job, text: String) -> Report {
+/// The report of a job that failed.
+pub(crate) fn failed(job: &Job, text: String) -> Report {
     match job {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),

@@ -22,7 +22,9 @@ use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKin
 pub(crate) use whatif::toggle;
 pub(crate) use write::{PAGE, grant, picture};
 
-use super::state::{Command, Group, Key, Prompt, PromptKind, Purpose, State, View, round};
+use super::state::{
+    Command, Entry, Group, Key, LONGEST, Prompt, PromptKind, Purpose, Role, State, View, round,
+};
 use super::view;
 
 /// Requests the data for the first frame: the analysis of the scene, or the list of shipped scenes.
@@ -73,6 +75,15 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
     }
 }
 
+/// What follows from all keys that were taken, before a frame is drawn: the picture of what is chosen, and the notice that a
+/// text is at its end.
+pub(crate) fn prepare(state: &mut State) {
+    picker::preview(state);
+    if state.entry().is_some_and(Entry::is_cut) {
+        state.say(Role::Bad, format!("no more than {LONGEST} bytes are taken; the rest was left out"));
+    }
+}
+
 /// Commands whose keys have a meaning while the help or a list is open and nothing is typed yet.
 const OF_LISTS: [&str; 3] = ["quit", "help", "command"];
 
@@ -99,6 +110,7 @@ pub(crate) fn paste(state: &mut State, text: &str) {
 fn press_in_help(state: &mut State, key: Key) {
     let page = view::help::page(state);
     let Some(help) = &mut state.help else { return };
+    let before = help.scroll;
     match key.code {
         KeyCode::Down => help.scroll = help.scroll.saturating_add(1),
         KeyCode::Up => help.scroll = help.scroll.saturating_sub(1),
@@ -114,9 +126,10 @@ fn press_in_help(state: &mut State, key: Key) {
             }
         }
     }
-    let last = view::help::last_scroll(state);
-    if let Some(help) = &mut state.help {
-        help.scroll = help.scroll.min(last);
+    // Laying out the text takes longer than a letter of a search may.
+    if state.help.as_ref().is_some_and(|help| help.scroll > before) {
+        let last = view::help::last_scroll(state);
+        state.help.as_mut().into_iter().for_each(|help| help.scroll = help.scroll.min(last));
     }
 }
 
@@ -145,11 +158,11 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
 /// Handles a key while the line is open.
 fn press_in_line(state: &mut State, key: Key) {
     let Some(mut prompt) = state.prompt.take() else { return };
+    state.message = None;
     match key.code {
         // Also where another key closes.
         KeyCode::Esc => return,
         KeyCode::Enter => {
-            state.message = None;
             match prompt.kind {
                 PromptKind::Command => line::run(state, prompt.text.trim()),
                 PromptKind::Search => line::search(state, prompt.text.trim()),
@@ -183,7 +196,7 @@ fn complete(state: &State, prompt: &mut Prompt, by: isize) {
     let (shown, typed) = prompt
         .completing
         .take()
-        .map_or_else(|| (None, prompt.text.clone()), |(shown, typed)| (Some(shown), typed));
+        .map_or_else(|| (None, prompt.text.to_string()), |(shown, typed)| (Some(shown), typed));
     let offers = line::completions(state, &typed);
     let next = match shown {
         Some(shown) => round(shown, by, offers.len()),
@@ -191,7 +204,7 @@ fn complete(state: &State, prompt: &mut Prompt, by: isize) {
         None => offers.len().saturating_sub(1),
     };
     if let Some(offer) = offers.into_iter().nth(next) {
-        prompt.text = offer;
+        prompt.text = offer.as_str().into();
         prompt.completing = Some((next, typed));
     }
 }

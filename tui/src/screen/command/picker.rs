@@ -17,7 +17,6 @@ pub(crate) fn scenes(state: &mut State) {
     let line = state.keys.first("command");
     let heading = format!("Shipped scenes: type to search, {line}open FILE for a file of your own");
     state.picker = Some(Picker::new(PickerKind::Scenes, heading, rows));
-    preview(state);
 }
 
 /// Opens the list for the view: motors for the drive, otherwise quantities for the chart.
@@ -55,7 +54,6 @@ pub(super) fn press(state: &mut State, key: Key) {
             }
         }
     }
-    preview(state);
 }
 
 /// Takes what is chosen, and closes the list.
@@ -84,7 +82,7 @@ fn take(state: &mut State) {
 }
 
 /// Requests the picture of the scene that is chosen in the list.
-fn preview(state: &mut State) {
+pub(super) fn preview(state: &mut State) {
     let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
     let Some(chosen) = picker.and_then(Picker::choice) else { return };
     if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)

@@ -213,5 +213,7 @@ pub(super) fn open(state: &mut State, source: Source) {
 
 /// Whether nothing would be lost, or the user has been warned.
 fn may_drop(state: &mut State) -> bool {
-    !state.what_if.unsaved() || std::mem::replace(&mut state.what_if.warned, true)
+    let may = state.what_if.may_drop();
+    state.what_if.warned |= !may;
+    may
 }

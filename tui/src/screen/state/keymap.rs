@@ -91,6 +91,11 @@ impl Keymap {
         self.0.get(command).map_or(&[], Vec::as_slice)
     }
 
+    /// The keys of a command of the program that work whatever is open, also where text is typed.
+    pub(crate) fn everywhere(&self, command: &str) -> Vec<Key> {
+        self.keys(command).iter().copied().filter(|key| key.control).collect()
+    }
+
     /// Name of the first key of a command; if it has none, its form for the `:` line.
     pub(crate) fn first(&self, command: &str) -> String {
         self.keys(command).first().map_or_else(|| format!(":{command}"), |key| key.name())

@@ -1,5 +1,6 @@
 //! What can be shown and chosen.
 
+use super::entry::Entry;
 use crate::words::Words;
 
 /// A view.
@@ -165,7 +166,7 @@ pub(crate) enum PromptKind {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Prompt {
     pub(crate) kind: PromptKind,
-    pub(crate) text: String,
+    pub(crate) text: Entry,
     /// Number of the completion inserted by Tab, and the text that was typed before.
     pub(crate) completing: Option<(usize, String)>,
 }

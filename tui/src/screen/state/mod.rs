@@ -1,6 +1,7 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
+mod entry;
 mod found;
 mod gather;
 mod job;
@@ -26,6 +27,7 @@ use ratatui::layout::Rect;
 
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
+pub(crate) use entry::{Entry, LONGEST};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub use job::NoteWriter;
@@ -254,8 +256,15 @@ impl State {
     }
 
     /// Opens the one-line input with a text that can be edited.
-    pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl Into<String>) {
-        self.prompt = Some(Prompt { kind, text: text.into(), completing: None });
+    pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl AsRef<str>) {
+        self.prompt = Some(Prompt { kind, text: text.as_ref().into(), completing: None });
+    }
+
+    /// The text that is being typed now.
+    pub(crate) fn entry(&self) -> Option<&Entry> {
+        let line = self.prompt.as_ref().map(|prompt| &prompt.text);
+        let help = self.help.as_ref().map(|help| &help.filter.text);
+        line.or(help).or(self.picker.as_ref().map(|picker| &picker.filter.text))
     }
 
     /// Shows a message until the next key.

@@ -4,6 +4,7 @@
 use crossterm::event::KeyCode;
 use frizbee::{CaseMatching, Config, Matcher};
 
+use super::entry::Entry;
 use super::keymap::Key;
 use super::kinds::round;
 
@@ -11,7 +12,7 @@ use super::kinds::round;
 /// letter.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Filter {
-    pub(crate) text: String,
+    pub(crate) text: Entry,
     /// Whether every letter belongs to the text.
     pub(crate) typing: bool,
 }

@@ -128,6 +128,11 @@ impl WhatIf {
         !self.wanted.is_empty() && self.wanted != self.saved
     }
 
+    /// Whether the user may leave: nothing would be lost, or the warning was given.
+    pub(crate) fn may_drop(&self) -> bool {
+        !self.unsaved() || self.warned
+    }
+
     /// Notes that the requested changes were written to a file.
     pub(crate) fn keep_saved(&mut self) {
         self.saved.clone_from(&self.wanted);

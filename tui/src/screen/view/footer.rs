@@ -34,8 +34,12 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         let text = calculating(state, running);
         put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
     }
-    match (&state.help, &state.picker) {
-        (None, Some(picker)) => {
+    match (&state.help, &state.picker, &state.message) {
+        // The line that is written stands below.
+        (.., Some((role, text))) if state.prompt.is_some() => {
+            put(buffer, area, 1, 0, text, theme.style(*role))
+        }
+        (None, Some(picker), _) => {
             let mark =
                 if picker.kind == PickerKind::Quantities { words.get("list-mark") } else { String::new() };
             let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };

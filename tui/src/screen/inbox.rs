@@ -1,0 +1,211 @@
+//! What waits for the loop: reports of the worker, signals, and the input, of which more may come than anyone types.
+//!
+//! A key that ends the program is not behind the keys before it: it comes first, and they are discarded, as a terminal
+//! does it for an interrupt. If the loop takes no notice, being busy or blocked by a terminal that takes no bytes, the
+//! program is ended beside it.
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crossterm::event::{Event as Own, KeyEventKind};
+
+use super::input::Input;
+use super::state::{Key, Report, Wish};
+use super::terminal;
+
+/// Greatest number of inputs that wait: of a held key those of a quarter of a minute. Of more, the oldest are dropped,
+/// so that the last one, which answers what is seen, is never far behind.
+const MOST: usize = 500;
+/// How long the loop may take to answer a key that ends the program. With what restoring the terminal may take, it stays
+/// below the tenth of a second that is felt as a delay.
+const PATIENCE: Duration = Duration::from_millis(40);
+
+/// The events that wake the loop.
+#[derive(Debug)]
+pub(crate) enum Event {
+    /// A key, the mouse, the focus, an answer of the terminal, the end of input.
+    Input(Input),
+    /// The terminal has changed its size.
+    Resized,
+    /// The worker has a report.
+    Work(Report),
+    /// A signal asks for something.
+    Wish(Wish),
+}
+
+impl Event {
+    /// Whether there may be any number of it, so that some may be lost.
+    fn is_typed(&self) -> bool {
+        matches!(self, Self::Input(input) if !matches!(input, Input::End))
+    }
+}
+
+/// What waits, in its order.
+#[derive(Debug, Default)]
+struct Waiting {
+    events: VecDeque<Event>,
+    /// How many of them are typed.
+    typed: usize,
+    /// How many were dropped and not told yet.
+    dropped: usize,
+}
+
+impl Waiting {
+    /// Adds an event as the last one.
+    fn push(&mut self, event: Event) {
+        if event.is_typed() {
+            if self.typed == MOST {
+                let oldest = self.events.iter().position(Event::is_typed);
+                oldest.map(|oldest| self.events.remove(oldest));
+                self.dropped += 1;
+            } else {
+                self.typed += 1;
+            }
+        }
+        self.events.push_back(event);
+    }
+
+    /// Adds an input as the first one, and discards all others but those that came the same way.
+    fn overtake(&mut self, event: Event, same: impl Fn(&Event) -> bool) {
+        self.events.retain(|event| !event.is_typed() || same(event));
+        self.typed = self.events.iter().filter(|event| event.is_typed()).count();
+        if self.typed < MOST {
+            self.typed += 1;
+            self.events.push_front(event);
+        }
+    }
+
+    fn pop(&mut self) -> Option<Event> {
+        let event = self.events.pop_front()?;
+        self.typed -= usize::from(event.is_typed());
+        Some(event)
+    }
+}
+
+/// The events that wait for the loop.
+#[derive(Debug)]
+pub(crate) struct Inbox {
+    waiting: Mutex<Waiting>,
+    came: Condvar,
+    /// The keys that end the program whatever is open.
+    ends: Vec<Key>,
+    /// How often the end was asked for since the loop has last answered.
+    asked: AtomicUsize,
+    /// Whether the end needs no warning first.
+    free: AtomicBool,
+}
+
+impl Inbox {
+    /// An empty one; `ends`: the keys that end the program whatever is open.
+    pub(crate) fn new(ends: Vec<Key>) -> Arc<Self> {
+        let free = AtomicBool::new(true);
+        Arc::new(Self {
+            waiting: Mutex::default(),
+            came: Condvar::new(),
+            ends,
+            asked: AtomicUsize::new(0),
+            free,
+        })
+    }
+
+    /// Adds an event.
+    pub(crate) fn send(&self, event: Event) {
+        self.waiting().push(event);
+        self.came.notify_one();
+    }
+
+    /// Adds inputs in their order.
+    pub(crate) fn take(self: &Arc<Self>, inputs: impl Iterator<Item = Input>) {
+        let mut waiting = self.waiting();
+        let mut asked = 0;
+        for event in inputs.map(Event::Input) {
+            if self.ends_program(&event) {
+                asked += 1;
+                waiting.overtake(event, |event| self.ends_program(event));
+            } else {
+                waiting.push(event);
+            }
+        }
+        drop(waiting);
+        self.came.notify_one();
+        if asked > 0 && self.asked.fetch_add(asked, Ordering::SeqCst) == 0 {
+            self.watch();
+        }
+    }
+
+    /// The next event, waited for until a time; `None`: it has come.
+    pub(crate) fn next(&self, until: Option<Instant>) -> Option<Event> {
+        let mut waiting = self.waiting();
+        loop {
+            if let Some(event) = waiting.pop() {
+                return Some(event);
+            }
+            waiting = match until.map(|until| until.saturating_duration_since(Instant::now())) {
+                Some(Duration::ZERO) => return None,
+                Some(rest) => self.came.wait_timeout(waiting, rest).unwrap_or_else(PoisonError::into_inner).0,
+                None => self.came.wait(waiting).unwrap_or_else(PoisonError::into_inner),
+            };
+        }
+    }
+
+    /// The next event, if one waits.
+    pub(crate) fn try_next(&self) -> Option<Event> {
+        self.waiting().pop()
+    }
+
+    /// Whether nothing waits.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.waiting().events.is_empty()
+    }
+
+    /// How many inputs were dropped since this was last asked.
+    pub(crate) fn dropped(&self) -> usize {
+        std::mem::take(&mut self.waiting().dropped)
+    }
+
+    /// The loop has shown what follows from all that it has taken.
+    pub(crate) fn answered(&self) {
+        let waiting = self.waiting();
+        let open = waiting.events.iter().filter(|event| self.ends_program(event)).count();
+        self.asked.store(open, Ordering::SeqCst);
+    }
+
+    /// Says whether the program may end without a warning.
+    pub(crate) fn set_free(&self, free: bool) {
+        self.free.store(free, Ordering::SeqCst);
+    }
+
+    fn ends_program(&self, event: &Event) -> bool {
+        let Event::Input(Input::Event(Own::Key(key))) = event else { return false };
+        key.kind != KeyEventKind::Release && self.ends.contains(&Key::from(*key))
+    }
+
+    fn waiting(&self) -> MutexGuard<'_, Waiting> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Ends the program if the loop does not answer: at once where no warning is due, else when asked once more.
+    fn watch(self: &Arc<Self>) {
+        let inbox = Arc::clone(self);
+        let watch = move || {
+            loop {
+                thread::sleep(PATIENCE);
+                let asked = inbox.asked.load(Ordering::SeqCst);
+                if asked == 0 {
+                    return;
+                }
+                if asked > 1 || inbox.free.load(Ordering::SeqCst) {
+                    terminal::end(0);
+                }
+            }
+        };
+        // Without a thread the loop answers alone.
+        drop(thread::Builder::new().name("assur-watch".into()).spawn(watch));
+    }
+}
