@@ -24,7 +24,7 @@ use super::terminal;
 const MOST: usize = 500;
 /// How long the loop may take to answer a key that ends the program. With what restoring the terminal may take, it stays
 /// below the tenth of a second that is felt as a delay.
-const PATIENCE: Duration = Duration::from_millis(40);
+const PATIENCE: Duration = Duration::from_millis(30);
 
 /// The events that wake the loop.
 #[derive(Debug)]

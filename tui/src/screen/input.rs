@@ -170,12 +170,17 @@ impl Decoder {
         (whole + PASTE[1].len(), Some(Event::Paste(String::from_utf8_lossy(&text).into_owned())))
     }
 
-    /// No more bytes have come for a time; a pasted text may go on, as a slow connection stops now and then.
-    fn pause(&mut self) -> Vec<Event> {
-        if self.pasted.is_some() && !std::mem::replace(&mut self.stalled, true) {
+    /// No more bytes have come for a time. A pasted text may go on, as a slow connection stops now and then; one that ends
+    /// with Ctrl-C has lost its end, and this was the key.
+    pub(crate) fn pause(&mut self) -> Vec<Event> {
+        if self.pasted.is_none() || std::mem::replace(&mut self.stalled, true) {
+            return self.expire();
+        }
+        if self.rest.last() != Some(&INTERRUPT) {
             return Vec::new();
         }
-        self.expire()
+        self.expire();
+        self.take(&[INTERRUPT])
     }
 
     /// No more bytes have come: a lone escape is the key, any other beginning is dropped, and a pasted text without an

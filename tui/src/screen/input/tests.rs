@@ -92,6 +92,62 @@ fn a_pasted_text_is_no_keys() {
     assert!(matches!(&long[..], [Event::Paste(text)] if text.len() == 1 << 16));
 }
 
+const INTERRUPT: &[u8] = b"\x03";
+
+/// Whether the last event is Ctrl-C, with Alt after a lone escape.
+fn interrupts(events: &[Event]) -> bool {
+    let control = |key: &KeyEvent| key.modifiers.contains(KeyModifiers::CONTROL);
+    matches!(events.last(), Some(Event::Key(key)) if key.code == KeyCode::Char('c') && control(key))
+}
+
+#[test]
+fn no_beginning_of_a_sequence_takes_ctrl_c() {
+    let begun: [&[u8]; 14] = [
+        b"\x1b[",
+        b"\x1b[1;2",
+        b"\x1bO",
+        b"\x1b[[",
+        b"\x1b[M",
+        b"\x1b[M a",
+        b"\x1b]",
+        b"\x1b]0;title",
+        b"\x1bP1$r",
+        b"\x1b_Gi=1",
+        b"\x1b^x",
+        b"\xe2",
+        b"\xe2\x82",
+        b"\xf0\x9f\x98",
+    ];
+    for bytes in begun {
+        let mut decoder = Decoder::default();
+        assert_eq!(decoder.take(bytes), [], "{bytes:?}");
+        assert!(interrupts(&decoder.take(INTERRUPT)), "{bytes:?}");
+        let whole = [bytes, INTERRUPT].concat();
+        assert!(interrupts(&Decoder::default().take(&whole)), "{bytes:?} at once");
+    }
+    // Also behind a string that is longer than any.
+    let long = [b"\x1b]0;", "a".repeat(5000).as_bytes(), INTERRUPT].concat();
+    assert!(interrupts(&Decoder::default().take(&long)));
+}
+
+#[test]
+fn ctrl_c_in_a_pasted_text_is_text_unless_nothing_follows() {
+    let mut decoder = Decoder::default();
+    assert_eq!(decoder.take(b"\x1b[200~rm\x03"), []);
+    assert!(matches!(&decoder.take(b" x\x1b[201~")[..], [Event::Paste(text)] if text == "rm\x03 x"));
+    // A text that has lost its end is left by Ctrl-C behind it,
+    assert_eq!(decoder.take(b"\x1b[200~rm -r\x03"), []);
+    assert!(interrupts(&decoder.pause()));
+    assert_eq!(keys(decoder.take(b"q")), [KeyCode::Char('q')]);
+    // or after a pause; and without it a text goes on.
+    assert_eq!(decoder.take(b"\x1b[200~rm -r"), []);
+    assert_eq!(decoder.pause(), []);
+    assert_eq!(decoder.take(b" more"), []);
+    assert_eq!(decoder.pause(), []);
+    assert!(interrupts(&decoder.take(INTERRUPT)));
+    assert_eq!(keys(decoder.take(b"q")), [KeyCode::Char('q')]);
+}
+
 #[test]
 fn clicks_and_focus_are_reported() {
     let events = Decoder::default().take(b"\x1b[<0;12;7M\x1b[I\x1b[O");
@@ -109,5 +165,18 @@ proptest! {
         decoder.take(&bytes);
         decoder.expire();
         prop_assert_eq!(keys(decoder.take(b"q")), [KeyCode::Char('q')]);
+    }
+
+    #[test]
+    fn after_any_bytes_ctrl_c_is_ctrl_c(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
+        prop_assert!(interrupts(&Decoder::default().take(&[&bytes, INTERRUPT].concat())), "{bytes:?}");
+    }
+
+    #[test]
+    fn any_pieces_make_the_same_keys(text in "(\\PC|\x1b\\[[A-D]|\x1bO[A-D]){0,40}", size in 1..9_usize) {
+        let mut decoder = Decoder::default();
+        let whole = Decoder::default().take(text.as_bytes());
+        let pieces: Vec<Event> = text.as_bytes().chunks(size).flat_map(|bytes| decoder.take(bytes)).collect();
+        prop_assert_eq!(pieces, whole);
     }
 }

@@ -199,7 +199,7 @@ fn the_line_says_what_it_does_not_know() {
 fn tab_completes() {
     let mut state = opened("shaper");
     press(&mut state, ": s e t Space t h Tab Tab");
-    assert_eq!(state.prompt.as_ref().unwrap().text, "set theme mono");
+    assert_eq!(state.prompt.as_ref().unwrap().text.to_string(), "set theme mono");
     press(&mut state, "S-Tab Enter");
     assert_eq!(state.look.theme, Theme::Default);
 }

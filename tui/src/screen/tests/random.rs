@@ -4,7 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent,
 
 use super::{opened, press, run, scene, text};
 use crate::screen::command;
-use crate::screen::state::{State, View, Wish};
+use crate::screen::state::{LONGEST, State, View, Wish};
 
 /// Numbers that look random and are the same in every run (Marsaglia's xorshift).
 struct Dice(u64);
@@ -117,6 +117,38 @@ fn random_keys_leave_no_broken_state() {
         play(small(), seed, 400);
     }
     play(opened("shaper-drive"), 4000, 60);
+}
+
+#[test]
+fn a_text_that_is_typed_or_pasted_ends_at_its_limit_and_that_is_told() {
+    // The list of scenes, the help, the list of quantities, both lines, and an exact value.
+    for keys in ["/", "? /", "p", "t /", ":", "e Enter"] {
+        let mut state = if keys == "/" { super::empty(None) } else { opened("shaper-drive") };
+        command::start(&mut state);
+        super::settle(&mut state);
+        press(&mut state, keys);
+        let typed = |state: &State| state.entry().map_or(0, |entry| entry.len());
+        let before = typed(&state);
+        for _ in 0..2 * LONGEST {
+            command::press(&mut state, KeyEvent::from(KeyCode::Char('x')));
+        }
+        assert_eq!(typed(&state), LONGEST, "{keys}");
+        let full = state.entry().unwrap().to_string();
+        command::paste(&mut state, &"y".repeat(1 << 16));
+        assert_eq!(state.entry().unwrap().to_string(), full, "{keys}");
+        command::prepare(&mut state);
+        let frame = text(&state, 80, 24);
+        assert!(keys.starts_with('?') || frame.contains("no more than 1024 bytes"), "{keys}: {frame}");
+        // What was left out is told no more where there is room again.
+        for _ in before..LONGEST {
+            command::press(&mut state, KeyEvent::from(KeyCode::Backspace));
+        }
+        command::prepare(&mut state);
+        assert!(!text(&state, 80, 24).contains("no more than"), "{keys}");
+        assert_eq!(typed(&state), before, "{keys}");
+        command::paste(&mut state, &"\u{44f}".repeat(LONGEST));
+        assert!((LONGEST - 1..=LONGEST).contains(&typed(&state)), "a letter is whole: {keys}");
+    }
 }
 
 #[test]
