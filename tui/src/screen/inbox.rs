@@ -74,6 +74,7 @@ impl Waiting {
     /// Adds an input as the first one, and discards all others but those that came the same way.
     fn overtake(&mut self, event: Event, same: impl Fn(&Event) -> bool) {
         self.events.retain(|event| !event.is_typed() || same(event));
+        self.dropped = 0;
         self.typed = self.events.iter().filter(|event| event.is_typed()).count();
         if self.typed < MOST {
             self.typed += 1;

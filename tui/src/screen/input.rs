@@ -31,7 +31,7 @@ const INTERRUPT: u8 = 3;
 /// Bytes that are read at once: as many as a terminal keeps.
 const PIECE: usize = 4096;
 /// Pieces that wait to be divided into keys: what waits is short, and the rest of a long input waits in the terminal.
-const PIECES: usize = 4;
+const PIECES: usize = 1;
 
 /// What comes from the terminal.
 #[derive(Debug)]

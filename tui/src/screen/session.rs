@@ -90,7 +90,7 @@ impl Session {
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         terminal::capture_mouse(self.state.look.mouse)?;
         let dropped = self.inbox.dropped();
-        if dropped > 0 {
+        if dropped > 0 && self.state.message.is_none() {
             let text = format!("more keys came than could be taken: {dropped} were dropped");
             self.state.say(Role::Bad, text);
         }

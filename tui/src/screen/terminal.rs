@@ -34,8 +34,10 @@ const MOST: (u16, u16) = (1000, 500);
 
 /// Width and height of a cell, pixels, where the terminal doesn't say them.
 const CELL: [f64; 2] = [10.0, 20.0];
-/// How long an exit waits for the terminal: long for one that takes bytes, and too short to be felt.
+/// How long an exit waits for the frame that is being written: long for a terminal that takes bytes, and not felt.
 const PATIENCE: Duration = Duration::from_millis(40);
+/// How long an exit waits for a busy machine.
+const DELAY: Duration = Duration::from_millis(300);
 
 static TAKEN: AtomicBool = AtomicBool::new(false);
 /// Whether a write has failed: the terminal takes nothing more.
@@ -206,14 +208,18 @@ pub(crate) fn give_back() {
 /// [`give_back`] from another thread: lets a frame end first, but waits for a limited time only, in case the terminal
 /// takes no more bytes.
 fn give_back_soon() {
-    let (done, wait) = channel();
+    let (tell, step) = channel();
     let writer = std::thread::Builder::new().spawn(move || {
+        let _ = tell.send(());
         let guard = writing();
+        let _ = tell.send(());
         give_back();
         drop(guard);
-        let _ = done.send(());
+        let _ = tell.send(());
     });
-    if writer.is_err() || wait.recv_timeout(PATIENCE).is_err() {
+    // The thread runs, no frame is being written, all is written.
+    let mut waits = [DELAY, PATIENCE, DELAY].into_iter();
+    if writer.is_err() || !waits.all(|wait| step.recv_timeout(wait).is_ok()) {
         // The modes of the terminal need no byte to be taken.
         let _ = disable_raw_mode();
     }

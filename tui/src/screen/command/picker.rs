@@ -47,7 +47,7 @@ pub(super) fn press(state: &mut State, key: Key) {
             picker.mark();
             picker.step(1);
         }
-        KeyCode::Enter => return take(state),
+        KeyCode::Enter => take(state),
         _ => {
             if picker.filter.press(key) {
                 picker.chosen = 0;
