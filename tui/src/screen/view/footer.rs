@@ -37,7 +37,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.
         (.., Some((role, text))) if state.prompt.is_some() => {
-            put(buffer, area, 1, 0, text, theme.style(*role))
+            put(buffer, area, 1, 0, text, theme.style(*role));
         }
         (None, Some(picker), _) => {
             let mark =
