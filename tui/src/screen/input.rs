@@ -11,7 +11,7 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::Duration;
 
-use crossterm::event::Event;
+use crossterm::event::{Event, KeyCode, KeyEvent};
 
 use super::pixels::{Answer, answer};
 
@@ -255,6 +255,15 @@ fn character(bytes: &[u8], before: usize) -> Head {
 
 /// The meaning of a complete sequence; nothing if it is unknown.
 fn event(sequence: &[u8]) -> Option<Event> {
+    // Most of a long input: the parser would take much longer for them.
+    if let [letter @ b' '..=b'~'] = sequence {
+        return Some(Event::Key(KeyEvent::from(KeyCode::Char(char::from(*letter)))));
+    }
+    parsed(sequence)
+}
+
+/// What the parser makes of a complete sequence.
+fn parsed(sequence: &[u8]) -> Option<Event> {
     let parsed = terminput::Event::parse_from(sequence).ok().flatten()?;
     terminput_crossterm::to_crossterm(parsed).ok()
 }

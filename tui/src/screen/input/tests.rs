@@ -42,6 +42,17 @@ fn keys_are_read_whole_and_in_pieces() {
 }
 
 #[test]
+fn letters_are_those_of_the_parser() {
+    for letter in b' '..=b'~' {
+        let codes = [super::event(&[letter]), super::parsed(&[letter])].map(|event| match event {
+            Some(Event::Key(key)) => (key.code, key.kind, key.modifiers - KeyModifiers::SHIFT),
+            other => panic!("{other:?}"),
+        });
+        assert_eq!(codes[0], codes[1], "{letter}");
+    }
+}
+
+#[test]
 fn a_lone_escape_is_the_key_after_a_pause() {
     let mut decoder = Decoder::default();
     assert_eq!(decoder.take(b"\x1b"), []);
