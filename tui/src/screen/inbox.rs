@@ -17,7 +17,6 @@ use crossterm::event::{Event as Own, KeyEventKind};
 
 use super::input::Input;
 use super::state::{Key, Report, Wish};
-use super::terminal;
 
 /// Greatest number of inputs that wait: of a held key those of a quarter of a minute. Of more, the oldest are dropped,
 /// so that the last one, which answers what is seen, is never far behind.
@@ -90,12 +89,13 @@ impl Waiting {
 }
 
 /// The events that wait for the loop.
-#[derive(Debug)]
 pub(crate) struct Inbox {
     waiting: Mutex<Waiting>,
     came: Condvar,
     /// The keys that end the program whatever is open.
     ends: Vec<Key>,
+    /// Ends the program beside the loop.
+    end: Box<dyn Fn() + Send + Sync>,
     /// How often the end was asked for since the loop has last answered.
     asked: AtomicUsize,
     /// Whether the end needs no warning first.
@@ -103,13 +103,14 @@ pub(crate) struct Inbox {
 }
 
 impl Inbox {
-    /// An empty one; `ends`: the keys that end the program whatever is open.
-    pub(crate) fn new(ends: Vec<Key>) -> Arc<Self> {
+    /// An empty one; `ends`: the keys that end the program whatever is open, `end`: ends it beside the loop.
+    pub(crate) fn new(ends: Vec<Key>, end: impl Fn() + Send + Sync + 'static) -> Arc<Self> {
         let free = AtomicBool::new(true);
         Arc::new(Self {
             waiting: Mutex::default(),
             came: Condvar::new(),
             ends,
+            end: Box::new(end),
             asked: AtomicUsize::new(0),
             free,
         })
@@ -202,7 +203,7 @@ impl Inbox {
                     return;
                 }
                 if asked > 1 || inbox.free.load(Ordering::SeqCst) {
-                    terminal::end(0);
+                    return (inbox.end)();
                 }
             }
         };

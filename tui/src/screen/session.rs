@@ -1,5 +1,8 @@
 //! The loop: applies what has come, a limited time long, then draws once.
 
+#[cfg(test)]
+mod tests;
+
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::sync::Arc;
@@ -28,7 +31,7 @@ const DIED: u8 = 129;
 
 /// Runs until the user leaves, and returns the exit status; `config`: where its configuration is kept.
 pub(crate) fn run(state: State, config: Option<&Path>) -> io::Result<u8> {
-    let inbox = Inbox::new(state.keys.everywhere("quit"));
+    let inbox = Inbox::new(state.keys.everywhere("quit"), || terminal::end(0));
     listen_to_signals(Arc::clone(&inbox))?;
     let mut screen = Screen::take(state.look.mouse)?;
     let keys = Arc::clone(&inbox);
