@@ -39,6 +39,7 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
             style.tell(&format!("error: {}: {error}", path.display()));
             return Ok(Status::Failed);
         }
+        Err(ShakingError::Load(error)) => return Err(scene::fault(path, &error.into(), style)),
         Err(error) => return Err(scene::in_file(path, &error.to_string())),
     };
     let text = match args.format {
