@@ -16,6 +16,9 @@ const MOST_STEPS: usize = 60;
 /// Part of the way to the boundary of the cones that a step takes.
 const INSIDE: f64 = 0.99;
 
+/// Parts of the greatest force of the dual point below which a row may be left out of the proof.
+const SHARES: [f64; 4] = [0.0, 1e-6, 1e-4, 1e-2];
+
 /// A shorter step no longer moves anything but rounding.
 const SHORTEST: f64 = 1e-8;
 
@@ -89,19 +92,15 @@ impl Points {
         Self { point, dual: vec![[1.0 / rows.len() as f64, 0.0, 0.0]; rows.len()] }
     }
 
-    /// The bound that the dual point proves: what it lacks in feasibility is paid for by the greatest unknowns.
+    /// The best bound that the dual point proves, with all its rows or with those alone that have a share in it.
     fn bound(&self, rows: &[Row], radius: f64) -> f64 {
-        let (mut size, mut work) = (0.0, 0.0);
-        let mut left = vec![0.0; self.point.len() - 1];
-        for (row, &[_, x, y]) in rows.iter().zip(&self.dual) {
-            size += x.hypot(y);
-            work -= x * row.force[0] + y * row.force[1];
-            for (left, column) in left.iter_mut().zip(&row.columns) {
-                *left += x * column[0] + y * column[1];
-            }
-        }
-        let left = left.iter().map(|part| part * part).sum::<f64>().sqrt();
-        if size > 0.0 { (work - radius * left) / size } else { 0.0 }
+        let size = |[_, x, y]: Cone| x.hypot(y);
+        let most = self.dual.iter().copied().map(size).fold(0.0, f64::max);
+        let bound = |share: f64| {
+            let shared = rows.iter().zip(&self.dual).filter(|(_, dual)| size(**dual) >= share * most);
+            Shares::of(shared.map(|(row, [_, x, y])| (row, [-x, -y]))).bound(radius)
+        };
+        SHARES.into_iter().map(bound).fold(0.0, f64::max)
     }
 
     /// A predictor and a corrector step; `None` where rounding permits none.
@@ -128,6 +127,58 @@ impl Points {
             *dual = [0, 1, 2].map(|i| dual[i] + length * change[i]);
         }
         Some(())
+    }
+}
+
+/// Forces y at some rows that prove a bound.
+struct Shares<'r> {
+    rows: Vec<&'r Row>,
+    forces: Vec<[f64; 2]>,
+}
+
+impl<'r> Shares<'r> {
+    fn of(all: impl Iterator<Item = (&'r Row, [f64; 2])>) -> Self {
+        let (rows, forces) = all.unzip();
+        let mut shares = Self { rows, forces };
+        shares.balance();
+        shares
+    }
+
+    /// What each unknown finds to work on: `sum B_i y_i`.
+    fn left(&self) -> DVector<f64> {
+        let unknowns = self.rows.first().map_or(0, |row| row.columns.len());
+        let mut left = DVector::zeros(unknowns);
+        for (row, [x, y]) in self.rows.iter().zip(&self.forces) {
+            for (left, column) in left.iter_mut().zip(&row.columns) {
+                *left += x * column[0] + y * column[1];
+            }
+        }
+        left
+    }
+
+    /// The least change of the forces, in parts of each, that leaves nothing for the unknowns. The bound changes by the square
+    /// of it only, since the dual is at its greatest.
+    fn balance(&mut self) {
+        let left = self.left();
+        let weights: Vec<f64> = self.forces.iter().map(|[x, y]| x.hypot(*y).sqrt()).collect();
+        let matrix = DMatrix::from_fn(left.len(), 2 * self.rows.len(), |unknown, at| {
+            weights[at / 2] * self.rows[at / 2].columns[unknown][at % 2]
+        });
+        let decomposed = matrix.svd(true, true);
+        let least =
+            f64::EPSILON * left.len() as f64 * decomposed.singular_values.iter().copied().fold(0.0, f64::max);
+        let Ok(change) = decomposed.solve(&left, least) else { return };
+        for (i, force) in self.forces.iter_mut().enumerate() {
+            *force = [0, 1].map(|axis| force[axis] - weights[i] * change[2 * i + axis]);
+        }
+    }
+
+    /// The greatest modulus is at least this for all unknowns of a modulus up to `radius`.
+    fn bound(&self, radius: f64) -> f64 {
+        let size: f64 = self.forces.iter().map(|[x, y]| x.hypot(*y)).sum();
+        let each = self.rows.iter().zip(&self.forces);
+        let work: f64 = each.map(|(row, [x, y])| x * row.force[0] + y * row.force[1]).sum();
+        if size > 0.0 { (work - radius * self.left().norm()) / size } else { 0.0 }
     }
 }
 
@@ -211,4 +262,82 @@ fn product(a: Cone, b: Cone) -> Cone {
 fn quotient(a: Cone, b: Cone) -> Cone {
     let first = (a[0] * b[0] - a[1] * b[1] - a[2] * b[2]) / inner(a);
     [first, (b[1] - first * a[1]) / a[0], (b[2] - first * a[2]) / a[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use assur_testkit::Rng;
+    use nalgebra::DVector;
+
+    use super::{Row, least_maximum};
+
+    /// The center of the smallest circle around points: a force is the way to a point.
+    fn around(points: &[[f64; 2]]) -> (f64, f64) {
+        let row = |&force: &[f64; 2]| Row { force, columns: vec![[-1.0, 0.0], [0.0, -1.0]] };
+        let rows: Vec<Row> = points.iter().map(row).collect();
+        let least = least_maximum(&rows, &DVector::zeros(2), 2.0, 1e-13);
+        let [x, y] = [least.unknowns[0], least.unknowns[1]];
+        (least.bound, points.iter().map(|p| (p[0] - x).hypot(p[1] - y)).fold(0.0, f64::max))
+    }
+
+    /// The smallest of all circles through two or three points that hold all.
+    fn smallest(points: &[[f64; 2]]) -> f64 {
+        let holds = |[x, y]: [f64; 2], radius: f64| {
+            points.iter().all(|p| (p[0] - x).hypot(p[1] - y) <= radius * (1.0 + 1e-12))
+        };
+        let mut best = f64::INFINITY;
+        for (i, a) in points.iter().enumerate() {
+            for (j, b) in points.iter().enumerate().take(i) {
+                let center = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+                let radius = 0.5 * (a[0] - b[0]).hypot(a[1] - b[1]);
+                if holds(center, radius) {
+                    best = best.min(radius);
+                }
+                for c in points.iter().take(j) {
+                    let [u, v] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+                    let twice = 2.0 * (u[0] * v[1] - u[1] * v[0]);
+                    let [p, q] = [u[0] * u[0] + u[1] * u[1], v[0] * v[0] + v[1] * v[1]];
+                    let arm = [(v[1] * p - u[1] * q) / twice, (u[0] * q - v[0] * p) / twice];
+                    let radius = arm[0].hypot(arm[1]);
+                    if holds([a[0] + arm[0], a[1] + arm[1]], radius) {
+                        best = best.min(radius);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    #[test]
+    fn the_smallest_circle_around_points() {
+        for seed in 0..40 {
+            let mut rng = Rng::new(seed);
+            let points: Vec<[f64; 2]> =
+                (0..12).map(|_| [rng.range(-0.7, 0.7), rng.range(-0.7, 0.7)]).collect();
+            let (wanted, (bound, greatest)) = (smallest(&points), around(&points));
+            assert!((greatest / wanted - 1.0).abs() < 1e-10, "seed {seed}: {greatest} instead of {wanted}");
+            assert!(bound <= wanted * (1.0 + 1e-14), "seed {seed}: {bound} proves more than {wanted}");
+            assert!(bound >= wanted * (1.0 - 1e-10), "seed {seed}: {bound} proves less than {wanted}");
+        }
+    }
+
+    /// Points on one circle: every one of them touches.
+    #[test]
+    fn all_rows_touch() {
+        let points: Vec<[f64; 2]> = (0..60)
+            .map(|i| (f64::from(i) * 0.105).sin_cos())
+            .map(|(y, x)| [0.6 * x + 0.1, 0.6 * y])
+            .collect();
+        let (bound, greatest) = around(&points);
+        assert!((greatest - 0.6).abs() < 1e-10 && (bound - 0.6).abs() < 1e-10, "{bound} {greatest}");
+    }
+
+    /// A force that no unknown reaches can't be less.
+    #[test]
+    fn what_no_unknown_changes_is_the_least() {
+        let row = |force, column| Row { force, columns: vec![column] };
+        let rows = [row([0.6, -0.8], [0.0; 2]), row([0.5, 0.0], [1.0, 0.0])];
+        let least = least_maximum(&rows, &DVector::zeros(1), 2.0, 1e-13);
+        assert!((least.bound - 1.0).abs() < 1e-12, "{}", least.bound);
+    }
 }
