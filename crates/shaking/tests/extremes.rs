@@ -94,7 +94,8 @@ fn least(ends: [f64; 2], of: &dyn Fn(f64) -> f64) -> f64 {
 /// The counterweight on the crank by golden sections of golden sections, over 1,500 positions.
 #[test]
 fn the_crank_by_another_method() {
-    for mut mechanism in specimens(2, 4) {
+    let mut judged = 0;
+    for mut mechanism in specimens(2, 6) {
         mechanism.input.positions = 1500;
         let Some(Motion::Prescribed { speed, acceleration }) = mechanism.motion else { panic!() };
         let found = found(mechanism);
@@ -108,10 +109,15 @@ fn the_crank_by_another_method() {
             })
         };
         let shown = &found.balances[1];
+        if shown.after.greatest_force < 1e-6 * found.before.greatest_force {
+            continue;
+        }
+        judged += 1;
         let size = 4.0 * found.before.greatest_force / speed.powi(2).hypot(acceleration);
         let by_hand = least([-size, size], &|x| least([-size, size], &|y| greatest(x, y)));
         let deviation = shown.after.greatest_force / by_hand - 1.0;
         // The positions miss the greatest force by a little.
         assert!((-1e-9..2e-4).contains(&deviation), "{} by hand {by_hand}", shown.after.greatest_force);
     }
+    assert!(judged >= 3, "{judged}");
 }
