@@ -3,9 +3,10 @@
 use assur_kinematics::PositionError;
 use nalgebra::{DMatrix, DVector};
 
-use crate::cone::{Row, least_maximum};
+use crate::cone::least_maximum;
 use crate::course::{Course, ROUNDING};
 use crate::data::Proof;
+use crate::proof::Row;
 use crate::samples::Sample;
 
 /// Part of the greatest singular value below which counterweights on several links replace each other; the smallest of
@@ -29,7 +30,7 @@ pub(crate) struct Fit {
     force: f64,
     /// Greatest sum of the moduli of the terms of the force, N.
     terms: f64,
-    /// Greatest force of a unknown of size 1, over that force.
+    /// Greatest force of an unknown of size 1, over that force.
     scales: Vec<f64>,
     /// The unknowns that make the mean square least.
     least_squares: DVector<f64>,
@@ -96,10 +97,11 @@ impl Fit {
                 break;
             }
             rows.extend(tops.iter().map(|top| self.row(top)));
-            // The mean square of the best forces, and so of those of the unknowns, is bounded: |F + B w| and |F| are at
-            // most 1.
+            // The mean square of the unknowns is that of the forces B w, each at most |F + B w| and |F| together: with the best
+            // unknowns no more than the greatest force found, and 1.
+            let radius = 1.0 + greatest / self.force;
             let missing = 0.1 * GAP * self.measure(greatest) / self.force;
-            let least = least_maximum(&rows, &unknowns, 2.0, missing);
+            let least = least_maximum(&rows, &unknowns, radius, missing);
             unknowns = least.unknowns;
             bound = f64::max(bound, least.bound * self.force);
             products = self.products(&(&self.map * &unknowns));
