@@ -38,7 +38,7 @@ fn greatest(positions: &[AtPosition], of: impl Fn(&AtPosition) -> f64) -> f64 {
 #[test]
 fn nothing_between_the_samples_is_greater() {
     for groups in 1..=4 {
-        for mut mechanism in specimens(groups, 3) {
+        for mut mechanism in specimens(groups, 2) {
             mechanism.input.positions = 20_000;
             let found = found(mechanism);
             let judge = |what: &str, shown: f64, dense: f64| {
@@ -61,7 +61,7 @@ fn nothing_between_the_samples_is_greater() {
 #[test]
 fn the_least_maximum_is_proved() {
     for groups in 1..=5 {
-        for mechanism in specimens(groups, 8) {
+        for mechanism in specimens(groups, 5) {
             let found = found(mechanism);
             for balance in &found.balances {
                 assert_eq!(balance.proof.is_some(), balance.criterion == Criterion::LeastMaximum);
