@@ -69,9 +69,11 @@ fn forms_of_the_shaking() {
     let output = assur(&["shaking", "four-bar.toml", "--ascii"]);
     let (code, out, _) = text(&output);
     assert!(code == 0 && out.is_ascii() && out.contains("on crank and rocker: least maximum"), "{out}");
+    assert!(out.contains("dual gap"), "{out}");
     let output = assur(&["shaking", "four-bar.toml", "--format", "csv"]);
     let (code, out, _) = text(&output);
     assert_eq!((code, out.lines().count()), (0, 37));
+    assert!(found["balances"][1]["proof"]["gap"].as_f64().unwrap() <= 1e-9);
     // A steady regime: its speed over the cycle is found first.
     let output = assur(&["shaking", "shaper-drive.toml"]);
     let (code, _, err) = text(&output);
@@ -89,4 +91,20 @@ fn faults_of_the_shaking() {
     let (code, out, err) = text(&output);
     assert_eq!((code, out), (2, ""));
     assert!(err.contains("give `[motion]`"), "{err}");
+}
+
+/// A load that outgrows all numbers in the cycle, not in a position of the scene, is shown where it stands.
+#[test]
+fn a_load_without_a_finite_value_has_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let load = "\n[[moment]]\nlink = \"rocker\"\nvalue = { formula = \"1/(1 - sin(q))\", unit = \"N*m\" }\n";
+    let scene = assur_fixtures::scene("four-bar").to_owned() + load;
+    let line = scene.lines().position(|line| line.starts_with("value = { formula")).unwrap() + 1;
+    let path = folder.path().join("pole.toml");
+    std::fs::write(&path, scene).unwrap();
+    let output = assur(&["shaking", path.to_str().unwrap()]);
+    let (code, out, err) = text(&output);
+    assert_eq!((code, out), (1, ""));
+    assert!(err.contains("has no finite value at coordinate 1.570796327"), "{err}");
+    assert!(err.contains(&format!("line {line}, column 1")), "{err}");
 }

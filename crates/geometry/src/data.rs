@@ -19,6 +19,10 @@ pub struct Geometry {
     pub angular: bool,
     /// The link from which the centers are seen; `ground` for absolute ones.
     pub against: String,
+    /// Links that form a rigid part with that one over the whole cycle, by their dimensions or by the structure: they have no
+    /// centers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rigid: Vec<String>,
     /// Moving links.
     pub links: Named<LinkCourse>,
     /// Points that move.

@@ -6,6 +6,8 @@ use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::GROUND;
 use serde::Serialize;
 
+use crate::rigid::RigidParts;
+
 /// Centers of the motion of one link as seen from another link (or from the ground), in the frame of that one, m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Centers {
@@ -21,6 +23,12 @@ pub struct Centers {
     /// The pole of accelerations at constant input speed: the point whose PF2 is zero; `None` for a translation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_pole: Option<[f64; 2]>,
+}
+
+impl Centers {
+    /// Of a link that never moves against the other one.
+    pub(crate) const RIGID: Self =
+        Self { center: CenterAt::Everywhere, on_link: None, inflection_pole: None, acceleration_pole: None };
 }
 
 /// Centers of the motion of `body` as seen from `observer`; both need PF2. `scale`: a typical length, m.
@@ -123,12 +131,17 @@ pub struct Center {
 /// The centers of all pairs of links: the absolute ones first, then the relative ones. `position` needs PF1.
 pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
     let links = &linkage.mechanism.links;
+    let parts = RigidParts::of_structure(linkage);
     let mut list = Vec::new();
     for against in 0..links.len() {
         for link in against + 1..links.len() {
             let [one, two] = [link, against].map(|id| &position.bodies[id]);
             let name = if against == GROUND { "ground".to_owned() } else { links[against].name.clone() };
-            let at = center(one, two, linkage.structure.scale);
+            let at = if parts.joins(link, against) {
+                CenterAt::Everywhere
+            } else {
+                center(one, two, linkage.structure.scale)
+            };
             list.push(Center { link: links[link].name.clone(), against: name, at });
         }
     }
@@ -153,6 +166,6 @@ pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
     CenterAt::Everywhere
 }
 
-fn modulus(v: [f64; 2]) -> f64 {
+pub(crate) fn modulus(v: [f64; 2]) -> f64 {
     v[0].hypot(v[1])
 }

@@ -13,6 +13,7 @@ mod cycle;
 mod data;
 mod instant;
 mod measure;
+mod rigid;
 mod stroke;
 
 pub use course::Extremes;

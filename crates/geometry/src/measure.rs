@@ -9,7 +9,8 @@ use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
 use crate::course::{Course, Motion, Rest};
 use crate::cycle::Cycle;
 use crate::data::{AtPosition, ForceAngles, Geometry, LinkCourse, Named, PointCourse, SlideCourse};
-use crate::{Curvature, Stroke, centers_of};
+use crate::rigid::RigidParts;
+use crate::{Centers, Curvature, Stroke, centers_of};
 
 /// Version of the format of the JSON.
 const FORMAT: u32 = 1;
@@ -31,9 +32,11 @@ pub struct GeometryError(#[from] pub PositionError);
 pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, GeometryError> {
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
+    let parts = RigidParts::of(&cycle);
     let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.clone()));
-    let links =
-        moving().map(|(id, name)| Ok((name, link(&cycle, id)?))).collect::<Result<_, PositionError>>()?;
+    let links = moving()
+        .map(|(id, name)| Ok((name, link(&cycle, id, &parts)?)))
+        .collect::<Result<_, PositionError>>()?;
     let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
     let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
     let points = points
@@ -46,12 +49,15 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let groups = (0..linkage.structure.groups.len())
         .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
         .collect::<Result<_, PositionError>>()?;
-    let positions = positions(linkage, against, &points)?;
+    let is_rigid = |link: LinkId| parts.joins(link, against);
+    let positions = positions(linkage, against, &is_rigid, &points)?;
+    let rigid = moving().filter(|&(id, _)| id != against && is_rigid(id)).map(|(_, name)| name);
     Ok(Geometry {
         format: FORMAT,
         title: mechanism.title.clone(),
         angular: linkage.angular(),
         against: mechanism.links[against].name.clone(),
+        rigid: rigid.collect(),
         links,
         points,
         slides,
@@ -88,7 +94,7 @@ const ORDERS: [fn(&Motion<1>) -> [f64; 3]; 3] = [
     |motion| [motion[2][0], f64::NAN, f64::NAN],
 ];
 
-fn link(cycle: &Cycle<'_>, id: LinkId) -> Result<LinkCourse, PositionError> {
+fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<LinkCourse, PositionError> {
     let linkage = cycle.linkage;
     let angle = Course::angle(cycle, |position| {
         let found = linkage.link_motion(id, position);
@@ -100,7 +106,7 @@ fn link(cycle: &Cycle<'_>, id: LinkId) -> Result<LinkCourse, PositionError> {
         let body = &position.bodies[id];
         [[body.x, body.y, 0.0], [body.x1, body.y1, scale * body.w1], [body.x2, body.y2, scale * body.w2]]
     });
-    let rests_always = whole.rests_always(scale * unit);
+    let rests_always = parts.joins(id, GROUND) || whole.rests_always(scale * unit);
     let ends = [&angle.samples[0], &angle.samples[angle.samples.len() - 1]].map(|motion| motion[0][0]);
     let turns = (ends[1] - ends[0]) / TAU;
     let is_whole = cycle.period.is_some() && turns.round() != 0.0 && (turns - turns.round()).abs() < WHOLE;
@@ -182,6 +188,7 @@ fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, Position
 fn positions(
     linkage: &Linkage,
     against: LinkId,
+    is_rigid: &dyn Fn(LinkId) -> bool,
     points: &Named<PointCourse>,
 ) -> Result<Vec<AtPosition>, PositionError> {
     let mechanism = &linkage.mechanism;
@@ -192,7 +199,12 @@ fn positions(
         linkage.solve_index(index, Order::Second, &mut position)?;
         let bodies = &position.bodies;
         let links = (1..bodies.len()).filter(|&link| link != against).map(|link| {
-            (mechanism.links[link].name.clone(), centers_of(&bodies[link], &bodies[against], scale))
+            let centers = if is_rigid(link) {
+                Centers::RIGID
+            } else {
+                centers_of(&bodies[link], &bodies[against], scale)
+            };
+            (mechanism.links[link].name.clone(), centers)
         });
         let curved = points.iter().filter_map(|(name, course)| {
             let motion = linkage.point_motion(mechanism.point(name)?, &position);

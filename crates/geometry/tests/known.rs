@@ -5,10 +5,11 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur_all as _;
-use assur_geometry::{CenterAt, Curvature, Geometry, centers_of, geometry};
+use assur_geometry::{CenterAt, Centers, Curvature, Geometry, centers_of, geometry, instant_centers};
 use assur_group::{Body, Order};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
+use assur_testkit::specimen::Recipe;
 
 fn compile(scene: &str) -> Linkage {
     let mechanism = assur_scene::read("test.toml", scene).unwrap_or_else(|errors| panic!("{errors}"));
@@ -228,6 +229,90 @@ fn transmission_angle_of_a_crank_rocker() {
     // Half a grid step never hides the extreme: it lies at a position of the crank along the frame.
     let at = angle.extremes.at_min;
     near(at.min((at - PI).abs()).min(TAU - at), 0.0, 1e-6);
+}
+
+/// The links that form a rigid part with one of a scene.
+fn rigid_with(linkage: &Linkage, link: &str) -> Vec<String> {
+    let found = geometry(linkage, linkage.mechanism.link(link).unwrap()).unwrap();
+    for name in &found.rigid {
+        for at in &found.positions {
+            let Centers { center, on_link, inflection_pole, acceleration_pole } = at.links[name];
+            assert_eq!((center, on_link), (CenterAt::Everywhere, None));
+            assert_eq!((inflection_pole, acceleration_pole), (None, None));
+        }
+    }
+    found.rigid
+}
+
+/// A dyad whose outer pins are both on the rod, one of them on the crank as well, can't move against the rod.
+#[test]
+fn a_dyad_on_one_link_is_rigid_with_it() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n\
+        [link.rod]\npoints = { A = 0, B = 0.4, G = [0.2, 0.05] }\n[link.piston]\npoints = { B = 0 }\n\
+        [link.one]\npoints = { A = 0, H = 0.15 }\n[link.two]\npoints = { H = 0, G = 0.14 }\n\
+        [link.third]\npoints = { H = 0, K = 0.1 }\n[link.fourth]\npoints = { K = 0, B = 0.25 }\n\
+        [[slide]]\nlink = 'piston'\non = 'ground'\nthrough = [0, 0.03]\n[input]\nlink = 'crank'\npositions = 24\n\
+        [assembly]\nB = [0.5, 0.03]\nH = [0.2, 0.15]\nK = [0.3, 0.15]";
+    let linkage = compile(scene);
+    assert_eq!(rigid_with(&linkage, "rod"), ["one", "two", "third", "fourth"]);
+    assert_eq!(rigid_with(&linkage, "third"), ["rod", "one", "two", "fourth"]);
+    for link in ["ground", "crank", "piston"] {
+        assert_eq!(rigid_with(&linkage, link), [""; 0], "{link}");
+    }
+    let position = solved(&linkage, 0.7);
+    let everywhere = instant_centers(&linkage, &position).into_iter();
+    let everywhere = everywhere.filter(|center| center.at == CenterAt::Everywhere);
+    // Ten pairs of five links; crank and rod share a point with them, no more.
+    assert_eq!(everywhere.count(), 10);
+}
+
+/// Two stones on parallel guides and the rod between them translate alike, because of their dimensions alone.
+#[test]
+fn links_that_move_alike_are_rigid_with_each_other() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.one]\npoints = { A = 0 }\n[link.rod]\npoints = { A = 0, B = 0.3 }\n\
+        [link.other]\npoints = { B = 0 }\n[[slide]]\nlink = 'one'\non = 'ground'\nangle = 0.3\n\
+        [[slide]]\nlink = 'other'\non = 'ground'\nthrough = [0, 0.2]\nangle = 0.3\n\
+        [input]\nlink = 'one'\nfrom = 0\nto = 0.5\npositions = 11\n[assembly]\nB = [0.2, 0.26]";
+    let linkage = compile(scene);
+    assert_eq!(rigid_with(&linkage, "one"), ["rod", "other"]);
+    assert_eq!(rigid_with(&linkage, "ground"), [""; 0]);
+    // A guide that is turned by a millionth is no such dimension.
+    let linkage = compile(&scene.replacen("angle = 0.3", "angle = 0.300001", 1));
+    assert_eq!(rigid_with(&linkage, "one"), [""; 0]);
+}
+
+/// Links form a rigid part where their relative pose does not change, and nowhere else.
+#[test]
+fn rigid_parts_of_random_mechanisms() {
+    let (mut rigid, mut moving) = (0, 0);
+    for seed in 0..20 {
+        let Some(specimen) = Recipe { loads: false, ..Recipe::of(3) }.specimen(seed) else { continue };
+        let linkage = Linkage::compile(specimen.mechanism).unwrap();
+        let input = &linkage.mechanism.input;
+        let all: Vec<_> = (0..input.positions).map(|i| solved(&linkage, input.coordinate(i))).collect();
+        for against in 0..linkage.mechanism.links.len() {
+            let Ok(found) = geometry(&linkage, against) else { continue };
+            for (link, data) in linkage.mechanism.links.iter().enumerate().skip(1) {
+                // The place of a body in the frame of the other one: its arm and its angle.
+                let place = |at: &assur_kinematics::Position| {
+                    let [one, two] = [&at.bodies[link], &at.bodies[against]];
+                    let [x, y] = [one.x - two.x, one.y - two.y];
+                    let back = |x: f64, y: f64| [x * two.c + y * two.s, y * two.c - x * two.s];
+                    let ([x, y], [c, s]) = (back(x, y), back(one.c, one.s));
+                    [x / linkage.structure.scale, y / linkage.structure.scale, c, s]
+                };
+                let first = place(&all[0]);
+                let apart = |at| place(at).iter().zip(first).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                let most = all.iter().map(apart).fold(0.0, f64::max);
+                let still = most < 1e-9;
+                assert!(still || most > 1e-6, "seed {seed}: {most:e} decides nothing");
+                let is_rigid = found.rigid.contains(&data.name) || link == against;
+                assert_eq!(is_rigid, still, "seed {seed}: {} against {}, {most:e}", data.name, found.against);
+                *(if still { &mut rigid } else { &mut moving }) += usize::from(link != against);
+            }
+        }
+    }
+    assert!(rigid > 4 && moving > 100, "{rigid} {moving}");
 }
 
 #[test]

@@ -26,11 +26,11 @@ pub struct Shaking {
 /// How large shaking force and moment are over the cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Size {
-    /// Greatest modulus of the force, N.
+    /// Greatest modulus of the force, N, found between positions.
     pub greatest_force: f64,
     /// Root of the mean square of the force over the coordinate, N.
     pub rms_force: f64,
-    /// Greatest moment about the origin by absolute value, N m.
+    /// Greatest moment about the origin by absolute value, N m, found between positions.
     pub greatest_moment: f64,
     /// Root of the mean square of the moment over the coordinate, N m.
     pub rms_moment: f64,
@@ -70,6 +70,19 @@ pub struct Balanced {
     pub counterweights: Vec<Counterweight>,
     /// Sizes with them.
     pub after: Size,
+    /// Of the least maximum: the proof that it is the least.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<Proof>,
+}
+
+/// How far a greatest force is from the least possible one.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Proof {
+    /// No counterweights on these links make the greatest force less, N: the value of the dual problem.
+    pub bound: f64,
+    /// Dual gap: what the greatest force is above the bound, as a part of it. A force that a complete balance has left, less
+    /// than 1/1000 of the sum of the inertia loads, is compared with that instead, since its rounding is no gap.
+    pub gap: f64,
 }
 
 /// A point mass fixed to a link that turns about the ground.

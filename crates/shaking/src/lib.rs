@@ -4,15 +4,20 @@
 //! The shaking force is the sum of the inertia loads -m a of all moving links, the shaking moment the sum of their moments
 //! about the origin of the ground, with -I e of each link. They act on the ground in addition to the applied loads.
 //! A link that turns about a pin on the ground can carry a counterweight; the shaking force depends linearly on its mass
-//! times radius, so that the best one is found without iteration (least squares) or as a convex problem (least maximum).
+//! times radius, so that the best one is found without iteration (least squares) or as a convex problem, with the proof by its dual (least maximum).
+//! What is greatest over the cycle is found between samples.
 //!
 //! SI units, angles in rad.
 
-mod barrier;
+mod balance;
+mod cone;
+mod course;
 mod data;
+mod proof;
 mod samples;
+mod scaling;
 mod study;
 
 pub use data::ShakingError;
-pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Shaking, Size};
+pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
 pub use study::shaking;

@@ -8,6 +8,7 @@ use assur_group::{Body, Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, LinkId};
 
+use crate::ShakingError;
 use crate::data::Harmonic;
 
 /// A link that turns about a pin on the ground, and so may carry a counterweight.
@@ -48,10 +49,31 @@ pub(crate) struct Sample {
     pub(crate) force: [f64; 2],
     /// Shaking moment about the origin, N m.
     pub(crate) moment: f64,
-    /// Torque that the input needs, N m.
-    pub(crate) torque: f64,
+    /// What they are sums of.
+    pub(crate) terms: Terms,
     /// For each carrier.
     pub(crate) units: Vec<Unit>,
+}
+
+/// Sums of the moduli of the terms of force (N) and moment (N m), by which their rounding is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Terms {
+    pub(crate) force: f64,
+    pub(crate) moment: f64,
+}
+
+impl Sample {
+    /// Force and moment with counterweights on the first carriers, given by their mass times radius in the frames of the
+    /// links, kg m.
+    pub(crate) fn balanced(&self, carriers: &[Carrier], products: &[[f64; 2]]) -> ([f64; 2], f64) {
+        let (mut force, mut moment) = (self.force, self.moment);
+        for ((unit, product), carrier) in self.units.iter().zip(products).zip(carriers) {
+            let [x, y] = unit.force(*product);
+            force = [force[0] + x, force[1] + y];
+            moment += unit.moment(*product, carrier.radius);
+        }
+        (force, moment)
+    }
 }
 
 /// The shaking force of a counterweight of 1 kg m: along the x axis of the link, and along its y axis.
@@ -74,6 +96,11 @@ impl Unit {
         Self { forces: [force(along), force(perp(along))], pin: carrier.pin, turning: -e }
     }
 
+    /// Modulus of the force of 1 kg m, N.
+    pub(crate) fn size(&self) -> f64 {
+        self.forces[0][0].hypot(self.forces[0][1])
+    }
+
     /// Force of a counterweight, given by its mass times radius in the frame of the link, kg m.
     pub(crate) fn force(&self, product: [f64; 2]) -> [f64; 2] {
         plus(scaled(product[0], self.forces[0]), scaled(product[1], self.forces[1]))
@@ -88,45 +115,62 @@ impl Unit {
 
 /// Calculates samples.
 pub(crate) struct Sampler<'a> {
-    linkage: &'a Linkage,
+    pub(crate) linkage: &'a Linkage,
     loads: &'a Loads,
     state: &'a dyn Fn(f64) -> State,
     pub(crate) carriers: Vec<Carrier>,
     position: Position,
+    wrenches: Vec<Wrench<f64>>,
 }
 
 impl<'a> Sampler<'a> {
     pub(crate) fn new(linkage: &'a Linkage, loads: &'a Loads, state: &'a dyn Fn(f64) -> State) -> Self {
-        Self { linkage, loads, state, carriers: carriers(linkage), position: linkage.position() }
+        let (carriers, position) = (carriers(linkage), linkage.position());
+        let wrenches = vec![Wrench::ZERO; position.bodies.len()];
+        Self { linkage, loads, state, carriers, position, wrenches }
     }
 
+    /// Forces and moments on the ground.
     pub(crate) fn at(&mut self, coordinate: f64) -> Result<Sample, PositionError> {
         self.linkage.solve(coordinate, Order::Second, &mut self.position)?;
         let (bodies, state) = (&self.position.bodies, (self.state)(coordinate));
-        let mut wrenches = vec![Wrench::ZERO; bodies.len()];
-        self.loads.inertia(&state, bodies, &mut wrenches);
-        let mut total = Wrench::ZERO;
-        for (body, wrench) in bodies.iter().zip(&wrenches) {
+        self.wrenches.fill(Wrench::ZERO);
+        self.loads.inertia(&state, bodies, &mut self.wrenches);
+        let (mut total, mut terms) = (Wrench::ZERO, Terms::default());
+        for (body, wrench) in bodies.iter().zip(&self.wrenches) {
             total.add_at([body.x, body.y], wrench.force(), wrench.m);
+            let force = wrench.fx.hypot(wrench.fy);
+            terms.force += force;
+            terms.moment += wrench.m.abs() + body.x.hypot(body.y) * force;
         }
+        let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
+        Ok(Sample { coordinate, force: total.force(), moment: total.m, terms, units: units.collect() })
+    }
+
+    /// The same, and the torque (sliding input: force) that the input needs for the motion under all loads.
+    pub(crate) fn driven(&mut self, coordinate: f64) -> Result<(Sample, f64), ShakingError> {
+        let sample = self.at(coordinate)?;
+        let (bodies, state) = (&self.position.bodies, (self.state)(coordinate));
         let reduced = self.loads.reduced(&state, bodies);
         let inertia = reduced.inertia * state.acceleration;
         let torque = inertia + 0.5 * reduced.inertia_derivative * state.speed * state.speed - reduced.moment;
-        let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
-        Ok(Sample { coordinate, force: total.force(), moment: total.m, torque, units: units.collect() })
+        if !torque.is_finite() {
+            self.loads.finite(&self.linkage.mechanism, &state, bodies)?;
+        }
+        Ok((sample, torque))
     }
 }
 
 /// Greatest order that is given.
 const GREATEST: usize = 12;
 
-/// Harmonics of samples that are equally spaced over a cycle of this length.
-pub(crate) fn harmonics(samples: &[Sample], period: f64) -> Vec<Harmonic> {
+/// Harmonics of samples, with the torque of the input, that are equally spaced over a cycle of this length.
+pub(crate) fn harmonics(samples: &[(Sample, f64)], period: f64) -> Vec<Harmonic> {
     let count = samples.len() as f64;
     let of = |order: usize| {
         let factor = if order == 0 { 1.0 / count } else { 2.0 / count };
         let mut sum = Harmonic { order, ..Harmonic::default() };
-        for sample in samples {
+        for (sample, torque) in samples {
             let (sin, cos) = (order as f64 * TAU * sample.coordinate / period).sin_cos();
             let add = |to: &mut [f64; 2], value: f64| {
                 to[0] += factor * value * cos;
@@ -135,7 +179,7 @@ pub(crate) fn harmonics(samples: &[Sample], period: f64) -> Vec<Harmonic> {
             add(&mut sum.x, sample.force[0]);
             add(&mut sum.y, sample.force[1]);
             add(&mut sum.moment, sample.moment);
-            add(&mut sum.torque, sample.torque);
+            add(&mut sum.torque, *torque);
         }
         sum
     };

@@ -1,13 +1,13 @@
 //! Shaking force over the cycle, before and after balancing.
 
 use assur_force::{Loads, State};
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{Motion, Range};
-use nalgebra::{DMatrix, DVector};
 
 use crate::ShakingError;
-use crate::barrier::{Row, least_maximum, solve};
-use crate::data::{AtPosition, Balanced, Counterweight, Criterion, Shaking, Size};
+use crate::balance::Fit;
+use crate::course::Course;
+use crate::data::{AtPosition, Balanced, Counterweight, Criterion, Proof, Shaking, Size};
 use crate::samples::{Carrier, Sample, Sampler, harmonics};
 
 /// Version of the format of the JSON.
@@ -34,72 +34,104 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     let loads = Loads::compile(linkage)?;
     let mut sampler = Sampler::new(linkage, &loads, state);
     let coordinate = |i: usize| input.from + input.sign() * period * i as f64 / SAMPLES as f64;
-    let samples = (0..SAMPLES).map(|i| sampler.at(coordinate(i))).collect::<Result<Vec<_>, _>>()?;
+    let driven = (0..SAMPLES).map(|i| sampler.driven(coordinate(i))).collect::<Result<Vec<_>, _>>()?;
+    let harmonics = harmonics(&driven, period);
+    let mut samples: Vec<Sample> = driven.into_iter().map(|(sample, _)| sample).collect();
+    samples.push(sampler.at(coordinate(SAMPLES))?);
+    let mut course = Course::of(&mut sampler, &samples)?;
+    // Of a whole cycle, once around.
+    samples.pop();
+    let balances = balances(linkage, &samples, &mut course)?;
+    let before = size(&samples, &mut course, &[])?;
+    let positions = positions(&mut sampler, &balances)?;
+    Ok(Shaking {
+        format: FORMAT,
+        title: mechanism.title.clone(),
+        angular: input.is_angle(),
+        before,
+        harmonics,
+        balances: balances.into_iter().map(|(balanced, _)| balanced).collect(),
+        positions,
+    })
+}
+
+/// What is found with counterweights, and their mass times radius, kg m, in the frames of the links.
+type Products = (Balanced, Vec<[f64; 2]>);
+
+/// The counterweights by each criterion: on the input link alone, then on all links that turn about the ground.
+fn balances(
+    linkage: &Linkage,
+    samples: &[Sample],
+    course: &mut Course<'_, '_>,
+) -> Result<Vec<Products>, PositionError> {
+    let carriers = course.sampler.carriers.clone();
+    let mut counts = vec![1, carriers.len()];
+    counts.dedup();
+    let mut all = Vec::new();
+    for count in counts.into_iter().filter(|count| (1..=carriers.len()).contains(count)) {
+        let fit = Fit::of(samples, count);
+        for criterion in [Criterion::LeastSquares, Criterion::LeastMaximum] {
+            let (products, proof) = match (&fit, criterion) {
+                (Some(fit), Criterion::LeastSquares) => (fit.least_squares(), None),
+                (Some(fit), Criterion::LeastMaximum) => {
+                    let (products, proof) = fit.least_maximum(course)?;
+                    (products, Some(proof))
+                }
+                (None, Criterion::LeastSquares) => (vec![[0.0; 2]; count], None),
+                (None, Criterion::LeastMaximum) => (vec![[0.0; 2]; count], Some(Proof::default())),
+            };
+            let each = products.iter().zip(&carriers);
+            let counterweights =
+                each.map(|(product, carrier)| described(linkage, carrier, *product)).collect();
+            let after = size(samples, course, &products)?;
+            all.push((Balanced { criterion, counterweights, after, proof }, products));
+        }
+    }
+    Ok(all)
+}
+
+fn positions(sampler: &mut Sampler<'_>, balances: &[Products]) -> Result<Vec<AtPosition>, ShakingError> {
     let carriers = sampler.carriers.clone();
-    let (balances, products) = balances(linkage, &samples, &carriers).into_iter().unzip::<_, _, _, Vec<_>>();
+    let input = &sampler.linkage.mechanism.input;
     let mut positions = Vec::with_capacity(input.positions);
     for index in 0..input.positions {
-        let sample = sampler.at(input.coordinate(index))?;
+        let (sample, torque) = sampler.driven(input.coordinate(index))?;
         positions.push(AtPosition {
             index,
             coordinate: sample.coordinate,
             force: sample.force,
             moment: sample.moment,
-            torque: sample.torque,
-            balanced: products.iter().map(|products| balanced(&sample, &carriers, products).0).collect(),
+            torque,
+            balanced: balances.iter().map(|(_, products)| sample.balanced(&carriers, products).0).collect(),
         });
     }
-    Ok(Shaking {
-        format: FORMAT,
-        title: mechanism.title.clone(),
-        angular: input.is_angle(),
-        before: size(&samples, &carriers, &[]),
-        harmonics: harmonics(&samples, period),
-        balances,
-        positions,
-    })
+    Ok(positions)
 }
 
-/// The counterweights by each criterion, with their products of mass and place: on the input link alone, then on all links
-/// that turn about the ground.
-fn balances(linkage: &Linkage, samples: &[Sample], carriers: &[Carrier]) -> Vec<(Balanced, Vec<[f64; 2]>)> {
-    let mut counts = vec![1, carriers.len()];
-    counts.dedup();
-    let mut all = Vec::new();
-    for count in counts.into_iter().filter(|count| (1..=carriers.len()).contains(count)) {
-        for criterion in [Criterion::LeastSquares, Criterion::LeastMaximum] {
-            let found = counterweights(samples, count, criterion);
-            let each = found.iter().zip(carriers);
-            let counterweights =
-                each.map(|(product, carrier)| described(linkage, carrier, *product)).collect();
-            all.push((Balanced { criterion, counterweights, after: size(samples, carriers, &found) }, found));
-        }
-    }
-    all
-}
-
-/// Force and moment of a sample with counterweights.
-fn balanced(sample: &Sample, carriers: &[Carrier], products: &[[f64; 2]]) -> ([f64; 2], f64) {
-    let (mut force, mut moment) = (sample.force, sample.moment);
-    for ((unit, product), carrier) in sample.units.iter().zip(products).zip(carriers) {
-        let [x, y] = unit.force(*product);
-        force = [force[0] + x, force[1] + y];
-        moment += unit.moment(*product, carrier.radius);
-    }
-    (force, moment)
-}
-
-fn size(samples: &[Sample], carriers: &[Carrier], products: &[[f64; 2]]) -> Size {
-    let mut size = Size::default();
+/// The greatest values between samples, and the mean squares over samples that are equally spaced.
+fn size(
+    samples: &[Sample],
+    course: &mut Course<'_, '_>,
+    products: &[[f64; 2]],
+) -> Result<Size, PositionError> {
+    let carriers = course.sampler.carriers.clone();
+    let of = |sample: &Sample| sample.balanced(&carriers, products);
+    let (mut force, mut moments) = (0.0, 0.0);
     for sample in samples {
-        let ([x, y], moment) = balanced(sample, carriers, products);
-        size.greatest_force = size.greatest_force.max(x.hypot(y));
-        size.greatest_moment = size.greatest_moment.max(moment.abs());
-        size.rms_force += x * x + y * y;
-        size.rms_moment += moment * moment;
+        let ([x, y], moment) = of(sample);
+        force += x * x + y * y;
+        moments += moment * moment;
     }
     let mean = |sum: f64| (sum / samples.len() as f64).sqrt();
-    Size { rms_force: mean(size.rms_force), rms_moment: mean(size.rms_moment), ..size }
+    Ok(Size {
+        greatest_force: course.greatest(|sample| {
+            let [x, y] = of(sample).0;
+            x.hypot(y)
+        })?,
+        rms_force: mean(force),
+        greatest_moment: course.greatest(|sample| of(sample).1.abs())?,
+        rms_moment: mean(moments),
+    })
 }
 
 fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterweight {
@@ -111,52 +143,4 @@ fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterw
         radius: carrier.radius,
         mass: product / carrier.radius,
     }
-}
-
-/// Mass times radius (kg m, in the frames of the links) of the counterweights on the first `carriers` links that make the
-/// shaking force least.
-pub(crate) fn counterweights(samples: &[Sample], carriers: usize, criterion: Criterion) -> Vec<[f64; 2]> {
-    let mut rows: Vec<Row> = samples
-        .iter()
-        .map(|sample| Row {
-            force: sample.force,
-            columns: sample.units[..carriers].iter().flat_map(|unit| unit.forces).collect(),
-        })
-        .collect();
-    // Forces and columns of size 1, so that neither units nor lengths matter.
-    let size = |value: [f64; 2]| value[0].hypot(value[1]);
-    let force = rows.iter().map(|row| size(row.force)).fold(0.0, f64::max);
-    let scales: Vec<f64> = (0..2 * carriers)
-        .map(|i| rows.iter().map(|row| size(row.columns[i])).fold(0.0, f64::max))
-        .map(|greatest| if greatest > 0.0 { force / greatest } else { 0.0 })
-        .collect();
-    if force == 0.0 {
-        return vec![[0.0; 2]; carriers];
-    }
-    for row in &mut rows {
-        row.force = row.force.map(|f| f / force);
-        for (column, scale) in row.columns.iter_mut().zip(&scales) {
-            *column = column.map(|f| f * scale / force);
-        }
-    }
-    let least = least_squares(&rows, 2 * carriers);
-    let found = match criterion {
-        Criterion::LeastSquares => least,
-        Criterion::LeastMaximum => least_maximum(&rows, least),
-    };
-    (0..carriers).map(|i| [found[2 * i] * scales[2 * i], found[2 * i + 1] * scales[2 * i + 1]]).collect()
-}
-
-fn least_squares(rows: &[Row], unknowns: usize) -> DVector<f64> {
-    let mut matrix = DMatrix::zeros(2 * rows.len(), unknowns);
-    let mut right = DVector::zeros(2 * rows.len());
-    for (i, row) in rows.iter().enumerate() {
-        for axis in 0..2 {
-            right[2 * i + axis] = -row.force[axis];
-            for (j, column) in row.columns.iter().enumerate() {
-                matrix[(2 * i + axis, j)] = column[axis];
-            }
-        }
-    }
-    solve(matrix, &right)
 }

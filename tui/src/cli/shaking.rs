@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use assur_force::LoadError;
 use assur_report::{csv, json, text};
 use assur_shaking::ShakingError;
 use clap::Args;
@@ -37,6 +38,16 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
         Ok(found) => found,
         Err(error @ ShakingError::Position(_)) => {
             style.tell(&format!("error: {}: {error}", path.display()));
+            return Ok(Status::Failed);
+        }
+        Err(ShakingError::Load(error)) => {
+            // A formula without a finite value somewhere in the cycle is no fault in how the scene is written.
+            let no_solution = matches!(error, LoadError::NotFinite { .. });
+            let fault = scene::fault(path, &error.into(), style);
+            if !no_solution {
+                return Err(fault);
+            }
+            style.tell(&fault.to_string());
             return Ok(Status::Failed);
         }
         Err(error) => return Err(scene::in_file(path, &error.to_string())),

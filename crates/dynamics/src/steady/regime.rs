@@ -10,7 +10,7 @@ use super::solution::CycleSolution;
 use super::tuning::Tuned;
 use crate::drive::{InputDrive, Source};
 
-/// The figures of a periodic regime. Speeds, moments and coordinates have the signs of the coordinate; "least" and "greatest"
+/// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
 /// speed are meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Figures {
@@ -37,7 +37,8 @@ pub struct Figures {
     pub dynamic_unevenness: Option<f64>,
     /// Power needed on the motor shaft, W, at the wanted mean speed; negative where the loads drive.
     pub required_power: f64,
-    /// Constant moment of the drive along the coordinate, N m; `None` with a motor or without drive.
+    /// Constant moment of the drive, N m, positive along the direction of the motion, as `torque` of a scene is; `None`
+    /// with a motor or without drive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque: Option<f64>,
 }
@@ -108,11 +109,7 @@ impl Regime {
                 excess_work,
                 dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
                 required_power: context.required_power,
-                torque: if let Source::Constant(moment) = drive.source {
-                    Some(cycle.sense * moment)
-                } else {
-                    None
-                },
+                torque: if let Source::Constant(moment) = drive.source { Some(moment) } else { None },
             },
             cycle_time,
             multiplier: solution.multiplier(),

@@ -172,8 +172,15 @@ fn centers(found: &Geometry, units: &Units, page: &mut Page) {
          accelerations at constant input speed. A dash: at infinity.",
         found.against
     ));
+    if !found.rigid.is_empty() {
+        page.paragraph(&format!(
+            "Rigid with `{}` over the whole cycle, and so without centers: {}.",
+            found.against,
+            found.rigid.join(", ")
+        ));
+    }
     let Some(first) = found.positions.first() else { return };
-    let groups = first.links.keys().map(|name| {
+    let groups = first.links.keys().filter(|name| !found.rigid.contains(name)).map(|name| {
         let column = |head: String, at: fn(&Centers) -> Option<[f64; 2]>, axis: usize| {
             Column::of(&found.positions, head, LENGTH, move |row| at(row.links.get(name)?).map(|at| at[axis]))
         };

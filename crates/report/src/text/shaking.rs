@@ -38,22 +38,46 @@ fn name(balance: &Balanced) -> String {
 fn sizes(found: &Shaking, page: &mut Page) {
     page.section("Shaking force and shaking moment on the ground, before and after balancing");
     page.paragraph(
-        "Of the inertia loads of all moving links; moments about the origin. The mean square is over the coordinate.",
+        "Of the inertia loads of all moving links; moments about the origin. What is greatest is found between \
+         positions; the mean square is over the coordinate.",
     );
     let before = ("no counterweight".to_owned(), &found.before);
     let after = found.balances.iter().map(|balance| (name(balance), &balance.after));
     let greatest = [|size: &Size| size.greatest_force, |size: &Size| size.rms_force];
     let moments = [|size: &Size| size.greatest_moment, |size: &Size| size.rms_moment];
     let row = |(name, size): (String, &Size)| {
-        let values = greatest.iter().chain(&moments).map(|value| {
-            let (value, before) = (value(size), value(&found.before));
-            short(if value < 1e-9 * before { 0.0 } else { value })
-        });
+        let values = greatest.iter().chain(&moments).map(|value| beside(value(&found.before), value(size)));
         std::iter::once(name).chain(values).collect::<Vec<_>>()
     };
     let rows: Vec<_> = std::iter::once(before).chain(after).map(row).collect();
     let heads = ["counterweights", "greatest force, N", "rms, N", "greatest moment, N·m", "rms, N·m"];
     page.rows(&heads, &rows);
+    proofs(found, page);
+}
+
+/// A size with that before balancing, beside which it may be rounding.
+fn beside(before: f64, value: f64) -> String {
+    short(if value < 1e-9 * before { 0.0 } else { value })
+}
+
+fn proofs(found: &Shaking, page: &mut Page) {
+    let row = |balance: &Balanced| {
+        let proof = balance.proof?;
+        Some(vec![
+            name(balance),
+            beside(found.before.greatest_force, proof.bound),
+            format!("{:.1e}", proof.gap),
+        ])
+    };
+    let rows: Vec<_> = found.balances.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return;
+    }
+    page.paragraph(
+        "The problem of the least maximum is convex: its dual proves that no counterweights on these links make the greatest \
+         force less than the bound. The gap is what the greatest force is above the bound, as a part of it.",
+    );
+    page.rows(&["counterweights", "bound, N", "dual gap"], &rows);
 }
 
 fn counterweights(found: &Shaking, page: &mut Page) {

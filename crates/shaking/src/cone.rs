@@ -1,0 +1,252 @@
+//! The least maximum of the moduli of forces that depend linearly on a few unknowns, and the proof that it is the least.
+//!
+//! The problem is convex: find w and the least t with `|F_i + B_i w| <= t`, a program of second-order cones. It is solved
+//! with its dual by an interior-point method with the scaling of Nesterov and Todd (Andersen, Roos, Terlaky, On
+//! implementing a primal-dual interior-point method for conic quadratic optimization, 2003; Vandenberghe, The CVXOPT linear
+//! and quadratic cone program solvers, 2010).
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::proof::{Row, bound};
+use crate::scaling::{Cone, Scaling, inner, most};
+
+/// Greatest number of steps; about fifteen are needed.
+const MOST_STEPS: usize = 60;
+
+/// Part of the way to the boundary of the cones that a step takes.
+const INSIDE: f64 = 0.99;
+
+/// A shorter step no longer moves anything but rounding.
+const SHORTEST: f64 = 1e-8;
+
+/// The least maximum of rows.
+pub(crate) struct Least {
+    pub(crate) unknowns: DVector<f64>,
+    /// No unknowns make the greatest modulus less.
+    pub(crate) bound: f64,
+}
+
+/// The least maximum of rows of size 1, from any start. `radius` is a bound of the modulus of the best unknowns; what is
+/// missing between maximum and bound is at most `missing`, if rounding permits.
+pub(crate) fn least_maximum(rows: &[Row], start: &DVector<f64>, radius: f64, missing: f64) -> Least {
+    let mut points = Points::above(rows, start);
+    let mut least = Least { unknowns: start.clone(), bound: 0.0 };
+    let mut greatest = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let found = points.point.rows(1, start.len()).into_owned();
+        let modulus = rows.iter().map(|row| row.at(found.as_slice())).map(|[x, y]| x.hypot(y));
+        let here = modulus.fold(0.0, f64::max);
+        least.bound = least.bound.max(bound(rows, &points.dual, radius));
+        if here < greatest {
+            (greatest, least.unknowns) = (here, found);
+        }
+        if greatest - least.bound <= missing || points.advance(rows).is_none() {
+            break;
+        }
+    }
+    least
+}
+
+/// A point strictly inside all cones, and one inside those of the dual.
+struct Points {
+    /// t and the unknowns.
+    point: DVector<f64>,
+    dual: Vec<Cone>,
+}
+
+impl Points {
+    fn above(rows: &[Row], start: &DVector<f64>) -> Self {
+        let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| x.hypot(y));
+        let most = modulus.fold(0.0, f64::max);
+        let point =
+            DVector::from_iterator(1 + start.len(), [1.5 * most].into_iter().chain(start.iter().copied()));
+        Self { point, dual: vec![[1.0 / rows.len() as f64, 0.0, 0.0]; rows.len()] }
+    }
+
+    /// A predictor and a corrector step; `None` where rounding permits none.
+    fn advance(&mut self, rows: &[Row]) -> Option<()> {
+        let newton = Newton::at(self, rows)?;
+        let affine: Vec<Cone> = newton.scaled.iter().map(|&at| at.map(|part| -part)).collect();
+        let predicted = newton.direction(rows, &affine)?;
+        let left = 1.0 - newton.longest(&predicted).min(1.0);
+        let center = left.powi(3) * newton.mean;
+        let each = newton.scaled.iter().zip(&predicted.cones);
+        let corrected = each.map(|(&at, &[slack, dual])| {
+            let (square, change) = (product(at, at), product(slack, dual));
+            let wanted = [center - square[0] - change[0], -square[1] - change[1], -square[2] - change[2]];
+            quotient(at, wanted)
+        });
+        let step = newton.direction(rows, &corrected.collect::<Vec<_>>())?;
+        let length = (INSIDE * newton.longest(&step)).min(1.0);
+        if length.is_nan() || length < SHORTEST {
+            return None;
+        }
+        self.point.axpy(length, &step.point, 1.0);
+        for ((dual, scaling), [_, change]) in self.dual.iter_mut().zip(&newton.scalings).zip(&step.cones) {
+            let change = scaling.divided(*change);
+            *dual = [0, 1, 2].map(|i| dual[i] + length * change[i]);
+        }
+        Some(())
+    }
+}
+
+/// Newton's equations at a point, scaled.
+struct Newton {
+    scalings: Vec<Scaling>,
+    /// Slack and dual after scaling, where they are one.
+    scaled: Vec<Cone>,
+    /// Mean product of slack and dual.
+    mean: f64,
+    /// The scaled rows, decomposed.
+    orthogonal: DMatrix<f64>,
+    triangular: DMatrix<f64>,
+    /// What the dual point lacks in feasibility.
+    lacks: DVector<f64>,
+}
+
+/// A step of t and unknowns, and what it makes of the scaled slack and dual of each cone.
+struct Step {
+    point: DVector<f64>,
+    cones: Vec<[Cone; 2]>,
+}
+
+impl Newton {
+    fn at(points: &Points, rows: &[Row]) -> Option<Self> {
+        let size = points.point.len();
+        let mut matrix = DMatrix::zeros(3 * rows.len(), size);
+        let mut lacks = DVector::zeros(size);
+        lacks[0] = 1.0;
+        let (mut scalings, mut scaled, mut mean) = (Vec::new(), Vec::new(), 0.0);
+        for (i, (row, &dual)) in rows.iter().zip(&points.dual).enumerate() {
+            let slack = row.cone(&points.point);
+            let scaling = Scaling::of(slack, dual)?;
+            let columns = row.columns.iter().map(|&[x, y]| [0.0, x, y]);
+            for (j, column) in std::iter::once([1.0, 0.0, 0.0]).chain(columns).enumerate() {
+                lacks[j] -= dot(column, dual);
+                for (k, part) in scaling.divided(column).into_iter().enumerate() {
+                    matrix[(3 * i + k, j)] = part;
+                }
+            }
+            mean += dot(slack, dual) / rows.len() as f64;
+            scaled.push(scaling.times(dual));
+            scalings.push(scaling);
+        }
+        let (orthogonal, triangular) = matrix.qr().unpack();
+        Some(Self { scalings, scaled, mean, orthogonal, triangular, lacks })
+    }
+
+    /// The step after which slack and dual, scaled, have changed by `wanted` together, and the dual is feasible.
+    fn direction(&self, rows: &[Row], wanted: &[Cone]) -> Option<Step> {
+        let wanted_all = DVector::from_iterator(3 * wanted.len(), wanted.iter().flatten().copied());
+        let mut point = self.triangular.tr_solve_upper_triangular(&self.lacks)?;
+        point = self.orthogonal.tr_mul(&wanted_all) - point;
+        let point = self.triangular.solve_upper_triangular(&point)?;
+        let each = rows.iter().zip(&self.scalings).zip(wanted);
+        let cones = each.map(|((row, scaling), wanted)| {
+            let slack = scaling.divided(row.step(&point));
+            [slack, [0, 1, 2].map(|i| wanted[i] - slack[i])]
+        });
+        let cones = cones.collect();
+        Some(Step { point, cones })
+    }
+
+    /// How far a step stays inside all cones.
+    fn longest(&self, step: &Step) -> f64 {
+        let each = self.scaled.iter().zip(&step.cones);
+        each.flat_map(|(&at, step)| step.map(|step| most(at, step))).fold(f64::INFINITY, f64::min)
+    }
+}
+
+fn dot(a: Cone, b: Cone) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The product of Jordan's algebra of the cone.
+fn product(a: Cone, b: Cone) -> Cone {
+    [dot(a, b), a[0] * b[1] + b[0] * a[1], a[0] * b[2] + b[0] * a[2]]
+}
+
+/// What gives `b` when it is multiplied by `a`.
+fn quotient(a: Cone, b: Cone) -> Cone {
+    let first = (a[0] * b[0] - a[1] * b[1] - a[2] * b[2]) / inner(a);
+    [first, (b[1] - first * a[1]) / a[0], (b[2] - first * a[2]) / a[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use assur_testkit::Rng;
+    use nalgebra::DVector;
+
+    use super::least_maximum;
+    use crate::proof::Row;
+
+    /// The center of the smallest circle around points: a force is the way to a point.
+    fn around(points: &[[f64; 2]]) -> (f64, f64) {
+        let row = |&force: &[f64; 2]| Row { force, columns: vec![[-1.0, 0.0], [0.0, -1.0]] };
+        let rows: Vec<Row> = points.iter().map(row).collect();
+        let least = least_maximum(&rows, &DVector::zeros(2), 2.0, 1e-13);
+        let [x, y] = [least.unknowns[0], least.unknowns[1]];
+        (least.bound, points.iter().map(|p| (p[0] - x).hypot(p[1] - y)).fold(0.0, f64::max))
+    }
+
+    /// The smallest of all circles through two or three points that hold all.
+    fn smallest(points: &[[f64; 2]]) -> f64 {
+        let holds = |[x, y]: [f64; 2], radius: f64| {
+            points.iter().all(|p| (p[0] - x).hypot(p[1] - y) <= radius * (1.0 + 1e-12))
+        };
+        let mut best = f64::INFINITY;
+        for (i, a) in points.iter().enumerate() {
+            for (j, b) in points.iter().enumerate().take(i) {
+                let center = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+                let radius = 0.5 * (a[0] - b[0]).hypot(a[1] - b[1]);
+                if holds(center, radius) {
+                    best = best.min(radius);
+                }
+                for c in points.iter().take(j) {
+                    let [u, v] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+                    let twice = 2.0 * (u[0] * v[1] - u[1] * v[0]);
+                    let [p, q] = [u[0] * u[0] + u[1] * u[1], v[0] * v[0] + v[1] * v[1]];
+                    let arm = [(v[1] * p - u[1] * q) / twice, (u[0] * q - v[0] * p) / twice];
+                    let radius = arm[0].hypot(arm[1]);
+                    if holds([a[0] + arm[0], a[1] + arm[1]], radius) {
+                        best = best.min(radius);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    #[test]
+    fn the_smallest_circle_around_points() {
+        for seed in 0..40 {
+            let mut rng = Rng::new(seed);
+            let points: Vec<[f64; 2]> =
+                (0..12).map(|_| [rng.range(-0.7, 0.7), rng.range(-0.7, 0.7)]).collect();
+            let (wanted, (bound, greatest)) = (smallest(&points), around(&points));
+            assert!((greatest / wanted - 1.0).abs() < 1e-10, "seed {seed}: {greatest} instead of {wanted}");
+            assert!(bound <= wanted * (1.0 + 1e-14), "seed {seed}: {bound} proves more than {wanted}");
+            assert!(bound >= wanted * (1.0 - 1e-10), "seed {seed}: {bound} proves less than {wanted}");
+        }
+    }
+
+    /// Points on one circle: every one of them touches.
+    #[test]
+    fn all_rows_touch() {
+        let points: Vec<[f64; 2]> = (0..60)
+            .map(|i| (f64::from(i) * 0.105).sin_cos())
+            .map(|(y, x)| [0.6 * x + 0.1, 0.6 * y])
+            .collect();
+        let (bound, greatest) = around(&points);
+        assert!((greatest - 0.6).abs() < 1e-10 && (bound - 0.6).abs() < 1e-10, "{bound} {greatest}");
+    }
+
+    /// A force that no unknown reaches can't be less.
+    #[test]
+    fn what_no_unknown_changes_is_the_least() {
+        let row = |force, column| Row { force, columns: vec![column] };
+        let rows = [row([0.6, -0.8], [0.0; 2]), row([0.5, 0.0], [1.0, 0.0])];
+        let least = least_maximum(&rows, &DVector::zeros(1), 2.0, 1e-13);
+        assert!((least.bound - 1.0).abs() < 1e-12, "{}", least.bound);
+    }
+}
