@@ -50,8 +50,9 @@ pub(super) fn quantity(state: &mut State, by: isize) {
 pub(super) fn extreme(state: &mut State, sense: isize) {
     let of_series = |series: &crate::screen::state::Series| {
         let summary = series.summary()?;
-        let (word, (_, at)) =
+        let (word, extreme) =
             if sense > 0 { ("greatest", summary.greatest) } else { ("least", summary.least) };
+        let at = extreme.number;
         Some((at, format!("{word} {}: {} in position {at}", series.of, series.show(at))))
     };
     match state.main_series().and_then(of_series) {
