@@ -161,8 +161,7 @@ fn curves(context: &mut Context<'_>) -> Vec<Block> {
     let (words, position) = (context.words, context.positions[0]);
     let Some(found) = context.state.found() else { return Vec::new() };
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
-    let size =
-        |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
+    let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
     let name = most.map(|index| found.reactions[index].name()).unwrap_or_default();

@@ -85,7 +85,9 @@ fn fastest(table: &Table) -> Option<[f64; 2]> {
     let most = |quantity: Quantity| {
         let points = table.schema().owners(quantity).into_iter();
         let points = points.filter(|owner| matches!(owner, Owner::Point(_)));
-        let of = |owner| Course::of(table, None, Column::COORDINATE, Column::of(quantity, owner).part(Part::Modulus));
+        let of = |owner| {
+            Course::of(table, None, Column::COORDINATE, Column::of(quantity, owner).part(Part::Modulus))
+        };
         points.map(|owner| of(owner).size()).reduce(f64::max)
     };
     Some([most(RATES[0])?, most(RATES[1])?])

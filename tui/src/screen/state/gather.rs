@@ -160,8 +160,7 @@ impl Gather<'_> {
     /// Sets the limit below which forces of the pairs count as zero.
     fn mark_rounding(&mut self, reactions: &[Reaction]) {
         let forces = || reactions.iter().flat_map(|reaction| &reaction.series).copied();
-        let floor =
-            ROUNDING * forces().map(|index| self.series[index].course.size()).fold(0.0, f64::max);
+        let floor = ROUNDING * forces().map(|index| self.series[index].course.size()).fold(0.0, f64::max);
         forces().for_each(|index| self.series[index].floor = floor);
     }
 }

@@ -100,7 +100,13 @@ impl Gather<'_> {
     }
 
     /// Adds PF0, PF1 and PF2 of a place, which `read` gives.
-    fn add(&mut self, name: String, short: &str, column: Column, mut read: impl FnMut(&Position) -> [f64; 3]) {
+    fn add(
+        &mut self,
+        name: String,
+        short: &str,
+        column: Column,
+        mut read: impl FnMut(&Position) -> [f64; 3],
+    ) {
         let mut nodes: [Vec<Node>; 3] = Default::default();
         let poses = self.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
         for (number, pose) in poses.chain(self.end) {
@@ -114,7 +120,8 @@ impl Gather<'_> {
             Owner::Link(_) => (("deg", 1.0_f64.to_degrees()), "rad", 1.0),
             _ => (("mm", 1e3), "m", self.linkage.structure.scale),
         };
-        let units = [(shown.0.to_owned(), shown.1), (format!("{unit}/{q}"), 1.0), (format!("{unit}/{q}2"), 1.0)];
+        let units =
+            [(shown.0.to_owned(), shown.1), (format!("{unit}/{q}"), 1.0), (format!("{unit}/{q}2"), 1.0)];
         let first = self.series.len();
         for (order, ((unit, factor), mut nodes)) in (0_u8..).zip(units.into_iter().zip(nodes)) {
             let end = if self.end.is_some() { nodes.pop() } else { None };

@@ -177,7 +177,9 @@ fn trail(state: &State, scene: &Scene, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
     let back = (0..=steps / TRAIL).rev();
     let points = back.filter_map(|back| match now.checked_sub(back) {
-        None if scene.is_cycle() && scene.poses.iter().all(Option::is_some) => path.get((now + steps - back) % steps),
+        None if scene.is_cycle() && scene.poses.iter().all(Option::is_some) => {
+            path.get((now + steps - back) % steps)
+        }
         at => path.get(at?),
     });
     points.copied().collect()

@@ -45,7 +45,12 @@ pub(crate) fn over_positions(
 
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
 /// the horizontal axis.
-pub(super) fn curves(title: &str, curves: Vec<(&str, Course)>, (x, factor): (Axis, f64), cursor: Option<f64>) -> Panel {
+pub(super) fn curves(
+    title: &str,
+    curves: Vec<(&str, Course)>,
+    (x, factor): (Axis, f64),
+    cursor: Option<f64>,
+) -> Panel {
     let count = curves.len();
     let names: Vec<String> =
         curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();

@@ -2,7 +2,8 @@
 //! energy-mass diagram, the shares of the reduced inertia, the link of reduction.
 
 use assur_analysis::results::{
-    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
+    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Table,
+    Trial,
 };
 use assur_book::{Course, Node};
 use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
@@ -101,9 +102,8 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let x = Axis::around("reduced inertia of the links, kg m2", inertias(), 0.0);
     let [x0, y0] = diagram.origin;
-    let line = |slope: f64| {
-        Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]))
-    };
+    let line =
+        |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
     let [fast, slow] = diagram.tangents.map(|tangent| line(tangent.slope));
     let curve = Course::from_points(diagram.curve.iter().copied());
     let lines = vec![("work", curve), ("greatest speed", fast), ("least speed", slow)];
