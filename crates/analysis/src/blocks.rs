@@ -3,6 +3,7 @@
 use assur_check::Notable;
 use assur_dynamics::Instant;
 use assur_kinematics::PositionError;
+use assur_mechanism::Range;
 use assur_number::Lanes;
 use rayon::prelude::*;
 
@@ -78,6 +79,19 @@ impl<'a> Blocks<'a> {
             }
         }
         Block { table, failures, at_change_points, notable: std::mem::take(&mut filler.notable) }
+    }
+
+    /// The end of the cycle as a row, with angles in (-pi, pi]; no row where there is no cycle, or no solution.
+    pub(crate) fn ending(&self) -> Table {
+        let mut filler = self.filler();
+        let mut table = filler.table();
+        let input = &self.calculation.linkage.mechanism.input;
+        if matches!(input.range, Range::Cycle(_)) {
+            let state = self.calculation.state(input.coordinate(input.positions));
+            let instants = [Instant { state, holding: None }; Lanes::WIDTH];
+            filler.add(input.positions, &instants, 1, &mut table);
+        }
+        table
     }
 
     /// Calculates all blocks; `work` makes something of each, on any thread, and `take` receives it in order, while the

@@ -20,6 +20,7 @@ pub const MOST_FAILURES: usize = 1000;
 /// The positions of a scene.
 struct Positions {
     kept: Table,
+    ending: Table,
     starts: Starts,
     survey: Survey,
     failures: Vec<Failure>,
@@ -75,6 +76,7 @@ impl Calculation {
             structure: crate::results::structure::report(&self.linkage, !self.plan.is_partial()),
             cycle: self.cycle(&positions.survey),
             positions: positions.kept,
+            ending: positions.ending,
             starts: positions.starts,
             survey: positions.survey,
             failures: positions.failures,
@@ -105,6 +107,7 @@ impl Calculation {
         let mut angles = Angles::new(schema);
         let mut found = Positions {
             kept: Table::new(schema.clone()),
+            ending: Table::new(schema.clone()),
             starts: Starts::default(),
             survey: Survey::new(schema),
             failures: Vec::new(),
@@ -128,7 +131,11 @@ impl Calculation {
             let not_finite = block.table.not_finite();
             (block, not_finite)
         };
-        blocks.each(watch, progress, examined, add).map(|Ok(())| found)
+        blocks.each(watch, progress, examined, add).map(|Ok(())| {
+            found.ending = blocks.ending();
+            angles.follow(&self.linkage, &mut found.ending);
+            found
+        })
     }
 
     /// All positions of an analysis in their order: `work` makes something of each block of rows, on any thread, and

@@ -153,8 +153,8 @@ pub struct AnalyzerPlugin {
     /// Whether the method solves group by group, so that a group which is not placed or carries no load can be left out
     /// ([`Reactions::solved`](crate::Reactions::solved)). Other methods need all groups placed.
     pub by_groups: bool,
-    /// Order of preference: of the methods that give reactions, the one of the lowest rank is used where the user names
-    /// none. Methods of equal rank go by name.
+    /// Order of preference: of the methods that give what is wanted (reactions, the balancing load alone, forces group by
+    /// group), the one of the lowest rank is used where the user names none. Methods of equal rank go by name.
     pub rank: u8,
 }
 

@@ -47,7 +47,8 @@ impl<'a> Kinetostatics<'a> {
     /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
     /// method that finds it without reactions; `None` where there is none.
     pub fn balancing_alone(&self, state: &State, position: &Position) -> Option<f64> {
-        let method = applicable(self.linkage).into_iter().find(|plugin| !plugin.gives_reactions)?;
+        let without_reactions = applicable(self.linkage).into_iter().filter(|plugin| !plugin.gives_reactions);
+        let method = without_reactions.min_by_key(|plugin| plugin.rank)?;
         let mut wrenches = self.loads.total(state, &position.bodies);
         let mut found = Reactions::new(self.linkage);
         method.instance.solve(self.linkage, position, &mut wrenches, &mut found).ok()?;

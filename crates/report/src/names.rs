@@ -91,7 +91,7 @@ pub(crate) fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
         keys.insert(1, schema.causes[cause].as_str().into());
     }
     let item = match column.part {
-        Part::Whole => None,
+        Part::Whole | Part::Modulus => None,
         Part::X => Some(Step::Item(0)),
         Part::Y => Some(Step::Item(1)),
     };
@@ -109,7 +109,7 @@ pub(crate) fn csv(schema: &Schema, column: Column) -> Option<String> {
         match c {
             '*' => name += &owner(schema, column),
             '+' => name += link(schema, column),
-            '%' => name += ["", "x", "y"][column.part as usize],
+            '%' => name += ["", "x", "y", ""][column.part as usize],
             c => name.push(c),
         }
     }

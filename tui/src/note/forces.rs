@@ -1,12 +1,12 @@
 //! Forces: polygons of every group with their vectors, reactions, the balancing load.
 
-use assur_analysis::results::Quantity;
+use assur_analysis::results::{Owner, Quantity};
 use assur_figure::{Figure, Ink, Panel, Stroke};
 
 use super::Context;
 use super::document::{Block, still};
 use super::kinematics::{cells, printed};
-use crate::screen::state::{Part, Reaction, Series, View, greatest};
+use crate::screen::state::{Part, Reaction, Series, View};
 use crate::screen::view::{plans, plots};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
@@ -43,9 +43,11 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
 fn loads(context: &Context<'_>) -> Option<Block> {
     let (words, scene, found) = (context.words, context.state.scene.as_ref()?, context.state.found()?);
     let of = |series: &Series| {
-        let title = words.name(series.of.strip_prefix("load ")?);
-        let varies = series.values.iter().any(|value| (value - series.values[0]).abs() > 0.0);
-        let whole = series.values.iter().all(|value| value.is_finite());
+        let Owner::Load(_) = series.column.owner else { return None };
+        let title = words.name(&found.analysis.positions.schema().name(series.column.owner));
+        let nodes = series.course.nodes();
+        let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
+        let whole = nodes.len() == scene.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
         let mut panel = plots::over_positions(context.state, scene, title, &curve, Vec::new());
         still(&mut panel);
@@ -159,8 +161,7 @@ fn curves(context: &mut Context<'_>) -> Vec<Block> {
     let (words, position) = (context.words, context.positions[0]);
     let Some(found) = context.state.found() else { return Vec::new() };
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
-    let size =
-        |(index, reaction): (usize, &Reaction)| (index, greatest(&found.series[reaction.series[2]].values));
+    let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
     let name = most.map(|index| found.reactions[index].name()).unwrap_or_default();

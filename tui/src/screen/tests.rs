@@ -1,6 +1,7 @@
 //! Frames, keys and sizes, without a terminal.
 
 mod compare;
+mod courses;
 mod forces;
 mod frames;
 mod keys;

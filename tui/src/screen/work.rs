@@ -100,7 +100,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
     });
     let whole = Arc::new(whole.unwrap_or(calculation));
     let planner = Planner::new(Arc::clone(&whole));
-    let found = Box::new(Found::of(analyzer, analysis, planner, mechanism.input.positions));
+    let found = Box::new(Found::of(analyzer, analysis, planner));
     let report = Report::Analyzed { number, found: Ok(found) };
     if request.purpose == Purpose::Difference {
         return report;

@@ -90,6 +90,8 @@ pub enum Part {
     X,
     /// Projection on the y axis.
     Y,
+    /// Length of a vector. No table stores it: it is that of both projections.
+    Modulus,
 }
 
 /// One column.

@@ -15,6 +15,8 @@ pub struct Survey {
     /// The balancing load of greatest modulus, N m or N, the first of those that are equal up to rounding (a cycle often
     /// has two), with the number of its position.
     pub greatest_balancing: Option<(usize, f64)>,
+    /// By guide, its moment of greatest modulus, N m, likewise.
+    pub greatest_moments: Vec<(PairId, (usize, f64))>,
     /// The first number that is not finite: its place among the rows and its column.
     pub not_finite: Option<(usize, usize)>,
     /// By section, whether any row has its numbers.
@@ -25,6 +27,17 @@ pub struct Survey {
 
 /// Relative difference below which balancing loads count as equal.
 const TIE: f64 = 1e-9;
+
+/// The number of greatest modulus in a column with that of its position: that of earlier rows unless one of these is greater.
+fn farthest(rows: &Table, column: Column, earlier: Option<(usize, f64)>) -> Option<(usize, f64)> {
+    let Some(column) = rows.schema().find(column) else { return earlier };
+    let each = rows.numbers().iter().zip(rows.each(column));
+    let known = each.filter_map(|(number, value)| Some((*number, value?)));
+    known.fold(earlier, |most, next| {
+        let is_greater = most.is_none_or(|(_, value)| next.1.abs() > value.abs() * (1.0 + TIE));
+        if is_greater { Some(next) } else { most }
+    })
+}
 
 impl Survey {
     /// Of no positions yet.
@@ -37,6 +50,7 @@ impl Survey {
             rows: 0,
             failures: 0,
             greatest_balancing: None,
+            greatest_moments: Vec::new(),
             not_finite: None,
             present: vec![false; schema.sections()],
             sizes: sizes.collect(),
@@ -58,13 +72,15 @@ impl Survey {
             *any |= rows.present(Section(section)).contains(&true);
         }
         let schema = rows.schema();
-        if let Some(balancing) = schema.find(Column::BALANCING) {
-            let loads = rows.numbers().iter().zip(rows.each(balancing));
-            for (number, load) in loads.filter_map(|(number, load)| Some((*number, load?))) {
-                let least = self.greatest_balancing.map(|(_, load)| load.abs() * (1.0 + TIE));
-                if least.is_none_or(|least| load.abs() > least) {
-                    self.greatest_balancing = Some((number, load));
-                }
+        self.greatest_balancing = farthest(rows, Column::BALANCING, self.greatest_balancing);
+        for owner in schema.owners(Quantity::Moment) {
+            let Owner::Pair(pair) = owner else { continue };
+            let before = self.greatest_moments.iter().position(|(known, _)| *known == pair);
+            let known = before.map(|at| self.greatest_moments[at].1);
+            match (before, farthest(rows, Column::of(Quantity::Moment, owner), known)) {
+                (Some(at), Some(found)) => self.greatest_moments[at].1 = found,
+                (None, Some(found)) => self.greatest_moments.push((pair, found)),
+                (_, None) => {}
             }
         }
         let Some(coordinate) = schema.find(Column::COORDINATE) else { return };

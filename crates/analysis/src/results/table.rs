@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_number::{Lanes, Real};
 
-use super::{Column, Schema, Section};
+use super::{Column, Part, Schema, Section};
 
 /// Which of eight rows.
 pub type Mask = [bool; Lanes::WIDTH];
@@ -153,9 +153,15 @@ impl Table {
         has.then(|| self.columns[column][row])
     }
 
-    /// The number of a row in a column.
+    /// The number of a row in a column; a [modulus](Part::Modulus) is that of both projections.
     pub fn get(&self, row: usize, column: Column) -> Option<f64> {
-        self.at(row, self.schema.find(column)?)
+        match column.part {
+            Part::Modulus => {
+                let [x, y] = [Part::X, Part::Y].map(|part| self.get(row, column.part(part)));
+                Some(x?.hypot(y?))
+            }
+            _ => self.at(row, self.schema.find(column)?),
+        }
     }
 
     /// The number of each row in a column; `None` where it has none.

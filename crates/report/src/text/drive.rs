@@ -56,7 +56,7 @@ fn numbers(source: &Source<'_>, found: &Dynamics, regime: &RegimeReport, page: &
         ),
         ("Dynamic unevenness (Artobolevsky)", found.figures.dynamic_unevenness, ""),
         ("Mean resisting moment, reduced to the input", Some(regime.mean_resistance), moment),
-        ("Work of the resistance over a cycle", Some(regime.resistance_work), "J"),
+        ("Net work that the loads take in a cycle", Some(regime.resistance_work), "J"),
         ("Constant moment of the drive, along its motion", found.figures.torque, moment),
         ("Power that the motor needs, at the mean speed", required_power(found, regime), "W"),
         ("Time of a cycle", Some(regime.cycle_time), "s"),

@@ -28,7 +28,7 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Finding> {
     let mut list = List { units: Units::of(analysis.input.angular), findings: Vec::new() };
     list.structure(analysis);
     list.strokes(linkage);
-    list.reactions(analysis);
+    list.reactions(analysis, linkage);
     list.balancing(analysis, linkage);
     if let Some(dynamics) = &analysis.dynamics {
         list.dynamics(dynamics);
@@ -80,7 +80,7 @@ impl List {
         }
     }
 
-    fn reactions(&mut self, analysis: &Analysis) {
+    fn reactions(&mut self, analysis: &Analysis, linkage: &Linkage) {
         let schema = analysis.positions.schema();
         for (pair, links) in shown(&analysis.positions) {
             let name = schema.name(Owner::Pair(pair));
@@ -90,6 +90,12 @@ impl List {
                 let Some(found) = here.filter(|one| one.greatest > 0.0) else { continue };
                 let what = format!("greatest reaction of {name} on {on}");
                 self.add(what, short(found.greatest), FORCE.name, &[found.coordinate]);
+            }
+            let moments = &analysis.survey.greatest_moments;
+            let found = moments.iter().find(|(guide, (_, moment))| *guide == pair && *moment != 0.0);
+            if let Some((_, (number, moment))) = found {
+                let at = linkage.mechanism.input.coordinate(*number);
+                self.add(format!("greatest moment of {name}"), short(*moment), MOMENT.name, &[at]);
             }
         }
     }
@@ -108,13 +114,14 @@ impl List {
             return;
         };
         let loads: Vec<f64> = table.each(load).flatten().collect();
-        // Equal steps over a whole cycle; a part of a cycle has no mean of this kind.
+        if analysis.dynamics.is_some() {
+            return;
+        }
+        // Equal steps over a whole cycle; a part of a cycle has no mean of this kind. The mean moment of a regime is that of
+        // its works, which the positions give to the step of the positions only.
         if matches!(linkage.mechanism.input.range, Range::Cycle(_)) && loads.len() == table.len() {
             let mean = loads.iter().sum::<f64>() / loads.len() as f64;
             self.add(format!("mean balancing {name}"), short(mean), unit, &[]);
-        }
-        if analysis.dynamics.is_some() {
-            return;
         }
         let speed = Column::of(Quantity::Velocity, Owner::Input);
         let power = |row: usize| Some((row, table.at(row, load)? * table.get(row, speed)?));

@@ -127,7 +127,8 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
             Err(why) => Entry::refused(row, why),
         });
     }
-    let name = all.iter().find(|plugin| plugin.by_groups).map_or("by groups", |plugin| plugin.name);
+    let by_rank = all.iter().filter(|plugin| plugin.by_groups).min_by_key(|plugin| plugin.rank);
+    let name = by_rank.map_or("by groups", |plugin| plugin.name);
     entries.push(loaded.work.entry(row(name, "f32"), 1, by_groups::<f32>(loaded, Forms::Closed)?));
     let general = by_groups::<f64>(loaded, Forms::General)?;
     entries.push(loaded.work.entry(row("groups-general", "f64"), 1, general));

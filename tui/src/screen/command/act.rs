@@ -46,12 +46,16 @@ pub(super) fn quantity(state: &mut State, by: isize) {
     }
 }
 
-/// Goes to the greatest (1) or least (-1) value of the quantity that the view is about.
+/// Goes to the greatest (1) value of the quantity that the view is about, or to its extreme on the other side (-1). A quantity
+/// whose sign is a sense has its greatest value where its modulus is greatest.
 pub(super) fn extreme(state: &mut State, sense: isize) {
     let of_series = |series: &crate::screen::state::Series| {
         let summary = series.summary()?;
-        let (word, (_, at)) =
-            if sense > 0 { ("greatest", summary.greatest) } else { ("least", summary.least) };
+        let first =
+            if assur_book::sign_is_sense(series.column) { summary.farthest } else { summary.greatest };
+        let other = if first == summary.least { summary.greatest } else { summary.least };
+        let (word, extreme) = if sense > 0 { ("greatest", first) } else { ("least", other) };
+        let at = extreme.number;
         Some((at, format!("{word} {}: {} in position {at}", series.of, series.show(at))))
     };
     match state.main_series().and_then(of_series) {

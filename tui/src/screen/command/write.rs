@@ -13,6 +13,9 @@ use crate::screen::view;
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
 pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
 
+/// Columns of a text that is written.
+const TEXT: u16 = 100;
+
 /// Writes the picture of the view with its numbers, or the numbers alone, to a name that says what they are.
 pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
@@ -26,6 +29,7 @@ pub(super) fn write(state: &mut State) {
     let of: String = of.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
     let path = match view::figure(state, state.view) {
         Some(_) => format!("{stem}-{of}-{}.svg", state.position),
+        None if state.view == View::Working => format!("{stem}-{of}-{}.txt", state.position),
         None => format!("{stem}-{of}.csv"),
     };
     write_to(state, path.into());
@@ -40,6 +44,10 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
     let figure = view::figure(state, state.view);
     let numbers = numbers(state, scene, figure.as_ref());
     let content = match (&figure, ending.as_str()) {
+        (_, "txt") if state.view == View::Working => {
+            let lines = view::report::lines(state, View::Working, TEXT);
+            Ok(((lines.join("\n") + "\n").into_bytes(), None))
+        }
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
         (None, _) => Err("this view has no picture; name a file that ends in .csv".into()),
         (Some(figure), _) => {
@@ -107,7 +115,13 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
             }
             Ok(writer.into_inner()?)
         }
-        (View::Plans | View::Motion | View::Drive | View::Accuracy, ..) if figure.is_some() => {
+        (View::Working, ..) => Err("the working is a text; name a file that ends in .txt".into()),
+        (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
+            Some(Ok(data)) => Ok(assur_study::chart::csv(data)?.into_bytes()),
+            Some(Err(error)) => Err(error.clone().into()),
+            None => Err("nothing is measured yet".into()),
+        },
+        (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
             points(figure.map_or(&[][..], |figure| &figure.panels))
         }
         _ => table(scene, 0..scene.column_count()),

@@ -1,6 +1,7 @@
 //! The results of the analysis, with their series.
 
 use assur_analysis::results::{Analysis, Checks, Column, Owner, Part, Quantity, Table};
+use assur_book::Course;
 use assur_mechanism::PointId;
 
 use super::gather::{Gather, RATES, Reaction};
@@ -18,8 +19,6 @@ pub(crate) struct Found {
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
-    /// Number of positions of the scene.
-    positions: usize,
     /// Plans of any position.
     pub(crate) plans: Planner,
     /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` if the positions have none.
@@ -30,23 +29,23 @@ pub(crate) struct Found {
 
 impl Found {
     /// Gathers the series of an analysis.
-    pub(crate) fn of(analyzer: String, analysis: Analysis, plans: Planner, positions: usize) -> Self {
-        let mut gather = Gather { table: &analysis.positions, positions, series: Vec::new() };
+    pub(crate) fn of(analyzer: String, analysis: Analysis, plans: Planner) -> Self {
+        let (table, ending) = (&analysis.positions, &analysis.ending);
+        let mut gather = Gather { table, ending, series: Vec::new() };
         let motion = gather.motion();
         gather.rates();
         let reactions = gather.reactions();
         gather.others();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
-        Self { analyzer, analysis, series, reactions, positions, plans, fastest, motion }
+        Self { analyzer, analysis, series, reactions, plans, fastest, motion }
     }
 
     /// Adds the checks, and the residuals as series.
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
-        let table = &self.analysis.positions;
-        let mut gather =
-            Gather { table, positions: self.positions, series: std::mem::take(&mut self.series) };
+        let (table, ending) = (&self.analysis.positions, &self.analysis.ending);
+        let mut gather = Gather { table, ending, series: std::mem::take(&mut self.series) };
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
                 // Results count groups from 0, readers from 1.
@@ -84,14 +83,12 @@ impl Found {
 /// Greatest velocity and acceleration of a point.
 fn fastest(table: &Table) -> Option<[f64; 2]> {
     let most = |quantity: Quantity| {
-        let schema = table.schema();
-        let of_point = |column: &Column| {
-            column.quantity == quantity && column.part == Part::X && matches!(column.owner, Owner::Point(_))
+        let points = table.schema().owners(quantity).into_iter();
+        let points = points.filter(|owner| matches!(owner, Owner::Point(_)));
+        let of = |owner| {
+            Course::of(table, None, Column::COORDINATE, Column::of(quantity, owner).part(Part::Modulus))
         };
-        // The other projection stands beside it.
-        let both = |x: usize| table.values(x).iter().zip(table.values(x + 1));
-        let sizes = schema.select(of_point).into_iter().flat_map(both).map(|(x, y)| x.hypot(*y));
-        sizes.filter(|size| size.is_finite()).reduce(f64::max)
+        points.map(|owner| of(owner).size()).reduce(f64::max)
     };
     Some([most(RATES[0])?, most(RATES[1])?])
 }

@@ -1,9 +1,10 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
+use assur_book::Course;
 use assur_mechanism::{GROUND, LinkId, PairId};
 
-use super::series::{Series, greatest};
+use super::series::Series;
 
 /// A force this small compared with the greatest one of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
@@ -42,24 +43,21 @@ impl Reaction {
 /// Series that are being collected from the positions of an analysis.
 pub(super) struct Gather<'a> {
     pub(super) table: &'a Table,
-    /// Number of positions of the scene.
-    pub(super) positions: usize,
+    /// The end of the cycle.
+    pub(super) ending: &'a Table,
     pub(super) series: Vec<Series>,
 }
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
     pub(super) fn add(&mut self, names: [String; 2], kind: &'static str, column: Column) -> Option<usize> {
-        let index = self.table.schema().find(column)?;
-        self.add_values(names, kind, column, self.table.each(index).collect())
-    }
-
-    /// Adds the modulus of a vector.
-    fn add_modulus(&mut self, names: [String; 2], kind: &'static str, vector: Column) -> Option<usize> {
-        let schema = self.table.schema();
-        let [x, y] = [Part::X, Part::Y].map(|part| schema.find(vector.part(part)));
-        let both = self.table.each(x?).zip(self.table.each(y?));
-        self.add_values(names, kind, vector, both.map(|(x, y)| Some(x?.hypot(y?))).collect())
+        let course = Course::of(self.table, Some(self.ending), Column::COORDINATE, column);
+        if course.is_empty() {
+            return None;
+        }
+        let ([of, short], unit) = (names, self.table.schema().unit(column));
+        self.series.push(Series { column, of, short, kind, unit, factor: 1.0, course, floor: 0.0 });
+        Some(self.series.len() - 1)
     }
 
     /// Adds both projections of a vector and its modulus; a letter follows the names.
@@ -67,30 +65,8 @@ impl Gather<'_> {
         let names = |letter: &str| [&of, &short].map(|name| format!("{name}{letter}"));
         let x = self.add(names("x"), kind, vector.part(Part::X));
         let y = self.add(names("y"), kind, vector.part(Part::Y));
-        [x, y, self.add_modulus(names(""), kind, vector)].into_iter().flatten().collect()
-    }
-
-    /// Adds the values of the rows; `column`: what they measure.
-    fn add_values(
-        &mut self,
-        [of, short]: [String; 2],
-        kind: &'static str,
-        column: Column,
-        rows: Vec<Option<f64>>,
-    ) -> Option<usize> {
-        let mut values = vec![f64::NAN; self.positions];
-        for (number, value) in self.table.numbers().iter().zip(rows) {
-            if let (Some(value), Some(slot)) = (value, values.get_mut(*number)) {
-                *slot = value;
-            }
-        }
-        if values.iter().all(|value| value.is_nan()) {
-            return None;
-        }
-        let schema = self.table.schema();
-        let unit = schema.unit(column);
-        self.series.push(Series { of, short, kind, unit, values, floor: 0.0 });
-        Some(self.series.len() - 1)
+        let modulus = self.add(names(""), kind, vector.part(Part::Modulus));
+        [x, y, modulus].into_iter().flatten().collect()
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
@@ -184,7 +160,7 @@ impl Gather<'_> {
     /// Sets the limit below which forces of the pairs count as zero.
     fn mark_rounding(&mut self, reactions: &[Reaction]) {
         let forces = || reactions.iter().flat_map(|reaction| &reaction.series).copied();
-        let floor = ROUNDING * greatest(forces().flat_map(|index| &self.series[index].values));
+        let floor = ROUNDING * forces().map(|index| self.series[index].course.size()).fold(0.0, f64::max);
         forces().for_each(|index| self.series[index].floor = floor);
     }
 }

@@ -39,7 +39,7 @@ pub(crate) use picker::{Choice, Help, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene, Source};
-pub(crate) use series::{Owner, Series, greatest, zeros};
+pub(crate) use series::Series;
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
@@ -221,7 +221,7 @@ impl State {
     /// The next frame of the motion that plays.
     pub(crate) fn advance(&mut self) {
         // Between the last position and the first one there is a way only where they close a cycle.
-        let closed = self.scene.as_ref().is_some_and(Scene::closed);
+        let closed = self.scene.as_ref().is_some_and(Scene::is_cycle);
         let end = !closed && self.position + 1 == self.positions();
         let ahead = if end { FRAMES } else { self.phase + PACES[self.pace % PACES.len()] };
         if ahead >= FRAMES {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assur_analysis::MOST_KEPT;
+use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
 use assur_mechanism::Range;
@@ -12,7 +13,7 @@ use assur_scene::edit::{Document, SceneValue};
 
 use super::found::Found;
 use super::outline::Outline;
-use super::series::{Owner, Series, Transfer};
+use super::series::{Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
 use crate::words::{LANGUAGES, Words};
@@ -116,7 +117,8 @@ impl Scene {
         let solved = (0..linkage.mechanism.input.positions).map(|index| solve(&linkage, index));
         let (poses, broken): (Vec<_>, Vec<Option<Broken>>) = solved.unzip();
         let outline = Outline::of(&linkage, broken.iter().flatten().map(|broken| &broken.pose));
-        let (series, transfers) = transfer::series(&linkage, &poses);
+        let end = cycle_end(&linkage);
+        let (series, transfers) = transfer::series(&linkage, &poses, end.as_ref());
         Self {
             source,
             text: text.to_owned(),
@@ -139,10 +141,9 @@ impl Scene {
         self.poses.len()
     }
 
-    /// Whether the positions close a cycle: the first follows the last.
-    pub(crate) fn closed(&self) -> bool {
+    /// Whether the positions are those of a cycle, whose end is no position of its own.
+    pub(crate) fn is_cycle(&self) -> bool {
         matches!(self.linkage.mechanism.input.range, Range::Cycle(_))
-            && self.poses.iter().all(Option::is_some)
     }
 
     /// The least determinant of a group over the positions, and the position that has it.
@@ -179,6 +180,15 @@ impl Scene {
     }
 }
 
+/// The mechanism at the end of its cycle; `None` where the positions are no cycle, or it can't be assembled there.
+fn cycle_end(linkage: &Linkage) -> Option<Position> {
+    let input = &linkage.mechanism.input;
+    let mut pose = linkage.position();
+    let solved = matches!(input.range, Range::Cycle(_))
+        && linkage.solve(input.coordinate(input.positions), Order::Second, &mut pose).is_ok();
+    solved.then_some(pose)
+}
+
 /// Solves a position: its pose, or what there is of it.
 fn solve(linkage: &Linkage, index: usize) -> (Option<Position>, Option<Broken>) {
     let mut pose = linkage.position();
@@ -211,12 +221,19 @@ impl Scene {
             Owner::Point(id) => ("point", &mechanism.points[id].name),
             Owner::Link(id) => ("link", &mechanism.links[id].name),
             Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
+            _ => ("", ""),
         }
     }
 
     /// How many series there are: the transfer functions, then what the analysis found.
     pub(crate) fn column_count(&self) -> usize {
         self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
+    }
+
+    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
+    pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
+        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
+        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
     }
 
     /// The coordinate of a position with its unit.

@@ -1,15 +1,22 @@
 //! The series of a linkage: coordinate, then PF0, PF1, PF2 of points, links and slides.
 
-use assur_kinematics::{Linkage, Position, continuous_angle};
+use assur_analysis::results::{Column, Owner, Part, Quantity};
+use assur_book::{Course, Node};
+use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
 
-use super::series::{Owner, Series, Transfer};
+use super::series::{Series, Transfer};
 
 /// A value this small compared with the size of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// All series of the positions, and which of them belong together.
-pub(crate) fn series(linkage: &Linkage, poses: &[Option<Position>]) -> (Vec<Series>, Vec<Transfer>) {
-    let mut gather = Gather { linkage, poses, series: Vec::new(), transfers: Vec::new() };
+/// All series of the positions and of the end of the cycle, and which of them belong together.
+pub(crate) fn series(
+    linkage: &Linkage,
+    poses: &[Option<Position>],
+    end: Option<&Position>,
+) -> (Vec<Series>, Vec<Transfer>) {
+    let end = end.map(|pose| (poses.len(), pose));
+    let mut gather = Gather { linkage, poses, end, series: Vec::new(), transfers: Vec::new() };
     gather.coordinate();
     gather.points();
     gather.links();
@@ -25,6 +32,8 @@ pub(crate) fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
 struct Gather<'a> {
     linkage: &'a Linkage,
     poses: &'a [Option<Position>],
+    /// The number after that of the last position, and the end of the cycle.
+    end: Option<(usize, &'a Position)>,
     series: Vec<Series>,
     transfers: Vec<Transfer>,
 }
@@ -33,9 +42,15 @@ impl Gather<'_> {
     fn coordinate(&mut self) {
         let (unit, factor) = coordinate_unit(self.linkage);
         let input = &self.linkage.mechanism.input;
-        let values = (0..self.poses.len()).map(|index| factor * input.coordinate(index)).collect();
+        let node = |number| {
+            let at = input.coordinate(number);
+            Node { number, at, value: at }
+        };
+        let end = self.end.map(|(number, _)| node(number));
+        let course = Course::from_nodes((0..self.poses.len()).map(node), end);
         let [of, short, unit] = ["coordinate", "q", unit].map(str::to_owned);
-        self.series.push(Series { of, short, kind: "", unit, values, floor: 0.0 });
+        let column = Column::COORDINATE;
+        self.series.push(Series { column, of, short, kind: "", unit, factor, course, floor: 0.0 });
     }
 
     fn points(&mut self) {
@@ -44,12 +59,12 @@ impl Gather<'_> {
             if point.places.iter().any(|place| place.link == assur_mechanism::GROUND) {
                 continue;
             }
-            for (axis, letter) in ["x", "y"].into_iter().enumerate() {
+            for (axis, (letter, part)) in [("x", Part::X), ("y", Part::Y)].into_iter().enumerate() {
                 let (name, short) =
                     (format!("point {} {letter}", point.name), format!("{}.{letter}", point.name));
-                self.add(name, &short, Owner::Point(id), |position| {
+                self.add(name, &short, place(Owner::Point(id)).part(part), |position| {
                     let motion = linkage.point_motion(id, position);
-                    [1e3 * motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
+                    [motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
                 });
             }
         }
@@ -58,12 +73,18 @@ impl Gather<'_> {
     fn links(&mut self) {
         let linkage = self.linkage;
         for (id, link) in linkage.mechanism.links.iter().enumerate().skip(1) {
-            let mut before: Option<f64> = None;
-            self.add(format!("link {}", link.name), &link.name, Owner::Link(id), |position| {
+            let mut before: Option<[f64; 2]> = None;
+            self.add(format!("link {}", link.name), &link.name, place(Owner::Link(id)), |position| {
                 let motion = linkage.link_motion(id, position);
-                let angle = before.map_or(motion.pf0, |near| continuous_angle(motion.pf0, near));
-                before = Some(angle);
-                [angle.to_degrees(), motion.pf1, motion.pf2]
+                let angle = before.map_or(first_angle(motion.pf0), |[at, angle]| {
+                    let mut near = angle;
+                    linkage.each_between([at, position.coordinate], |between| {
+                        near = continuous_angle(linkage.link_motion(id, between).pf0, near);
+                    });
+                    continuous_angle(motion.pf0, near)
+                });
+                before = Some([position.coordinate, angle]);
+                [angle, motion.pf1, motion.pf2]
             });
         }
     }
@@ -71,41 +92,55 @@ impl Gather<'_> {
     fn slides(&mut self) {
         let linkage = self.linkage;
         for (id, slide) in linkage.mechanism.slides.iter().enumerate() {
-            self.add(format!("slide {}", slide.name), &slide.name, Owner::Slide(id), |position| {
+            self.add(format!("slide {}", slide.name), &slide.name, place(Owner::Slide(id)), |position| {
                 let motion = linkage.slide_motion(id, position);
-                [1e3 * motion.pf0, motion.pf1, motion.pf2]
+                [motion.pf0, motion.pf1, motion.pf2]
             });
         }
     }
 
-    /// Adds PF0, PF1 and PF2 of a quantity; `read` gives PF0 in degrees or millimeters.
-    fn add(&mut self, name: String, short: &str, owner: Owner, mut read: impl FnMut(&Position) -> [f64; 3]) {
-        let mut values: [Vec<f64>; 3] = Default::default();
-        for pose in self.poses {
-            let orders = pose.as_ref().map_or([f64::NAN; 3], &mut read);
-            values.iter_mut().zip(orders).for_each(|(column, value)| column.push(value));
+    /// Adds PF0, PF1 and PF2 of a place, which `read` gives.
+    fn add(
+        &mut self,
+        name: String,
+        short: &str,
+        column: Column,
+        mut read: impl FnMut(&Position) -> [f64; 3],
+    ) {
+        let mut nodes: [Vec<Node>; 3] = Default::default();
+        let poses = self.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
+        for (number, pose) in poses.chain(self.end) {
+            let at = pose.coordinate;
+            let orders = read(pose).map(|value| Node { number, at, value });
+            nodes.iter_mut().zip(orders).for_each(|(all, node)| all.push(node));
         }
         let q = if self.linkage.angular() { "rad" } else { "m" };
         // Angles are of the order of 1; lengths of that of the mechanism.
-        let (shown, unit, size) = match owner {
-            Owner::Link(_) => ("deg", "rad", 1.0),
-            Owner::Point(_) | Owner::Slide(_) => ("mm", "m", self.linkage.structure.scale),
+        let (shown, unit, size) = match column.owner {
+            Owner::Link(_) => (("deg", 1.0_f64.to_degrees()), "rad", 1.0),
+            _ => (("mm", 1e3), "m", self.linkage.structure.scale),
         };
-        let units = [shown.to_owned(), format!("{unit}/{q}"), format!("{unit}/{q}2")];
+        let units =
+            [(shown.0.to_owned(), shown.1), (format!("{unit}/{q}"), 1.0), (format!("{unit}/{q}2"), 1.0)];
         let first = self.series.len();
-        for (order, (unit, values)) in units.into_iter().zip(values).enumerate() {
-            let short = format!("{short}{}", "'".repeat(order));
-            // PF0 is shown in a unit that is a thousand times smaller.
-            let floor = ROUNDING * size * if order == 0 { 1e3 } else { 1.0 };
+        for (order, ((unit, factor), mut nodes)) in (0_u8..).zip(units.into_iter().zip(nodes)) {
+            let end = if self.end.is_some() { nodes.pop() } else { None };
             self.series.push(Series {
+                column: Column { quantity: Quantity::Transfer(order), ..column },
                 of: name.clone(),
-                short,
-                kind: ["PF0", "PF1", "PF2"][order],
+                short: format!("{short}{}", "'".repeat(order.into())),
+                kind: ["PF0", "PF1", "PF2"][usize::from(order)],
                 unit,
-                values,
-                floor,
+                factor,
+                course: Course::from_nodes(nodes, end),
+                floor: ROUNDING * size,
             });
         }
-        self.transfers.push(Transfer { name, owner, orders: [first, first + 1, first + 2] });
+        self.transfers.push(Transfer { name, owner: column.owner, orders: [first, first + 1, first + 2] });
     }
+}
+
+/// PF0 of a link, a point or a slide.
+fn place(owner: Owner) -> Column {
+    Column::of(Quantity::Transfer(0), owner)
 }

@@ -253,6 +253,6 @@ fn sorting_orders_the_rows() {
     press(&mut state, "t Tab s");
     let scene = state.scene.as_ref().unwrap();
     let order = state.order();
-    let values: Vec<f64> = order.iter().map(|i| scene.series[1].values[*i]).collect();
+    let values: Vec<f64> = order.iter().map(|i| scene.series[1].at(*i)).collect();
     assert!(values.windows(2).all(|two| two[0] <= two[1]));
 }

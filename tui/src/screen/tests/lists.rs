@@ -24,11 +24,13 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
     let guide = found.reactions.iter().find(|reaction| reaction.pair == "ram/ground").unwrap();
     let moment = &found.series[guide.moment.unwrap()];
     assert_eq!(state.picked, std::slice::from_ref(&moment.short));
-    let values = moment.values.clone();
-    let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
+    let values: Vec<f64> = moment.course.nodes().iter().map(|node| node.value).collect();
+    // The greatest moment is that of greatest modulus, whatever its sense; the other key goes to the other sense.
+    let at = (0..values.len()).max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs())).unwrap();
+    assert!(values[at] < 0.0);
     press(&mut state, "g");
     assert_eq!(state.position, at);
-    let least = (0..values.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
+    let least = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
     press(&mut state, "G");
     assert_eq!(state.position, least);
     let mean = values.iter().sum::<f64>() / values.len() as f64;

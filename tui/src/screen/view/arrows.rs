@@ -1,11 +1,12 @@
 //! Velocities and accelerations as arrows: per unit time if the positions move, else per unit speed of the coordinate.
 
+use assur_analysis::results::Owner;
 use assur_figure::{Ink, Item, Key, Sample, Stroke, round_length};
 use assur_kinematics::Position;
 use assur_mechanism::GROUND;
 
 use crate::number::plain;
-use crate::screen::state::{Arrows, Owner, Scene, State, greatest};
+use crate::screen::state::{Arrows, Scene, State};
 
 /// Longest arrow, as part of the size of the drawing.
 const LONGEST: f64 = 0.3;
@@ -72,7 +73,7 @@ fn most(scene: &Scene, order: usize) -> f64 {
             .transfers
             .iter()
             .filter(|transfer| matches!(transfer.owner, Owner::Point(_)))
-            .map(|transfer| greatest(&scene.series[transfer.orders[order]].values))
+            .map(|transfer| scene.series[transfer.orders[order]].size())
             .fold(0.0, f64::max),
     }
 }

@@ -1,6 +1,6 @@
 //! Every check in a line: name, largest residual, limit, place, and in words whether it passes.
 
-use assur_analysis::results::Check;
+use assur_analysis::results::{Check, Quantity};
 use assur_figure::{Figure, Ink, Stroke};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -33,7 +33,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let line = Rect { y: area.y + 1 + short(row), height: 1, ..area };
         draw_row(state, check, index == state.chosen.check, line, buffer);
     }
-    let residuals = found.series.iter().filter(|series| series.of.starts_with("residual "));
+    let residuals =
+        found.series.iter().filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
     let panels = residuals.take(usize::from(below.height / CURVE)).map(|series| {
         let title = format!("{}  {}", series.of, number(series.at(state.position)));
         over_positions(state, scene, title, &[(series, Stroke::Solid, Ink::First)], Vec::new())

@@ -7,10 +7,10 @@ use assur_figure::{Figure, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots::{coordinate, over_positions};
+use super::plots::over_positions;
 use crate::number::{digits, number};
 use crate::screen::draw::{cut, paint, put, put_lines, short};
-use crate::screen::state::{Compared, Found, Role, Scene, Series, State, zeros};
+use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
 const SIGNS: [(Sign, &str); 3] = [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
@@ -71,11 +71,13 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
         let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
         let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
     }
+    let (_, factor) = coordinate_unit(&scene.linkage);
     let mut signs = Vec::new();
     for (derivative, (sign, _)) in orders[order..].iter().zip(SIGNS) {
-        for at in zeros(&scene.series[*derivative].values, scene.closed()) {
-            let value = if sign == Sign::Cross { 0.0 } else { between(series, at) };
-            signs.push(Item::sign([coordinate(scene, at), value], sign, Ink::Text));
+        for at in scene.series[*derivative].course.zeros() {
+            let value = if sign == Sign::Cross { Some(0.0) } else { series.course.between(at) };
+            let sign = |value| Item::sign([factor * at, series.factor * value], sign, Ink::Text);
+            signs.extend(value.map(sign));
         }
     }
     over_positions(state, scene, title, &curves, signs)
@@ -84,15 +86,6 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
 /// The stroke of the curve of a second scene.
 fn stroke_of(compared: &Compared) -> Stroke {
     if compared.before { Stroke::Dotted } else { Stroke::Stars }
-}
-
-/// Value between two positions, linear.
-fn between(series: &Series, at: f64) -> f64 {
-    let count = series.values.len().max(1);
-    let before = (0..count).rev().find(|position| *position as f64 <= at).unwrap_or(0);
-    let [a, b] = [before, (before + 1) % count].map(|position| series.at(position));
-    let part = at - before as f64;
-    if part > 0.0 { a + part * (b - a) } else { a }
 }
 
 /// Curves of these series of the analysis, of the corresponding ones of another analyzer, and of those of a second scene,
@@ -106,7 +99,7 @@ pub(super) fn stack(
 ) -> Vec<Panel> {
     let panel = |index: &usize| {
         let series = &found.series[*index];
-        let same = other.and_then(|other| other.series.iter().find(|other| other.of == series.of));
+        let same = other.and_then(|other| other.series.iter().find(|other| other.column == series.column));
         let mut curves = vec![(series, Stroke::Solid, Ink::First)];
         if let Some(compared) = &state.compared {
             curves.extend(compared.series(series).map(|same| (same, stroke_of(compared), Ink::Text)));
@@ -124,7 +117,7 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
     let charts = if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
     let value = assur_figure::cells::value_at(&figure(state, scene), [charts.width, charts.height], cell)?;
-    let distance = |position: &usize| (coordinate(scene, *position as f64) - value).abs();
+    let distance = |position: &usize| (scene.coordinate_at(*position as f64) - value).abs();
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
@@ -153,10 +146,11 @@ fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
         let unit = if series.unit.is_empty() { String::new() } else { format!(", {}", series.unit) };
         let name = format!("{} {}", number + 1, cut(&series.of, NAME.saturating_sub(unit.len() + 3)));
         let cells = series.summary().map_or_else(Default::default, |summary| {
-            let ((greatest, high), (least, low)) = (summary.greatest, summary.least);
+            let [high, low] = [summary.greatest, summary.least].map(|extreme| extreme.number);
             let shown =
-                |value: f64| if value.abs() <= series.floor { "0".to_owned() } else { digits(value, 5) };
-            let [greatest, least, mean, rms] = [greatest, least, summary.mean, summary.rms].map(shown);
+                |value: f64| if value.abs() <= series.least() { "0".to_owned() } else { digits(value, 5) };
+            let [greatest, least, mean, rms] =
+                [summary.greatest.value, summary.least.value, summary.mean, summary.rms].map(shown);
             [series.bare(state.position), greatest, high.to_string(), least, low.to_string(), mean, rms]
         });
         lines.push((Role::Plain, row(&format!("{name}{unit}"), cells)));
@@ -199,13 +193,15 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         curves.extend(before.map(|before| (before, Stroke::Dotted, Ink::Trace)));
         curves.push((*series, stroke, ink));
         if let Some(summary) = series.summary() {
-            for (value, at) in [summary.greatest, summary.least] {
-                signs.push(Item::sign([coordinate(scene, at as f64), value], Sign::Ring, Ink::Text));
+            for extreme in [summary.greatest, summary.least] {
+                let at = scene.coordinate_at(extreme.number as f64);
+                signs.push(Item::sign([at, extreme.value], Sign::Ring, Ink::Text));
             }
             if all.len() > 1 {
                 // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
-                let at = (2 * number + 1) * series.values.len() / (2 * all.len());
-                let place = [coordinate(scene, at as f64), series.at(at)];
+                let nodes = series.course.nodes();
+                let node = nodes[(2 * number + 1) * nodes.len() / (2 * all.len())];
+                let place = [scene.coordinate_at(node.number as f64), series.factor * node.value];
                 signs.push(Item::name(place, (number + 1).to_string(), Ink::Title));
             }
         }

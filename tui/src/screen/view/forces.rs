@@ -144,9 +144,9 @@ fn largest_difference(scene: &Scene, found: &Found, other: &Found) -> f64 {
 fn hodograph(state: &State, found: &Found) -> Option<Panel> {
     let reaction = chosen(state, found).filter(|reaction| reaction.series.len() == 3)?;
     let [xs, ys] = [0, 1].map(|axis| &found.series[reaction.series[axis]]);
-    let tips: Vec<Point> = xs.values.iter().zip(&ys.values).map(|(x, y)| [*x, *y]).collect();
+    let tips: Vec<Point> = xs.course.against(&ys.course);
     let bounds = Bounds::around(tips.iter().copied().chain([[0.0; 2]]));
-    let tip = tips.get(state.position).copied().filter(|tip| tip[0].is_finite());
+    let tip = xs.course.get(state.position).zip(ys.course.get(state.position)).map(|(x, y)| [x, y]);
     let mut items = vec![Item::line(tips, Stroke::Dashed, Ink::Second)];
     items.extend(tip.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
     items.push(Item::sign([0.0; 2], Sign::Plus, Ink::Title));

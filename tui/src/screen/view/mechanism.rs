@@ -1,5 +1,6 @@
 //! The mechanism to scale, with names, paths and arrows.
 
+use assur_analysis::results::Owner;
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_kinematics::Position;
@@ -9,7 +10,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{arrows, panel};
 use crate::number::plain;
 use crate::screen::draw::{cells, paint_zoomed};
-use crate::screen::state::{Owner, Probe, Scene, State, Traces, View};
+use crate::screen::state::{Probe, Scene, State, Traces, View};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
@@ -171,12 +172,14 @@ fn paths(scene: &Scene, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
 fn trail(state: &State, scene: &Scene, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     // The last point of a path is the end of the last step, which of a closed cycle is its first point again.
     let steps = path.len().saturating_sub(1);
-    let positions = (state.positions() - usize::from(!scene.closed())).max(1);
+    let positions = (state.positions() - usize::from(!scene.is_cycle())).max(1);
     let now = (state.at() / positions as f64 * steps as f64).floor();
     let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
     let back = (0..=steps / TRAIL).rev();
     let points = back.filter_map(|back| match now.checked_sub(back) {
-        None if scene.closed() => path.get((now + steps - back) % steps),
+        None if scene.is_cycle() && scene.poses.iter().all(Option::is_some) => {
+            path.get((now + steps - back) % steps)
+        }
         at => path.get(at?),
     });
     points.copied().collect()

@@ -1,6 +1,6 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Dynamics, Quantity};
+use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
 use assur_figure::{Axis, Figure, Panel};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -82,24 +82,25 @@ fn speed_unit(angular: bool) -> &'static str {
 
 /// Coordinate, speed, acceleration and energies over time.
 fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
-    let course = &analysis.trajectory;
-    let (times, q) =
-        (regime::sampled(analysis, Quantity::Time), if analysis.input.angular { "rad" } else { "m" });
+    let q = if analysis.input.angular { "rad" } else { "m" };
     let all = [
         ("coordinate", q.to_owned(), Quantity::Transfer(0)),
         ("speed", format!("{q}/s"), Quantity::Velocity),
         ("acceleration", format!("{q}/s2"), Quantity::Acceleration),
     ];
-    let row = state.position.min(course.len().saturating_sub(1));
-    let Some(now) = times.get(row).copied() else { return Vec::new() };
-    let x = Axis::around("time, s", times.iter().copied(), 0.0);
+    let time = Column::of(Quantity::Time, Owner::Input);
+    let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
+    let row = state.position.min(last);
+    let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
+    let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
+    let x = Axis::around("time, s", times, 0.0);
     let panel = |(name, unit, quantity): (&str, String, Quantity)| {
-        let values = regime::sampled(analysis, quantity);
-        let points = times.iter().zip(values).map(|(time, value)| [*time, *value]).collect();
-        let title = format!("{name}  {} {unit}", number(values[row]));
-        plots::curves(&title, vec![(name, points)], x.clone(), Some(now))
+        let course = regime::sampled(analysis, time, quantity);
+        let value = course.between(now).unwrap_or(f64::NAN);
+        let title = format!("{name}  {} {unit}", number(value));
+        plots::curves(&title, vec![(name, course)], (x.clone(), 1.0), Some(now))
     };
-    let energies = regime::energies(analysis, times, x.clone(), now);
+    let energies = regime::energies(analysis, time, (x.clone(), 1.0), now);
     all.map(panel).into_iter().chain(energies).collect()
 }
 

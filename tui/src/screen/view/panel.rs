@@ -1,5 +1,6 @@
 //! The numbers next to the drawing: coordinate, speed, the chosen quantity, every link and slide.
 
+use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::cells::cell_width;
 use assur_figure::{Figure, Ink, Sample};
 use assur_geometry::Curvature;
@@ -9,7 +10,7 @@ use ratatui::layout::Rect;
 
 use crate::number::digits;
 use crate::screen::draw::{cells, put_lines, wrapped};
-use crate::screen::state::{Bounds, Owner, Probe, Role, Scene, State};
+use crate::screen::state::{Bounds, Probe, Role, Scene, State};
 
 /// Longest shaft of an arrow of the legend, in columns.
 const SHAFT: f64 = 12.0;
@@ -68,7 +69,8 @@ fn input(state: &State, scene: &Scene) -> Vec<String> {
     let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
     let found = scene.found.as_ref();
     // In a steady regime the speed is a result, one for each position.
-    let own = found.and_then(|found| found.series.iter().find(|series| series.short == "w"));
+    let of_input = Column::of(Quantity::Velocity, Owner::Input);
+    let own = found.and_then(|found| found.series.iter().find(|series| series.column == of_input));
     let speed = match scene.linkage.mechanism.motion {
         Some(Motion::Prescribed { speed, .. }) => Some(format!("{} {unit}", digits(speed, 5))),
         _ => own.map(|series| series.show(at)),

@@ -1,43 +1,21 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
+use assur_book::Course;
 use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
 
-use crate::screen::state::{Scene, Series, State};
+use crate::screen::state::{Scene, Series, State, coordinate_unit};
 
 /// Strokes and inks of several curves, told apart without color.
 const STYLES: [(Stroke, Ink); 3] =
     [(Stroke::Solid, Ink::First), (Stroke::Dotted, Ink::Third), (Stroke::Chain, Ink::Second)];
 
-/// A turn, degrees.
-const TURN: f64 = 360.0;
-
 /// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
 pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
     let series = &scene.series[0];
-    let ends =
-        [0.0, (scene.positions() - usize::from(!scene.closed())) as f64].map(|at| coordinate(scene, at));
+    let last = scene.positions() - usize::from(!scene.is_cycle());
+    let ends = [0.0, last as f64].map(|at| scene.coordinate_at(at));
     let kind = if series.unit == "deg" { Kind::Degrees } else { Kind::Linear };
     Axis { kind, ..Axis::around(format!("coordinate, {}", series.unit), ends, 0.0) }
-}
-
-/// The coordinate at a number of a position, also between two or after the last one.
-pub(super) fn coordinate(scene: &Scene, at: f64) -> f64 {
-    let values = &scene.series[0].values;
-    let first = values.first().copied().unwrap_or_default();
-    let step = values.get(1).map_or(0.0, |second| second - first);
-    first + at * step
-}
-
-/// The points of a quantity over the positions; a cycle is closed.
-pub(super) fn points(scene: &Scene, series: &Series) -> Vec<Point> {
-    let values = series.values.iter().copied();
-    let closing = scene.closed().then(|| {
-        let (first, last) = (series.at(0), series.at(series.values.len().saturating_sub(1)));
-        // A link that turns around has a turn more at the end.
-        let turns = if series.unit == "deg" { ((last - first) / TURN).round() } else { 0.0 };
-        first + TURN * turns
-    });
-    values.chain(closing).enumerate().map(|(at, value)| [coordinate(scene, at as f64), value]).collect()
 }
 
 /// The curve of a quantity over the positions, with the cursor at the present one.
@@ -48,27 +26,38 @@ pub(crate) fn over_positions(
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,
 ) -> Panel {
-    let mut items: Vec<Item> =
-        curves.iter().map(|(series, stroke, ink)| Item::line(points(scene, series), *stroke, *ink)).collect();
+    let (_, coordinate) = coordinate_unit(&scene.linkage);
+    let line = |(series, stroke, ink): &(&Series, Stroke, Ink)| {
+        Item::line(series.course.points([coordinate, series.factor]), *stroke, *ink)
+    };
+    let mut items: Vec<Item> = curves.iter().map(line).collect();
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
-    let (floor, unit) = curves.first().map_or((0.0, ""), |(series, ..)| (series.floor, &series.unit));
+    let (floor, unit) =
+        curves.first().map_or((0.0, ""), |(series, ..)| (series.factor * series.floor, &series.unit));
     items.extend(signs);
     let frame = Frame::Axes {
         x: coordinate_axis(scene),
         y: Axis::around(unit, values, floor),
-        cursor: Some(coordinate(scene, state.at())),
+        cursor: Some(scene.coordinate_at(state.at())),
     };
     Panel { title, frame, items }
 }
 
-/// At most three curves given by points, each with its name; where there are several, with a number on them.
-pub(super) fn curves(title: &str, curves: Vec<(&str, Vec<Point>)>, x: Axis, cursor: Option<f64>) -> Panel {
+/// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
+/// the horizontal axis.
+pub(super) fn curves(
+    title: &str,
+    curves: Vec<(&str, Course)>,
+    (x, factor): (Axis, f64),
+    cursor: Option<f64>,
+) -> Panel {
     let count = curves.len();
     let names: Vec<String> =
         curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();
     let title = if count > 1 { format!("{title}: {}", names.join("  ")) } else { title.to_owned() };
     let mut items = Vec::new();
-    for (number, ((_, points), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
+    for (number, ((_, course), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
+        let points = course.points([factor, 1.0]);
         // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
         let at = points.get((2 * number + 1) * points.len() / (2 * count)).copied();
         items.push(Item::line(points, stroke, ink));

@@ -2,8 +2,10 @@
 //! energy-mass diagram, the shares of the reduced inertia, the link of reduction.
 
 use assur_analysis::results::{
-    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Trial,
+    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Table,
+    Trial,
 };
+use assur_book::{Course, Node};
 use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
 use assur_mechanism::InputPair;
 use ratatui::buffer::Buffer;
@@ -17,34 +19,31 @@ use crate::screen::state::{Found, Role, Scene, State, coordinate_unit};
 /// Rows that the curves below the table of the iteration need.
 const PLOTS: u16 = 8;
 
-/// Points of a quantity over the cycle, the coordinate in the unit that is shown.
-fn over(scene: &Scene, regime: &RegimeReport, read: impl Fn(&RegimePoint) -> f64) -> Vec<[f64; 2]> {
-    let (_, factor) = coordinate_unit(&scene.linkage);
-    regime.course.iter().map(|row| [factor * row.coordinate, read(row)]).collect()
+/// A quantity of the regime over the cycle; where `read` gives none, the course has none.
+fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Course {
+    Course::from_points(regime.course.iter().filter_map(|row| Some([row.coordinate, read(row)?])))
 }
 
 /// The present coordinate in the unit that is shown.
 fn cursor(state: &State, scene: &Scene) -> f64 {
-    plots::coordinate(scene, state.at())
+    scene.coordinate_at(state.at())
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
 pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: &RegimeReport) -> Vec<Panel> {
-    let mut lines = vec![("regime", over(scene, regime, |row| row.speed))];
-    if regime.course.iter().any(|row| row.first_turn.is_some()) {
-        lines.push(("first turn", over(scene, regime, |row| row.first_turn.unwrap_or(f64::NAN))));
+    let mut lines = vec![("regime", over(regime, |row| Some(row.speed)))];
+    let first_turn = over(regime, |row| row.first_turn);
+    if !first_turn.is_empty() {
+        lines.push(("first turn", first_turn));
     }
-    let speed = plots::curves("input speed, rad/s", lines, axis(scene, regime), Some(cursor(state, scene)));
-    let places: Vec<f64> = over(scene, regime, |_| 0.0).into_iter().map(|at| at[0]).collect();
-    let energies = energies(analysis, &places, axis(scene, regime), cursor(state, scene));
+    let speed = plots::curves("input speed, rad/s", lines, axis(scene), Some(cursor(state, scene)));
+    let energies = energies(analysis, Column::COORDINATE, axis(scene), cursor(state, scene));
     [speed, moments(state, scene, regime)].into_iter().chain(energies).collect()
 }
 
-/// The coordinate over the cycle of the regime.
-fn axis(scene: &Scene, regime: &RegimeReport) -> Axis {
-    let ends = over(scene, regime, |_| 0.0).into_iter().map(|at| at[0]);
-    let own = plots::coordinate_axis(scene);
-    Axis { kind: own.kind, ..Axis::around(own.label, ends, 0.0) }
+/// The coordinate over the cycle, and its factor from SI.
+fn axis(scene: &Scene) -> (Axis, f64) {
+    (plots::coordinate_axis(scene), coordinate_unit(&scene.linkage).1)
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
@@ -52,20 +51,21 @@ pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Pa
     // The resistance is shown against the motion, as its mean is.
     let sense = scene.linkage.mechanism.input.sign();
     let lines = vec![
-        ("motor", over(scene, regime, |row| sense * row.drive)),
-        ("resistance", over(scene, regime, |row| -sense * row.load)),
-        ("mean", over(scene, regime, |_| regime.mean_resistance)),
+        ("motor", over(regime, |row| Some(sense * row.drive))),
+        ("resistance", over(regime, |row| Some(-sense * row.load))),
+        ("mean", over(regime, |_| Some(regime.mean_resistance))),
     ];
-    plots::curves("moments on the input, N m", lines, axis(scene, regime), Some(cursor(state, scene)))
+    plots::curves("moments on the input, N m", lines, axis(scene), Some(cursor(state, scene)))
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
 pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
-    let lines = vec![("whole", work.curve.clone()), ("working section", work.working_section.clone())];
+    let course = |points: &[[f64; 2]]| Course::from_points(points.iter().copied());
+    let lines = vec![("whole", course(&work.curve)), ("working section", course(&work.working_section))];
     let x = Axis::around("speed of the motor, rad/s", work.curve.iter().map(|at| at[0]), 0.0);
     let cursor = Some(0.5 * (work.speed[0] + work.speed[1]));
-    Some(plots::curves("motor characteristic, N m", lines, x, cursor))
+    Some(plots::curves("motor characteristic, N m", lines, (x, 1.0), cursor))
 }
 
 /// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.
@@ -102,48 +102,46 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let x = Axis::around("reduced inertia of the links, kg m2", inertias(), 0.0);
     let [x0, y0] = diagram.origin;
-    let line = |slope: f64| x.range.iter().map(|inertia| [*inertia, y0 + slope * (inertia - x0)]).collect();
+    let line =
+        |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
     let [fast, slow] = diagram.tangents.map(|tangent| line(tangent.slope));
-    let lines = vec![("work", diagram.curve.clone()), ("greatest speed", fast), ("least speed", slow)];
-    let mut panel = plots::curves("energy-mass diagram, J", lines, x, None);
+    let curve = Course::from_points(diagram.curve.iter().copied());
+    let lines = vec![("work", curve), ("greatest speed", fast), ("least speed", slow)];
+    let mut panel = plots::curves("energy-mass diagram, J", lines, (x, 1.0), None);
     panel.items.extend(diagram.tangents.map(|tangent| Item::sign(tangent.touches, Sign::Plus, Ink::Title)));
     panel
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
 pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
-    let table = &found.analysis.positions;
-    let schema = table.schema();
-    let mut sums = vec![dynamics.regime.shaft_inertia; table.len()];
-    let mut names = vec!["drive".to_owned()];
-    let mut levels = vec![sums.clone()];
-    for owner in schema.owners(Quantity::ReducedInertia) {
-        let column = schema.find(Column::of(Quantity::ReducedInertia, owner));
-        let (Owner::Link(_), Some(column)) = (owner, column) else { continue };
-        sums.iter_mut().zip(table.each(column)).for_each(|(sum, share)| *sum += share.unwrap_or(f64::NAN));
-        names.push(format!("+ {}", schema.name(owner)));
-        levels.push(sums.clone());
-    }
-    let places = table.numbers().iter().map(|number| *number as f64);
-    // A cycle ends with the values at its beginning.
-    let places = places.chain(scene.closed().then(|| scene.positions() as f64));
-    let places: Vec<f64> = places.map(|at| plots::coordinate(scene, at)).collect();
+    let Analysis { positions, ending, .. } = &found.analysis;
+    let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
+    let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
+    // The sum of flywheel, rotor and the first `count` links in a row.
+    let level = |table: &Table, row: usize, count: usize| {
+        let share = |owner: &Owner| table.get(row, Column::of(Quantity::ReducedInertia, *owner));
+        let sum = links[..count].iter().map(share).sum::<Option<f64>>()?;
+        let at = table.get(row, Column::COORDINATE)?;
+        let value = dynamics.regime.shaft_inertia + sum;
+        Some(Node { number: table.numbers()[row], at, value })
+    };
+    let (_, factor) = coordinate_unit(&scene.linkage);
     let mut items = Vec::new();
-    for (number, level) in levels.iter().enumerate() {
-        let points: Vec<_> = places.iter().zip(level.iter().cycle()).map(|(x, y)| [*x, *y]).collect();
-        let stroke = if number + 1 == levels.len() { Stroke::Solid } else { Stroke::Dashed };
-        let at = points.get((2 * number + 1) * points.len() / (2 * levels.len())).copied();
+    for count in 0..=links.len() {
+        let nodes = (0..positions.len()).filter_map(|row| level(positions, row, count));
+        let end = if ending.is_empty() { None } else { level(ending, 0, count) };
+        let points = Course::from_nodes(nodes, end).points([factor, 1.0]);
+        let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
+        let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
         items.push(Item::line(points, stroke, Ink::First));
-        items.extend(at.map(|at| Item::name(at, (number + 1).to_string(), Ink::Title)));
+        items.extend(at.map(|at| Item::name(at, (count + 1).to_string(), Ink::Title)));
     }
     let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
-    let names: Vec<_> = names.iter().enumerate().map(|(at, name)| format!("{} {name}", at + 1)).collect();
+    let names = links.iter().map(|owner| format!("+ {}", positions.schema().name(*owner)));
+    let names = std::iter::once("drive".to_owned()).chain(names);
+    let names: Vec<_> = names.enumerate().map(|(at, name)| format!("{} {name}", at + 1)).collect();
     let y = Axis::around("kg m2", values, 0.0);
-    let frame = Frame::Axes {
-        x: plots::coordinate_axis(scene),
-        y,
-        cursor: Some(plots::coordinate(scene, state.at())),
-    };
+    let frame = Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene)) };
     Panel { title: format!("reduced inertia: {}", names.join("  ")), frame, items }
 }
 
@@ -187,11 +185,11 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
 pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     let curve = |name: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
-        (name, points.collect::<Vec<_>>())
+        (name, Course::from_points(points))
     };
     let panel = |title: &str, label: &str, count: usize, curves| {
         let x = Axis { kind: Kind::Whole, ..Axis::around(label, [1.0, count.max(2) as f64], 0.0) };
-        plots::curves(title, curves, x, None)
+        plots::curves(title, curves, (x, 1.0), None)
     };
     let (turns, trials) = (&regime.iteration, &regime.trials);
     let mut panels = Vec::new();
@@ -216,25 +214,20 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     panels
 }
 
-/// A quantity of the input at the samples of the motion.
-pub(super) fn sampled(analysis: &Analysis, quantity: Quantity) -> &[f64] {
-    let course = &analysis.trajectory;
-    let column = course.schema().find(Column::of(quantity, Owner::Input));
-    column.map_or(&[][..], |column| course.values(column))
+/// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
+pub(super) fn sampled(analysis: &Analysis, over: Column, quantity: Quantity) -> Course {
+    Course::of(&analysis.trajectory, None, over, Column::of(quantity, Owner::Input))
 }
 
 /// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
 /// not known.
-pub(super) fn energies(analysis: &Analysis, places: &[f64], x: Axis, cursor: f64) -> Option<Panel> {
+pub(super) fn energies(analysis: &Analysis, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
         ("driving work", Quantity::DrivingWork),
         ("resisting work", Quantity::ResistingWork),
         ("kinetic energy", Quantity::KineticEnergy),
     ];
-    let curve = |(name, quantity)| {
-        (name, places.iter().zip(sampled(analysis, quantity)).map(|(x, y)| [*x, *y]).collect())
-    };
-    let curves: Vec<(&str, Vec<[f64; 2]>)> = all.map(curve).into();
-    let known = curves.iter().all(|(_, points)| points.iter().any(|at| at[1].is_finite()));
-    known.then(|| plots::curves("energies, J", curves, x, Some(cursor)))
+    let curves = all.map(|(name, quantity)| (name, sampled(analysis, over, quantity)));
+    let known = curves.iter().all(|(_, course)| !course.is_empty());
+    known.then(|| plots::curves("energies, J", curves.into(), x, Some(cursor)))
 }

@@ -82,7 +82,7 @@ fn value(state: &State, column: usize, series: &Series, position: usize) -> Stri
     let Some(compared) = compared else { return series.bare(position) };
     match compared.difference(series, position) {
         None => "-".to_owned(),
-        Some(difference) if difference.abs() <= series.floor => "0".to_owned(),
+        Some(difference) if difference.abs() <= series.factor * series.floor => "0".to_owned(),
         Some(difference) => number(difference),
     }
 }

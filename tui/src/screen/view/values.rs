@@ -8,7 +8,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, plain};
 use crate::screen::draw::{cut, put, put_lines, short};
-use crate::screen::state::{Role, Scene, Series, State, greatest};
+use crate::screen::state::{Role, Scene, Series, State};
 
 /// Least and greatest height, with the title.
 const HEIGHT: [u16; 2] = [7, 16];
@@ -87,15 +87,15 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
     if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
         && let Some(summary) = series.summary()
     {
-        results.push((named("most", series), summary.greatest.0));
-        results.push((named("least", series), summary.least.0));
+        results.push((named("most", series), summary.greatest.value));
+        results.push((named("least", series), summary.least.value));
     }
     let Some(found) = &scene.found else { return results };
     if let Some(series) = found.balancing() {
-        results.push((format!("balance, {}", series.unit), greatest(&series.values)));
+        results.push((format!("balance, {}", series.unit), series.size()));
     }
     let forces = found.reactions.iter().filter(|reaction| reaction.series.len() == 3);
-    let force = forces.map(|reaction| greatest(&found.series[reaction.series[2]].values)).reduce(f64::max);
+    let force = forces.map(|reaction| found.series[reaction.series[2]].size()).reduce(f64::max);
     results.extend(force.map(|force| ("reaction, N".to_owned(), force)));
     if let Some(dynamics) = &found.analysis.dynamics {
         results.push(("unevenness".to_owned(), dynamics.figures.unevenness));

@@ -1,0 +1,15 @@
+//! What was found, as a reader meets it: quantities with their names, and courses over their own coordinates.
+//!
+//! A result is a number of a [`Table`](assur_analysis::results::Table), identified by its
+//! [`Column`](assur_analysis::results::Column): which quantity, of whom, which part. Everything that shows it takes it from
+//! here: a [`Course`] keeps each value with the coordinate (or time) at which it was found, so that no drawing can place
+//! it elsewhere, and it ends where the cycle was calculated to end, whether or not that is where it began.
+
+mod catalogue;
+mod course;
+
+pub use catalogue::sign_is_sense;
+pub use course::{Course, Extreme, Node, Summary};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,65 @@
+//! Tests of courses.
+
+use std::f64::consts::TAU;
+
+use crate::{Course, Node};
+
+fn sine(count: u32, shift: f64, closed: bool) -> Course {
+    let node = |i: u32| {
+        let at = f64::from(i) * TAU / f64::from(count);
+        Node { number: i as usize, at, value: (at + shift).sin() }
+    };
+    Course::from_nodes((0..count).map(node), closed.then(|| node(count)))
+}
+
+#[test]
+fn zeros_of_a_sine() {
+    let found = sine(12, 0.1, true).zeros();
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!((found[0] - (TAU / 2.0 - 0.1)).abs() < 0.01, "{found:?}");
+    assert!((found[1] - (TAU - 0.1)).abs() < 0.01, "{found:?}");
+    assert_eq!(sine(12, 0.1, false).zeros().len(), 1);
+}
+
+#[test]
+fn a_zero_that_is_met_counts_once() {
+    let of = |values: &[f64]| Course::from_points(values.iter().enumerate().map(|(at, y)| [at as f64, *y]));
+    assert_eq!(of(&[1.0, 0.0, -1.0, 0.0, 1.0]).zeros(), [1.0, 3.0]);
+    assert!(of(&[0.0, 0.0]).zeros().is_empty());
+    assert!(of(&[]).zeros().is_empty());
+}
+
+#[test]
+fn a_position_without_a_value_interrupts_the_line() {
+    let nodes = [0, 1, 3].map(|number| Node { number, at: number as f64, value: 1.0 - number as f64 });
+    let course = Course::from_nodes(nodes, None);
+    let points = course.points([2.0, 10.0]);
+    assert_eq!(points.len(), 4);
+    assert!(points[2].iter().all(|x| x.is_nan()));
+    assert_eq!(points[3], [6.0, -20.0]);
+    assert_eq!(course.get(2), None);
+    assert_eq!(course.between(2.0), None);
+    assert_eq!(course.between(0.25), Some(0.75));
+}
+
+#[test]
+fn closing_is_found_and_not_assumed() {
+    assert_eq!(sine(12, 0.3, true).closes(), Some(true));
+    assert_eq!(sine(12, 0.3, false).closes(), None);
+    let line = Course::from_nodes(
+        (0..4).map(|number| Node { number, at: number as f64, value: 30.0 - number as f64 }),
+        Some(Node { number: 4, at: 4.0, value: 26.0 }),
+    );
+    assert_eq!(line.closes(), Some(false));
+}
+
+#[test]
+fn extremes_have_their_signs_and_their_positions() {
+    let course = Course::from_points([[0.0, 32.0], [1.0, -90.0], [2.0, 32.0], [3.0, 0.0]]);
+    let found = course.summary().unwrap();
+    assert_eq!((found.greatest.value, found.greatest.number), (32.0, 0));
+    assert_eq!((found.least.value, found.least.number), (-90.0, 1));
+    assert_eq!(found.farthest, found.least);
+    assert!((found.mean + 6.5).abs() < 1e-12);
+    assert!((found.rms - ((32.0_f64 * 32.0 * 2.0 + 8100.0) / 4.0).sqrt()).abs() < 1e-12);
+}

@@ -1,0 +1,237 @@
+//! Every curve that a view draws holds the numbers of the JSON at the same coordinates.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use assur_figure::{Frame, Item};
+use assur_fixtures::SCENES;
+use serde_json::Value;
+
+use super::{opened, press};
+use crate::screen::state::{Part, State, View, coordinate_unit};
+use crate::screen::view;
+
+/// Relative difference that the conversion of units makes.
+const ROUNDING: f64 = 1e-12;
+
+/// Points of the JSON: a coordinate or a time, and a number found there.
+type Points = Vec<[f64; 2]>;
+
+/// The numbers of an object by their paths; of a pair of numbers its modulus too.
+fn numbers(value: &Value, path: &str, into: &mut BTreeMap<String, f64>) {
+    match value {
+        Value::Number(number) => drop(into.insert(path.to_owned(), number.as_f64().unwrap())),
+        Value::Object(members) => {
+            members.iter().for_each(|(key, value)| numbers(value, &format!("{path}.{key}"), into));
+        }
+        Value::Array(items) => {
+            items.iter().enumerate().for_each(|(at, value)| numbers(value, &format!("{path}[{at}]"), into));
+            if let [Value::Number(x), Value::Number(y)] = items.as_slice() {
+                let size = x.as_f64().unwrap().hypot(y.as_f64().unwrap());
+                into.insert(format!("{path}|"), size);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Every number of the rows of an array over one of them.
+fn over(rows: &Value, key: &str, into: &mut Vec<Points>) {
+    let mut all: BTreeMap<String, Points> = BTreeMap::new();
+    for row in rows.as_array().into_iter().flatten() {
+        let mut found = BTreeMap::new();
+        numbers(row, "", &mut found);
+        let Some(at) = found.get(&format!(".{key}")).copied() else { continue };
+        for (path, value) in found {
+            all.entry(path).or_default().push([at, value]);
+        }
+    }
+    into.extend(all.into_values());
+}
+
+/// The shares of the links in the reduced inertia above that of the drive, one more in each.
+fn shares(json: &Value, links: &[&str], into: &mut Vec<Points>) {
+    let drive = json["dynamics"]["regime"]["shaft_inertia"].as_f64().unwrap_or(0.0);
+    let positions = json["positions"].as_array().unwrap();
+    let known = |link: &&str| positions[0]["reduced"]["inertia_of_links"].get(*link).is_some();
+    let links: Vec<&str> = links.iter().copied().filter(known).collect();
+    for count in 0..=links.len() {
+        let point = |row: &Value| {
+            let shares = &row["reduced"]["inertia_of_links"];
+            let sum: f64 = links[..count].iter().map(|link| shares[*link].as_f64().unwrap()).sum();
+            [row["coordinate"].as_f64().unwrap(), drive + sum]
+        };
+        into.push(positions.iter().map(point).collect());
+    }
+}
+
+/// All courses of the results.
+fn courses(json: &Value, links: &[&str]) -> Vec<Points> {
+    let mut all = Vec::new();
+    over(&json["positions"], "coordinate", &mut all);
+    over(&json["trajectory"], "coordinate", &mut all);
+    over(&json["trajectory"], "time", &mut all);
+    let regime = &json["dynamics"]["regime"];
+    over(&regime["course"], "coordinate", &mut all);
+    if let Some(mean) = regime["mean_resistance"].as_f64() {
+        let rows = regime["course"].as_array().unwrap();
+        all.push(rows.iter().map(|row| [row["coordinate"].as_f64().unwrap(), mean]).collect());
+    }
+    shares(json, links, &mut all);
+    all
+}
+
+/// Whether the points are those of a course, in its order, of all of it, but for what follows its last point; each number
+/// multiplied by the factors.
+fn is_drawn(points: &[[f64; 2]], course: &Points, [across, up]: [f64; 2]) -> bool {
+    let most = |axis: usize, factor: f64| {
+        course.iter().fold(0.0_f64, |most, point| most.max((factor * point[axis]).abs()))
+    };
+    let [wide, high] = [most(0, across), most(1, up)];
+    let same = |(drawn, found): (&[f64; 2], &[f64; 2])| {
+        (drawn[0] - across * found[0]).abs() <= ROUNDING * wide
+            && (drawn[1] - up * found[1]).abs() <= ROUNDING * high
+    };
+    (course.len()..=course.len() + 1).contains(&points.len()) && points.iter().zip(course).all(same)
+}
+
+/// The lines over a coordinate or a time that the views of a state draw, with the names of their panels.
+fn drawn(state: &mut State) -> Vec<(String, Points)> {
+    let mut lines = Vec::new();
+    for shown in [View::Curves, View::Forces, View::Motion, View::Drive] {
+        state.view = shown;
+        let parts = match state.available_parts(shown) {
+            none if none.is_empty() => vec![Part::Overview],
+            some => some,
+        };
+        for part in parts {
+            state.parts.insert(shown, part);
+            let Some(figure) = view::figure(state, shown) else { continue };
+            for panel in figure.panels {
+                let Frame::Axes { x, .. } = &panel.frame else { continue };
+                if !(x.label.starts_with("coordinate") || x.label.starts_with("time")) {
+                    continue;
+                }
+                for item in &panel.items {
+                    let Item::Line { points, .. } = item else { continue };
+                    let points: Points = points.iter().copied().filter(|at| at[0].is_finite()).collect();
+                    lines.push((format!("{shown:?} {part:?} {}", panel.title), points));
+                }
+            }
+        }
+    }
+    lines
+}
+
+fn json(state: &State) -> Value {
+    let analysis = &state.found().unwrap().analysis;
+    serde_json::from_str(&assur_report::json::analysis::to_json(analysis, false).unwrap()).unwrap()
+}
+
+fn assert_drawn_as_found(name: &str, state: &mut State) {
+    let linkage = &state.scene.as_ref().unwrap().linkage;
+    let links: Vec<&str> = linkage.mechanism.links.iter().map(|link| link.name.as_str()).collect();
+    let (all, (_, factor)) = (courses(&json(state), &links), coordinate_unit(linkage));
+    // Lengths in mm, angles in degrees, moments against the motion.
+    let ups = [1.0, -1.0, 1e3, 1.0_f64.to_degrees()];
+    for (title, points) in drawn(state) {
+        let found = all.iter().any(|course| {
+            ups.iter()
+                .any(|up| is_drawn(&points, course, [factor, *up]) || is_drawn(&points, course, [1.0, *up]))
+        });
+        assert!(found, "{name}: {title} draws what no column of the JSON has: {points:?}");
+    }
+}
+
+#[test]
+fn every_curve_is_a_column_of_the_json() {
+    for (name, _) in SCENES.iter().filter(|(name, _)| !name.starts_with("n-four-bar-40")) {
+        assert_drawn_as_found(name, &mut opened(name));
+    }
+}
+
+#[test]
+fn every_reaction_and_transfer_function_is_drawn_as_found() {
+    let mut state = opened("shaper-drive");
+    let reactions = state.found().unwrap().reactions.len();
+    let transfers = state.scene.as_ref().unwrap().transfers.len();
+    for chosen in 0..reactions.max(transfers) {
+        state.chosen.reaction = chosen.min(reactions - 1);
+        state.chosen.transfer = chosen.min(transfers - 1);
+        assert_drawn_as_found("shaper-drive", &mut state);
+    }
+}
+
+/// The energies were once drawn from 0 to 360 degrees with the values of 0 to 144 degrees.
+#[test]
+fn energies_of_a_cycle_end_with_the_works_of_the_cycle() {
+    for name in ["shaper-drive", "flywheel"] {
+        let mut state = opened(name);
+        let json = json(&state);
+        let last = json["trajectory"].as_array().unwrap().last().unwrap();
+        state.parts.insert(View::Motion, Part::Course);
+        let figure = view::figure(&state, View::Motion).unwrap();
+        let energies = figure.panels.iter().find(|panel| panel.title.starts_with("energies")).unwrap();
+        let lines: Vec<Points> = energies
+            .items
+            .iter()
+            .filter_map(|item| match item {
+                Item::Line { points, .. } => Some(points.clone()),
+                _ => None,
+            })
+            .collect();
+        for (line, key) in lines.iter().zip(["work_driving", "work_resisting", "kinetic_energy"]) {
+            let end = line.last().unwrap();
+            assert!(
+                (end[0] - last["coordinate"].as_f64().unwrap().to_degrees()).abs() < 1e-9,
+                "{name} {key}"
+            );
+            assert!((end[1] - last[key].as_f64().unwrap()).abs() < 1e-9, "{name} {key}: {end:?}");
+        }
+        // The kinetic energy of a periodic cycle ends as it began.
+        let kinetic = &lines[2];
+        let [first, end] = [kinetic[0][1], kinetic.last().unwrap()[1]];
+        assert!((end - first).abs() <= 1e-8 * first, "{name}: {first} {end}");
+    }
+}
+
+/// E example 1: the driving moment has fallen by a fifth after a turn, so Q is 24 - 10 N m there and not 30 - 10.
+#[test]
+fn what_is_not_periodic_does_not_close() {
+    let state = opened("run-up");
+    let found = state.found().unwrap();
+    let moment = found.series.iter().find(|series| series.short == "Q").unwrap();
+    assert_eq!(moment.course.closes(), Some(false));
+    let end = *moment.course.points([1.0; 2]).last().unwrap();
+    assert!((end[0] - TAU).abs() < 1e-12 && (end[1] - 14.0).abs() < 1e-12, "{end:?}");
+}
+
+/// Transfer functions close, and the angle of a crank is a turn greater at the end.
+#[test]
+fn what_is_periodic_closes() {
+    let state = opened("slider-crank");
+    let scene = state.scene.as_ref().unwrap();
+    for series in &scene.series[1..] {
+        let crank = series.short == "crank";
+        assert_eq!(series.course.closes(), Some(!crank), "{}", series.short);
+    }
+    let crank = scene.series.iter().find(|series| series.short == "crank").unwrap();
+    let points = crank.course.points([1.0; 2]);
+    assert!((points.last().unwrap()[1] - points[0][1] - TAU).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_written_of_the_working_is_the_working() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut state = opened("slider-crank");
+    press(&mut state, "W");
+    let path = folder.path().join("working.txt");
+    press(&mut state, ":");
+    super::write(&mut state, &format!("write {}", path.display()));
+    let text = std::fs::read_to_string(path).unwrap();
+    assert!(text.contains('=') && text.lines().count() > 30, "{text}");
+    let other = folder.path().join("working.csv");
+    press(&mut state, ":");
+    super::write(&mut state, &format!("write {}", other.display()));
+    assert!(!other.exists());
+}
