@@ -121,7 +121,7 @@ impl List {
         // its works, which the positions give to the step of the positions only.
         if matches!(linkage.mechanism.input.range, Range::Cycle(_)) && loads.len() == table.len() {
             let mean = loads.iter().sum::<f64>() / loads.len() as f64;
-            self.add(format!("mean balancing {name}"), short(mean), unit, &[]);
+            self.add(format!("mean of the balancing {name} at the positions"), short(mean), unit, &[]);
         }
         let speed = Column::of(Quantity::Velocity, Owner::Input);
         let power = |row: usize| Some((row, table.at(row, load)? * table.get(row, speed)?));
