@@ -94,7 +94,7 @@ impl Calculation {
             }
             InputMotion::Steady(found) => {
                 let regime = &found.regime;
-                let accuracy = MOMENTS_OF_REGIME * greatest_moment(&self.linkage, regime);
+                let accuracy = regime.error_of_moments + ROUNDING * greatest_moment(&self.linkage, regime);
                 let of_speed = regime.effort.residual + f64::EPSILON;
                 Some(Box::new(move |state: &State| {
                     let driving = regime.state(state.coordinate).drive;
@@ -210,9 +210,8 @@ fn input_load(drive: &InputDrive, state: &State, moment: f64, of_speed: f64) -> 
     }
 }
 
-/// Relative accuracy of moments of a regime: its equation of motion is met between the nodes to 2e-13 of the energy, and its
-/// acceleration, of which they consist, to some more.
-const MOMENTS_OF_REGIME: f64 = 1e-8;
+/// Rounding of the moments of a regime, which are interpolated between nine nodes, as part of the greatest.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The greatest moment of drive, loads and inertia over the cycle of a regime.
 fn greatest_moment(linkage: &Linkage, regime: &Regime) -> f64 {

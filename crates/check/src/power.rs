@@ -31,8 +31,8 @@ pub(crate) fn collectors() -> [Collector; 4] {
         Collector::new(
             "drive against force analysis",
             "balancing load against the load of drive and flywheel in the motion that was found; limit as for \
-             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime 1e-8 of the greatest \
-             moments",
+             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime what its polynomials miss \
+             between their nodes",
         ),
     ]
 }
