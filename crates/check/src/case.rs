@@ -10,6 +10,12 @@ use crate::written::Items;
 /// units of the last place of the largest force, per unit of the condition number.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
+/// Rounding of sums over so many loads, relative to the sum of their sizes. Each addition may be off by half a unit of what was
+/// added up before, in the sum of the program and in that of the check, and equal loads round in the same direction.
+pub(crate) fn rounding_of_sum(loads: usize) -> f64 {
+    ROUNDINGS.max(loads as f64) * f64::EPSILON
+}
+
 /// One state, its loads and its reactions.
 pub(crate) struct Case<'a> {
     pub(crate) subject: &'a Subject<'a>,

@@ -5,7 +5,7 @@ use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 
-use crate::case::{Case, ROUNDINGS, largest};
+use crate::case::{Case, largest, rounding_of_sum};
 use crate::check::Collector;
 use crate::residuals::greatest;
 use crate::subject::Solved;
@@ -16,8 +16,8 @@ pub(crate) fn collectors() -> [Collector; 3] {
         Collector::new(
             "equilibrium of links",
             "forces and moments on each link, from named reactions and written-out loads, relative to the largest sum of what \
-             acts on a link; limit: 64 rounding units by the sum of 1/determinant over the groups and the distance from the \
-             origin in sizes of the mechanism",
+             acts on a link; limit: 64 rounding units (or as many as there are loads) by the sum of 1/determinant over the groups \
+             and the distance from the origin in sizes of the mechanism",
         ),
         Collector::new(
             "forces of joints",
@@ -47,7 +47,7 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     let total = largest + sums.all.iter().map(|sum| sum.size).fold(0.0, f64::max);
     let total = total.max(f64::MIN_POSITIVE);
     // Rounding of the largest load reaches every reaction.
-    let rounding = ROUNDINGS * f64::EPSILON;
+    let rounding = rounding_of_sum(case.items.len());
     let limit = rounding * one.condition;
     let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {

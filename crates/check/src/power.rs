@@ -4,7 +4,7 @@
 use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
 use assur_mechanism::PairId;
 
-use crate::case::{Case, ROUNDINGS};
+use crate::case::{Case, ROUNDINGS, rounding_of_sum};
 use crate::check::Collector;
 use crate::kinetics;
 
@@ -17,12 +17,12 @@ pub(crate) fn collectors() -> [Collector; 4] {
     [
         Collector::new(
             "reduced quantities",
-            "J, J' and Q written out once more; limit: 64 rounding units of their terms",
+            "J, J' and Q written out once more; limit: 64 rounding units of their terms, or as many as there are loads",
         ),
         Collector::new(
             "Lagrange-d'Alembert",
-            "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units of the \
-             terms and of the power that each reaction exchanges, by the sum of 1/determinant over the groups",
+            "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units (or as many as \
+             there are loads) of the terms and of the power that each reaction exchanges, by the sum of 1/determinant over the groups",
         ),
         Collector::new(
             "virtual power",
@@ -60,7 +60,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let exchanged = exchanged(case);
     let total = balancing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
     let total = total.max(f64::MIN_POSITIVE);
-    let limit = ROUNDINGS * f64::EPSILON * one.condition;
+    let limit = rounding_of_sum(case.items.len()) * one.condition;
     let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
     lagrange.offer(one.index, of_motion, limit, || "all loads".to_owned());
     let sum: f64 =
@@ -148,7 +148,7 @@ fn compare_reduced(case: &Case<'_>, mine: [f64; 3], sizes: f64, collector: &mut 
     for (k, size) in [mine[0], slopes + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate() {
         if size > 0.0 {
             let off = (mine[k] - theirs[k]).abs() / size;
-            collector.offer(case.one.index, off, ROUNDINGS * f64::EPSILON, || names[k].to_owned());
+            collector.offer(case.one.index, off, rounding_of_sum(case.items.len()), || names[k].to_owned());
         }
     }
 }
