@@ -109,10 +109,12 @@ impl Calculation {
         let mut rows = Vec::new();
         if found.energy.conservative {
             let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
-                 of the coordinate and of its own terms makes of the potential energy";
+                 of the coordinate and of its own terms makes of the potential energy; more where the reduced inertia is \
+                 much greater than where the motion is fastest";
             // The energy goes with the square of the speed.
             let steps = 4.0 * found.error_of_fixed_steps();
-            let limit = (100.0 * self.tolerance()).max(1e-10) + found.energy.rounding + steps;
+            let own = (100.0 * self.tolerance()).max(1e-10) + steps;
+            let limit = own * found.energy.by_speed + found.energy.rounding;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
         rows.extend(self.work_check(found));
