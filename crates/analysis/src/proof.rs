@@ -188,12 +188,12 @@ impl Balance {
             error += uncertain;
             let total = scale.max(size);
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
-            let of_motion = own * total.max(self.by_speed[start + 4]);
-            let limit = (error + self.unresolved + of_motion) / total + ROUNDING;
+            let of_motion = own * (self.by_speed[start + 4] / total).max(1.0);
+            let limit = (error + self.unresolved) / total + of_motion + ROUNDING;
             if residual / limit >= worst.residual / worst.limit {
                 let parts = [
-                    (error, Worst::OF_QUADRATURE),
-                    (self.unresolved, Worst::OF_ROUNDING),
+                    (error / total, Worst::OF_QUADRATURE),
+                    (self.unresolved / total, Worst::OF_ROUNDING),
                     (of_motion, Worst::OF_MOTION),
                 ];
                 let greatest = parts.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
