@@ -64,3 +64,18 @@ fn what_lies_between_two_points_proves_nothing() {
     assert_eq!(seen(Between::Unseen), (false, false));
     assert_eq!(seen(Between::Smooth), (true, false));
 }
+
+#[test]
+fn after_a_pole_the_accuracy_of_the_speed_proves_nothing_and_before_it_all() {
+    // The reduced inertia grows to 1e9 times that of the fastest place in the middle of the motion.
+    let seen = |gain_at: usize| {
+        let kinetic = (0..=16).map(|i| if i > gain_at { 1.01 } else { 1.0 }).collect();
+        let by_speed = (0..=16).map(|i| if i > 8 { 1e9 } else { 1.0 }).collect();
+        let (power, rounding, between) = (vec![0.0; 17], vec![0.0; 17], vec![Between::Smooth; 16]);
+        let found = Balance { step: 1.0, kinetic, power, rounding, unresolved: 0.0, by_speed, between };
+        let Worst { residual, limit, widest } = found.worst(1e-9);
+        (residual <= limit, limit > 0.1, widest)
+    };
+    assert!(matches!(seen(12), (true, true, Worst::OF_MOTION)));
+    assert!(!seen(2).0);
+}
