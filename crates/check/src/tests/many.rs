@@ -9,7 +9,7 @@ fn springs(count: usize) -> String {
         "gravity = 9.81\n[ground]\npoints = {{ O = [0, 0] }}\n[link.crank]\npoints = {{ O = 0, A = 0.06 }}\nmass = 3\n\
          center = 0.015\ninertia = 0.008\n[link.rod]\npoints = {{ A = 0, B = 0.24 }}\nmass = 1.8\ncenter = 0.08\n\
          inertia = 0.014\n[link.slider]\npoints = {{ B = 0 }}\nmass = 1.1\n[[slide]]\nlink = \"slider\"\non = \"ground\"\n\
-         angle = 1.57\n[assembly]\nB = [0, 0.23]\n[input]\nlink = \"crank\"\npositions = 24\n[motion]\nspeed = 94\n{}",
+         angle = 1.57\n[assembly]\nB = [0, 0.23]\n[input]\nlink = \"crank\"\npositions = 24\n[motion]\nspeed = 9.4\n{}",
         spring.repeat(count)
     )
 }
