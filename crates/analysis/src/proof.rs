@@ -19,30 +19,37 @@ const ROUNDING: f64 = 1e-12;
 /// How many times greater than one that is measured a rounding may be.
 const ROUNDINGS: f64 = 4.0;
 
+/// What the check of the work compares, and its limit.
+const WORK: &str = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
+                    energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
+                    from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or \
+                    the error of fixed steps, which is one of the speed and counts for more where the reduced inertia is \
+                    greater";
+
 impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
-        let mut worst = Worst { residual: f64::NAN, limit: f64::NAN, widest: "" };
+        let (mut check, mut widest) = (None, "");
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
             let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
-            worst = balance.worst(own);
+            let worst = balance.worst(own);
             let Worst { residual, limit, .. } = worst;
-            // The error of the quadrature is no greater than that of the motion.
+            widest = worst.widest;
+            let made = Check::of("work and kinetic energy", residual, limit, "input link", WORK);
+            // The error of the quadrature is no greater than that of the motion; of more instants it is less.
             let tells = limit <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
-            if residual <= limit && tells {
+            let gains = !made.judged && widest == Worst::OF_QUADRATURE;
+            let ends = residual <= limit && tells && !gains;
+            check = Some(made);
+            if ends {
                 break;
             }
         }
-        let Worst { residual, limit, widest } = worst;
-        let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
-                      energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
-                      from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or the error of fixed steps, which \
-                      is one of the speed and counts for more where the reduced inertia is greater";
-        let check = Check::of("work and kinetic energy", residual, limit, "input link", reason);
+        let check = check?;
         Some(if check.judged { check } else { Check { why_left_out: widest, ..check } })
     }
 
