@@ -30,7 +30,10 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_closure_cw", Message(&["direction"])),
     ("check_drive_42", Numbers(any)),
     ("check_drive_9d", Numbers(any)),
+    ("check_cycle_in_time", Numbers(any)),
+    ("check_drive_brakes", Numbers(any)),
     ("check_drive_c2", Numbers(any)),
+    ("check_drive_steady", Numbers(any)),
     ("check_loads_07", Numbers(any)),
     ("check_loads_12", Message(&["too large"])),
     ("check_loads_18", Message(&["too large"])),
@@ -39,7 +42,16 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_meanspeed", Message(&["mean speed"])),
     ("check_rest_friction", Numbers(nothing_drives)),
     ("check_start_friction", Numbers(nothing_drives)),
+    ("check_stroke_rest", Numbers(nothing_drives)),
     ("check_work2", Message(&["until"])),
+    // By an independent computation, Runge-Kutta of order 4 in steps of 0.01 ms: it turns at 0.316991445 s and 0.80425389 rad.
+    (
+        "check_work_time_speed",
+        Numbers(|found| {
+            let end = &found["integration"]["end"];
+            is(&end["time"], 0.316_991_445, 1e-8) && is(&end["coordinate"], 0.804_253_89, 1e-7)
+        }),
+    ),
     ("check_work_prp", Message(&["creeps to rest without end"])),
     ("check_work_r122", Message(&["creeps to rest without end"])),
     ("cycle-not-whole", Message(&["does not repeat", "whole turns"])),

@@ -18,7 +18,9 @@ const COUNTED: &str = "{msg} {wide_bar} {human_pos} of {human_len}, {per_sec}, {
 /// Progress of an analysis: what is done, and how much of how much where it can be counted.
 fn counted(progress: Progress) -> (String, Option<[usize; 2]>) {
     match progress {
-        Progress::Motion { time, cycles } => (format!("turn {}, t = {} s", cycles + 1, plain(time)), None),
+        Progress::Motion { time, cycles } => {
+            (format!("turn {}, t = {} s", cycles.saturating_add(1), plain(time)), None)
+        }
         Progress::Regime { evaluations } => (format!("steady regime, {evaluations} evaluations"), None),
         Progress::Positions { done, total } => ("position".to_owned(), Some([done, total])),
         Progress::Writing { done, total } => ("writing position".to_owned(), Some([done, total])),

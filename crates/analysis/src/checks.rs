@@ -94,7 +94,7 @@ impl Calculation {
             }
             InputMotion::Steady(found) => {
                 let regime = &found.regime;
-                let accuracy = MOMENTS_OF_REGIME * greatest_moment(&self.linkage, regime);
+                let accuracy = regime.error_of_moments + ROUNDING * greatest_moment(&self.linkage, regime);
                 let of_speed = regime.effort.residual + f64::EPSILON;
                 Some(Box::new(move |state: &State| {
                     let driving = regime.state(state.coordinate).drive;
@@ -109,10 +109,12 @@ impl Calculation {
         let mut rows = Vec::new();
         if found.energy.conservative {
             let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
-                 of the coordinate and of its own terms makes of the potential energy";
+                 of the coordinate and of its own terms makes of the potential energy; more where the reduced inertia is \
+                 much greater than where the motion is fastest";
             // The energy goes with the square of the speed.
             let steps = 4.0 * found.error_of_fixed_steps();
-            let limit = (100.0 * self.tolerance()).max(1e-10) + found.energy.rounding + steps;
+            let own = (100.0 * self.tolerance()).max(1e-10) + steps;
+            let limit = own * found.energy.by_speed + found.energy.rounding;
             rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
         }
         rows.extend(self.work_check(found));
@@ -210,9 +212,8 @@ fn input_load(drive: &InputDrive, state: &State, moment: f64, of_speed: f64) -> 
     }
 }
 
-/// Relative accuracy of moments of a regime: its equation of motion is met between the nodes to 2e-13 of the energy, and its
-/// acceleration, of which they consist, to some more.
-const MOMENTS_OF_REGIME: f64 = 1e-8;
+/// Rounding of the moments of a regime, which are interpolated between nine nodes, as part of the greatest.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The greatest moment of drive, loads and inertia over the cycle of a regime.
 fn greatest_moment(linkage: &Linkage, regime: &Regime) -> f64 {

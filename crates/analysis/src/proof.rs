@@ -19,29 +19,38 @@ const ROUNDING: f64 = 1e-12;
 /// How many times greater than one that is measured a rounding may be.
 const ROUNDINGS: f64 = 4.0;
 
+/// What the check of the work compares, and its limit.
+const WORK: &str = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
+                    energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
+                    from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or \
+                    the error of fixed steps, which is one of the speed and counts for more where the reduced inertia is \
+                    greater";
+
 impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
-        let mut worst = (f64::NAN, f64::NAN);
+        let (mut check, mut widest) = (None, "");
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
             let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
-            worst = balance.worst(own);
-            let (residual, limit) = worst;
-            // The error of the quadrature is no greater than that of the motion.
+            let worst = balance.worst(own);
+            let Worst { residual, limit, .. } = worst;
+            widest = worst.widest;
+            let made = Check::of("work and kinetic energy", residual, limit, "input link", WORK);
+            // The error of the quadrature is no greater than that of the motion; of more instants it is less.
             let tells = limit <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
-            if residual <= limit && tells {
+            let gains = !made.judged && widest == Worst::OF_QUADRATURE;
+            let ends = residual <= limit && tells && !gains;
+            check = Some(made);
+            if ends {
                 break;
             }
         }
-        let (residual, limit) = worst;
-        let reason = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
-                      energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
-                      from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or the error of fixed steps";
-        Some(Check::of("work and kinetic energy", residual, limit, "input link", reason))
+        let check = check?;
+        Some(if check.judged { check } else { Check { why_left_out: widest, ..check } })
     }
 
     /// One cycle from the state of the regime by an integrator in time: it must come back, and take the same time.
@@ -73,8 +82,28 @@ struct Balance {
     rounding: Vec<f64>,
     /// The greatest work over a rounding unit of the coordinate in every step, N m: the motion is known no better.
     unresolved: f64,
+    /// What a step that is off by the greatest speed would add to the kinetic energy, up to each instant, J: an error of a step is
+    /// a part of that speed, and where the reduced inertia grows without limit it counts for more than the energy.
+    by_speed: Vec<f64>,
     /// What lies between each instant and the next one.
     between: Vec<Between>,
+}
+
+/// The residual nearest to its limit, and the reason if that proves nothing.
+#[derive(Debug, Clone, Copy)]
+struct Worst {
+    residual: f64,
+    limit: f64,
+    widest: &'static str,
+}
+
+impl Worst {
+    const OF_QUADRATURE: &'static str = "the power changes so much between the instants at which it is added up that its work is not known to a tenth";
+    const OF_ROUNDING: &'static str =
+        "all that moves is of the size of what the rounding of the coordinate does to the moments";
+    const OF_MOTION: &'static str = "the accuracy of the motion, a part of its greatest speed in every step, is worth more than a \
+                                     tenth of the energy: the tolerance is loose, or the reduced inertia grows without limit near a \
+                                     singular position";
 }
 
 /// What the power does between two instants.
@@ -120,16 +149,21 @@ impl Balance {
         let on_speed = motion.dependence().moment_on_speed;
         let (mut kinetic, mut power, mut rounding) = (Vec::new(), Vec::new(), Vec::new());
         let (mut pieces, mut unresolved) = (Vec::new(), 0.0_f64);
+        let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
+        let steps = (trajectory.statistics.steps + 1) as f64;
+        let (mut by_speed, mut greatest) = (Vec::new(), 0.0_f64);
         for &Sample { time, coordinate, speed, acceleration } in samples {
             let state = State { time, coordinate, speed };
             pieces.push(motion.enter(&state).ok()?);
+            let reduced = motion.reduced(&state).ok()?;
+            greatest = greatest.max(0.5 * reduced.inertia * speed.abs() * fastest);
+            by_speed.push(greatest);
             if speed == 0.0 {
                 kinetic.push(0.0);
                 power.push(0.0);
                 rounding.push(0.0);
                 continue;
             }
-            let reduced = motion.reduced(&state).ok()?;
             kinetic.push(0.5 * reduced.inertia * speed * speed);
             // At a speed that is held the moments have the value that holds it.
             let held = 0.5 * reduced.inertia_derivative * speed * speed;
@@ -143,18 +177,17 @@ impl Balance {
             // One difference tells the size of a rounding, not its greatest value.
             rounding.push(ROUNDINGS * (change * speed).abs());
         }
-        let fastest = samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
         let pairs = samples.windows(2).zip(pieces.windows(2));
         let between = pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest)).collect();
-        let unresolved = unresolved * (trajectory.statistics.steps + 1) as f64;
-        Some(Self { step, kinetic, power, rounding, unresolved, between })
+        let unresolved = unresolved * steps;
+        Some(Self { step, kinetic, power, rounding, unresolved, by_speed, between })
     }
 
     /// The residual nearest to its limit, both as parts of the largest energy; `own`: error of the motion itself.
-    fn worst(&self, own: f64) -> (f64, f64) {
+    fn worst(&self, own: f64) -> Worst {
         let (mut work, mut error, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
         let scale = self.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let mut worst = (0.0, own + ROUNDING);
+        let mut worst = Worst { residual: 0.0, limit: own + ROUNDING, widest: Worst::OF_MOTION };
         for start in (0..self.power.len().saturating_sub(4)).step_by(4) {
             let (fine, uncertain) = self.panel(start);
             work += fine;
@@ -162,9 +195,16 @@ impl Balance {
             error += uncertain;
             let total = scale.max(size);
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
-            let limit = (error + self.unresolved) / total + own + ROUNDING;
-            if residual / limit >= worst.0 / worst.1 {
-                worst = (residual, limit);
+            let of_motion = own * (self.by_speed[start + 4] / total).max(1.0);
+            let limit = (error + self.unresolved) / total + of_motion + ROUNDING;
+            if residual / limit >= worst.residual / worst.limit {
+                let parts = [
+                    (error / total, Worst::OF_QUADRATURE),
+                    (self.unresolved / total, Worst::OF_ROUNDING),
+                    (of_motion, Worst::OF_MOTION),
+                ];
+                let greatest = parts.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+                worst = Worst { residual, limit, widest: greatest.map_or("", |(_, why)| why) };
             }
         }
         worst

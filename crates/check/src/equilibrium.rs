@@ -5,7 +5,7 @@ use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 
-use crate::case::{Case, ROUNDINGS, largest};
+use crate::case::{Case, ROUNDINGS, largest, rounding_of_sum};
 use crate::check::Collector;
 use crate::residuals::greatest;
 use crate::subject::Solved;
@@ -16,8 +16,8 @@ pub(crate) fn collectors() -> [Collector; 3] {
         Collector::new(
             "equilibrium of links",
             "forces and moments on each link, from named reactions and written-out loads, relative to the largest sum of what \
-             acts on a link; limit: 64 rounding units by the sum of 1/determinant over the groups and the distance from the \
-             origin in sizes of the mechanism",
+             acts on a link; limit: 64 rounding units (of very many loads one of each partial sum) by the sum of 1/determinant over the groups \
+             and the distance from the origin in sizes of the mechanism",
         ),
         Collector::new(
             "forces of joints",
@@ -36,8 +36,10 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     let scale = linkage.structure.scale;
     let mut sums = Sums { linkage, one, all: vec![Sum::ZERO; linkage.structure.links] };
     for ((_, link), item) in case.items {
-        sums.all[*link].wrench.add_at([0.0; 2], item.wrench.force(), item.wrench.m);
-        sums.all[*link].size += item.size;
+        let sum = &mut sums.all[*link];
+        sum.wrench.add_at([0.0; 2], item.wrench.force(), item.wrench.m);
+        sum.size += item.size;
+        sum.added += sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale;
     }
     sums.add_balancing(case.reactions.balancing);
     for joint in &case.joints {
@@ -48,7 +50,8 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     let total = total.max(f64::MIN_POSITIVE);
     // Rounding of the largest load reaches every reaction.
     let rounding = ROUNDINGS * f64::EPSILON;
-    let limit = rounding * one.condition;
+    let added = sums.all.iter().map(|sum| sum.added).fold(0.0, f64::max);
+    let limit = rounding_of_sum(added, total) * one.condition;
     let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {
         let name = || format!("link {}", linkage.mechanism.links[link].name);
@@ -76,10 +79,12 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
 struct Sum {
     wrench: Wrench<f64>,
     size: f64,
+    /// The sizes of the partial sums of its loads.
+    added: f64,
 }
 
 impl Sum {
-    const ZERO: Self = Self { wrench: Wrench::ZERO, size: 0.0 };
+    const ZERO: Self = Self { wrench: Wrench::ZERO, size: 0.0, added: 0.0 };
 }
 
 /// The sums of all links.

@@ -4,7 +4,7 @@
 use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
 use assur_mechanism::PairId;
 
-use crate::case::{Case, ROUNDINGS};
+use crate::case::{Case, ROUNDINGS, rounding_of_sum};
 use crate::check::Collector;
 use crate::kinetics;
 
@@ -17,12 +17,13 @@ pub(crate) fn collectors() -> [Collector; 4] {
     [
         Collector::new(
             "reduced quantities",
-            "J, J' and Q written out once more; limit: 64 rounding units of their terms",
+            "J, J' and Q written out once more; limit: 64 rounding units of their terms (of very many loads one of each partial sum)",
         ),
         Collector::new(
             "Lagrange-d'Alembert",
             "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units of the \
-             terms and of the power that each reaction exchanges, by the sum of 1/determinant over the groups",
+             terms and of the power that each reaction exchanges (of very many loads one of each partial sum), by the sum of \
+             1/determinant over the groups",
         ),
         Collector::new(
             "virtual power",
@@ -31,8 +32,8 @@ pub(crate) fn collectors() -> [Collector; 4] {
         Collector::new(
             "drive against force analysis",
             "balancing load against the load of drive and flywheel in the motion that was found; limit as for \
-             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime 1e-8 of the greatest \
-             moments",
+             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime what its polynomials miss \
+             between their nodes",
         ),
     ]
 }
@@ -47,20 +48,23 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let balancing = case.reactions.balancing * unit_power;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
-    let (mut moment, mut sizes) = (0.0, 0.0);
+    let (mut moment, mut sizes, mut all, mut added) = (0.0, 0.0, 0.0, 0.0);
     for ((cause, link), item) in case.items {
         let body = &bodies[*link];
         // Rounding of a power: that of the load times the greatest motion of the link and its neighbors.
         sizes += item.size * (body.x1.hypot(body.y1) + body.w1.abs() * scale);
+        let own = power(&item.wrench, body);
+        all += own;
         if !matches!(cause, Cause::Inertia(_)) {
-            moment += power(&item.wrench, body);
+            moment += own;
         }
+        added += f64::max(all.abs(), moment.abs());
     }
-    compare_reduced(case, [inertia, slope, moment], sizes, reduced);
+    compare_reduced(case, [inertia, slope, moment], [sizes, added], reduced);
     let exchanged = exchanged(case);
     let total = balancing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
     let total = total.max(f64::MIN_POSITIVE);
-    let limit = ROUNDINGS * f64::EPSILON * one.condition;
+    let limit = rounding_of_sum(added, total) * one.condition;
     let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
     lagrange.offer(one.index, of_motion, limit, || "all loads".to_owned());
     let sum: f64 =
@@ -137,8 +141,8 @@ fn exchanged(case: &Case<'_>) -> f64 {
     sum
 }
 
-/// J, J' and Q computed here against those of the compiled loads; `sizes`: of the terms of Q.
-fn compare_reduced(case: &Case<'_>, mine: [f64; 3], sizes: f64, collector: &mut Collector) {
+/// J, J' and Q computed here against those of the compiled loads; `sizes`: of the terms of Q, `added`: of its partial sums.
+fn compare_reduced(case: &Case<'_>, mine: [f64; 3], [sizes, added]: [f64; 2], collector: &mut Collector) {
     let (linkage, bodies) = (case.subject.linkage, &case.one.position.bodies);
     let found = case.loads.reduced(case.state, bodies);
     let theirs = [found.inertia, found.inertia_derivative, found.moment];
@@ -148,7 +152,8 @@ fn compare_reduced(case: &Case<'_>, mine: [f64; 3], sizes: f64, collector: &mut 
     for (k, size) in [mine[0], slopes + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate() {
         if size > 0.0 {
             let off = (mine[k] - theirs[k]).abs() / size;
-            collector.offer(case.one.index, off, ROUNDINGS * f64::EPSILON, || names[k].to_owned());
+            let of_loads = if k == 2 { added } else { 0.0 };
+            collector.offer(case.one.index, off, rounding_of_sum(of_loads, size), || names[k].to_owned());
         }
     }
 }

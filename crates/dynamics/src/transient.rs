@@ -68,6 +68,10 @@ pub struct EnergyBalance {
     /// What the rounding of the coordinate and of its own terms makes of the potential energy in the worst sample, divided by
     /// the largest kinetic energy.
     pub rounding: f64,
+    /// What an error as great as the greatest speed would add to the kinetic energy in the worst sample, divided by the largest
+    /// kinetic energy, at least 1: steps keep their tolerance of that speed, and where the reduced inertia grows without limit,
+    /// that counts for more than all the energy.
+    pub by_speed: f64,
 }
 
 /// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
@@ -219,12 +223,14 @@ fn balance(
     conservative: bool,
 ) -> Result<EnergyBalance, DynamicsError> {
     let mut found = EnergyBalance { conservative, ..EnergyBalance::default() };
+    let fastest = trajectory.samples.iter().map(|sample| sample.speed.abs()).fold(0.0, f64::max);
     for sample in &trajectory.samples {
         let (coordinate, speed) = (sample.coordinate, sample.speed);
         let failed = |source| DynamicsError::Equation { coordinate, source };
         let state = State { time: sample.time, coordinate, speed };
         let reduced = motion.reduced(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
+        found.by_speed = found.by_speed.max(0.5 * reduced.inertia * speed.abs() * fastest);
         let [potential, terms] = motion.machine().potential_energy(coordinate).map_err(failed)?;
         let uncertain = (reduced.moment * coordinate).abs() + ROUNDINGS * terms;
         found.rounding = found.rounding.max(uncertain * f64::EPSILON);
@@ -234,6 +240,7 @@ fn balance(
     let first = sums.first().copied().unwrap_or(0.0);
     let scale = found.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     found.rounding /= scale;
+    found.by_speed = (found.by_speed / scale).max(1.0);
     found.change = sums.iter().map(|sum| (sum - first).abs()).fold(0.0, f64::max) / scale;
     Ok(found)
 }

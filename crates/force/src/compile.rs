@@ -218,7 +218,7 @@ impl<'a> Compiler<'a> {
             let found = self.over_stroke(name, at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
                 // Nothing is known of the switches in a cell.
-                let span = &Span { cells: GRID, ..*span };
+                let span = &Span { cells: GRID, ..self.reach(span) };
                 let mut bodies = Bodies::new(self.linkage, *span);
                 let point = |q: f64| {
                     let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
@@ -234,7 +234,8 @@ impl<'a> Compiler<'a> {
     fn stroke(&self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
-            Stroke::find(&mut |q| bodies.at(q, at.link), at.at, axis, tables, span, scale)
+            let spans = [span, &self.reach(span)];
+            Stroke::find(&mut |q| bodies.at(q, at.link), at.at, axis, tables, spans, scale)
         };
         self.over_stroke(name, at, axis, find).map(|stroke| Law::Stroke(Box::new(stroke)))
     }
@@ -266,12 +267,26 @@ impl<'a> Compiler<'a> {
         }
     }
 
+    /// Where the motion may be, of which the span of a stroke is a part: a range lists places, and a motion that an equation
+    /// determines may leave it.
+    fn reach(&self, span: &Span) -> Span {
+        /// At its ends the mechanism just holds together: part of the whole that is left out there.
+        const BESIDE: f64 = 1e-9;
+        let stays = matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
+        let Some(whole) = whole else { return *span };
+        let beside = BESIDE * (whole.high - whole.low);
+        let from = span.from.min(whole.low + beside);
+        let length = (span.from + span.length).max(whole.high - beside) - from;
+        if length.is_finite() { Span { from, length, cells: GRID, ..*span } } else { *span }
+    }
+
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
     fn rests(&self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
         if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
             return Breaks::default();
         }
-        let Some(&span) = self.spans().first() else { return Breaks::default() };
+        let Some(span) = self.spans().first().map(|span| self.reach(span)) else { return Breaks::default() };
         let mut bodies = Bodies::new(self.linkage, span);
         rests(&mut |q| bodies.at(q, link).map(|body| motion(&body)), &span)
     }

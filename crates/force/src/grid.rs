@@ -16,7 +16,7 @@ pub(crate) const GRID: u32 = 720;
 const FEW: [u32; 2] = [32, 128];
 
 /// An interval of the input coordinate.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Span {
     /// Start, rad or m.
     pub(crate) from: f64,

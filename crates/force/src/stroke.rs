@@ -180,19 +180,23 @@ impl Along<'_, '_> {
 }
 
 impl Stroke {
-    /// Finds the stroke of the point `at` of a body.
+    /// Finds the stroke of the point `at` of a body over a span; its direction is known over the `reach` of the motion, of which
+    /// the span may be a part.
     pub(crate) fn find(
         body: &mut BodyAt<'_>,
         at: [f64; 2],
         angle: f64,
         tables: [&Table; 2],
-        span: &Span,
+        [span, reach]: [&Span; 2],
         scale: f64,
     ) -> Result<Self, NoStroke> {
         let axis = [angle.cos(), angle.sin()];
         let mut along = Along { body, at, axis, scale };
-        let reversals = along.reversals(span)?;
-        let travel = Travel::between(&mut along, &reversals, span)?;
+        let within = along.reversals(span)?;
+        let travel = Travel::between(&mut along, &within, span)?;
+        // A point that runs through infinity beyond the span has a stroke over it all the same.
+        let beyond = if reach == span { None } else { along.reversals(reach).ok() };
+        let (reversals, span) = beyond.map_or((within, span), |all| (all, reach));
         let tables = tables.map(Curve::of);
         let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };
         let mut stroke = Self { travel, tables, senses: [empty(), empty()] };
@@ -227,7 +231,7 @@ impl Stroke {
             }
         }
         if !span.periodic {
-            // No formula changes at the ends of a range: that of the end continues beyond.
+            // No formula changes at the ends of what the motion reaches.
             points.remove(0);
         }
         let breaks = Breaks::new(points, span.period());

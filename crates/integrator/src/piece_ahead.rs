@@ -5,7 +5,8 @@ use crate::{Equation, IntegrationError, Piece, State};
 /// Enters the piece after `state`, and returns the acceleration in it; `at_speed_bound` if the speed is on a bound of
 /// the previous piece.
 ///
-/// At rest and at a bound of the speed both sides are tried: a side is right if its own acceleration leads into it.
+/// At rest and at a bound of the speed both sides are tried: a side is right if its own acceleration leads into it. The
+/// speed may lie on a bound of the piece that begins, too: that of a motion that starts on a row of a table.
 /// `None`: each side drives the motion back, so that the speed is held (dry friction at rest, a governor).
 ///
 /// # Errors
@@ -18,7 +19,10 @@ pub fn enter(
 ) -> Result<Option<(Piece, f64)>, IntegrationError> {
     if state.speed != 0.0 && !at_speed_bound {
         let piece = piece_ahead(equation, state, 0.0)?;
-        return Ok(Some((piece, acceleration(equation, state)?)));
+        let [low, high] = piece.speed;
+        if low < state.speed && state.speed < high {
+            return Ok(Some((piece, acceleration(equation, state)?)));
+        }
     }
     for side in [1.0, -1.0] {
         let piece = piece_ahead(equation, state, side)?;

@@ -67,6 +67,8 @@ pub struct Regime {
     pub iterations: Vec<Iteration>,
     /// Cost of the solution, and its accuracy.
     pub effort: Effort,
+    /// How far moments of drive, loads and inertia that are read of the solution may leave the equation of motion unmet, N m.
+    pub error_of_moments: f64,
     solution: CycleSolution,
     /// The first cycle from the mean speed; `None` if the machine stalls in it.
     first: Option<CycleSolution>,
@@ -82,6 +84,7 @@ pub(crate) struct Context {
     pub(crate) first: Option<CycleSolution>,
     pub(crate) iterations: Vec<Iteration>,
     pub(crate) effort: Effort,
+    pub(crate) error_of_moments: f64,
 }
 
 impl Regime {
@@ -117,6 +120,7 @@ impl Regime {
             trials,
             iterations: context.iterations,
             effort: context.effort,
+            error_of_moments: context.error_of_moments,
             solution,
             first: context.first,
             times,

@@ -4,7 +4,7 @@
 use assur_number::search::bisect;
 
 use super::collocation::{RULE, Values};
-use super::path::NodalCoefficients;
+use super::path::{Coefficients, NodalCoefficients};
 use crate::InputDrive;
 
 /// Number of quantities with respect to which the energy is differentiated.
@@ -23,6 +23,28 @@ pub(crate) struct Setup {
     pub(crate) drive: InputDrive,
     /// Derivatives of the drive's inertia with respect to ratio and flywheel.
     pub(crate) inertia_by: [f64; 2],
+}
+
+/// How far what is read of a stretch is off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Misses {
+    /// Of the energy, as part of it.
+    pub(crate) residual: f64,
+    /// Of the square of the speed, or of the time, as part of them.
+    pub(crate) speed: f64,
+    /// Of the moments in the equation with the acceleration that is read, N m.
+    pub(crate) moment: f64,
+}
+
+impl Misses {
+    /// The greater ones of both.
+    pub(crate) fn or(&self, other: &Self) -> Self {
+        Self {
+            residual: self.residual.max(other.residual),
+            speed: self.speed.max(other.speed),
+            moment: self.moment.max(other.moment),
+        }
+    }
 }
 
 /// A solved stretch of the path.
@@ -80,6 +102,44 @@ impl Segment {
         };
         let sign = excess(outside).signum();
         bisect(outside, inside, 0.0, |theta| excess(theta) * sign > 0.0)[0]
+    }
+
+    /// How far the polynomials from which speed, time and acceleration are read are off. Between the nodes that shows in the
+    /// middle, where a polynomial through them is hardly nearer than anywhere else.
+    pub(crate) fn misses(&self, drive: &InputDrive) -> Misses {
+        let middle = &self.coefficients.middle;
+        let inertia = middle.inertia + drive.inertia;
+        let moment_at = |place: &Coefficients, half: f64| {
+            let v = (2.0 * half).sqrt();
+            place.moment_at(v) + drive.moment(self.factor, v).value
+        };
+        let (halves, accelerations) = (self.half_squares(drive), self.accelerations(drive));
+        let half = self.middle_energy() / inertia;
+        let acceleration = (moment_at(middle, half) - half * middle.slope) / inertia;
+        let read = RULE.interpolate(&halves, RULE.middle);
+        let slowness = RULE.at_middle(&halves.map(|half| 1.0 / (2.0 * half).sqrt()));
+        let off = read - half;
+        let between = (inertia * (RULE.interpolate(&accelerations, RULE.middle) - acceleration)).abs()
+            + (middle.slope * off).abs()
+            + (moment_at(middle, read) - moment_at(middle, half)).abs();
+        // Newton's method ends with the moments of the energies before its last step.
+        let nodes = self.coefficients.nodes.iter().zip(&halves).zip(&self.moment);
+        let at_nodes = nodes.map(|((node, half), moment)| (moment_at(node, *half) - moment).abs());
+        Misses {
+            residual: self.residual(drive),
+            speed: (off / half).abs().max((slowness * (2.0 * half).sqrt() - 1.0).abs()),
+            moment: at_nodes.fold(between, f64::max),
+        }
+    }
+
+    /// Size of the terms of the equation, N m.
+    pub(crate) fn terms(&self, drive: &InputDrive) -> f64 {
+        let accelerated = self.accelerations(drive).into_iter().zip(self.half_squares(drive));
+        let nodes = accelerated.zip(&self.coefficients.nodes).zip(&self.moment);
+        let each = nodes.map(|(((acceleration, half), node), moment)| {
+            moment.abs() + ((node.inertia + drive.inertia) * acceleration).abs() + (node.slope * half).abs()
+        });
+        each.fold(0.0, f64::max)
     }
 
     /// The residual of the equation between the nodes, as part of the energy.

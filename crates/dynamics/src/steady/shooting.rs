@@ -4,7 +4,7 @@ use super::extremes::{Piece, extremes};
 use super::path::{Panel, Path};
 use super::report::Iteration;
 use super::run::run_cycle;
-use super::segment::{BY_DRIVE, Setup};
+use super::segment::{BY_DRIVE, Misses, Setup};
 use super::solution::{Closing, CycleSolution};
 use crate::DynamicsError;
 use crate::drive::Source;
@@ -14,6 +14,16 @@ const MOST_ITERATIONS: usize = 60;
 
 /// A multiplier this near to 1 means that nothing restores the speed.
 const NEUTRAL: f64 = 1e-9;
+
+/// Allowed residual of the equation between the nodes, as part of the energy.
+const RESIDUAL: f64 = 2e-13;
+
+/// Allowed error of the square of the speed and of the time between the nodes, as part of them: the quotients of what is resolved
+/// are less smooth than it is, most of all where the machine nearly stalls.
+const SPEED: f64 = 1e-9;
+
+/// Allowed error of the moments in the equation with the acceleration that is read between the nodes, as part of the greatest.
+const MOMENT: f64 = 1e-8;
 
 /// Finds periodic cycles of one machine.
 #[derive(Debug)]
@@ -111,23 +121,22 @@ impl Shooting<'_> {
         Err(DynamicsError::NotPeriodic { cycles: MOST_ITERATIONS, residual: before })
     }
 
-    /// Halves the panels on which the residual of the equation exceeds `tolerance` of the energy; returns the greatest
-    /// residual and whether any panel was halved.
-    pub(crate) fn refine(
-        &mut self,
-        found: &CycleSolution,
-        tolerance: f64,
-    ) -> Result<(f64, bool), DynamicsError> {
+    /// Halves the panels on which the solution is not resolved; returns what it misses and whether any panel was halved.
+    pub(crate) fn refine(&mut self, found: &CycleSolution) -> Result<(Misses, bool), DynamicsError> {
         /// Shortest panel, as part of the cycle.
         const LEAST: f64 = 1.0 / 65536.0;
-        let mut worst: f64 = 0.0;
+        let drive = &found.setup.drive;
+        let terms = found.segments.iter().map(|segment| segment.terms(drive)).fold(0.0, f64::max);
+        let mut worst = Misses { residual: 0.0, speed: 0.0, moment: 0.0 };
         let mut marked = vec![false; self.panels.len()];
         for segment in &found.segments {
-            let miss = segment.residual(&found.setup.drive);
-            worst = worst.max(miss);
+            let misses = segment.misses(drive);
+            let Misses { residual, speed, moment } = misses;
+            worst = worst.or(&misses);
+            let resolved = residual <= RESIDUAL && speed <= SPEED && moment <= MOMENT * terms;
             let middle = segment.x + 0.5 * segment.h;
             let panel = self.panels.partition_point(|panel| panel.x <= middle).saturating_sub(1);
-            marked[panel] |= miss > tolerance && self.panels[panel].h > LEAST * self.path.cycle.length;
+            marked[panel] |= !resolved && self.panels[panel].h > LEAST * self.path.cycle.length;
         }
         if !marked.contains(&true) {
             return Ok((worst, false));

@@ -19,8 +19,9 @@ use crate::drive::Source;
 /// Accuracy to which polynomials resolve the machine before the regime is known.
 const RESOLVE: f64 = 1e-9;
 
-/// Allowed residual of the equation between the nodes, as part of the energy.
-const ACCURACY: f64 = 2e-13;
+/// How many times as far off as in the middle of a panel a polynomial may be elsewhere: 1.1 times by its nodes, and the rest since
+/// the derivative that it misses changes over a panel.
+const OFF_THE_MIDDLE: f64 = 8.0;
 
 /// Rounds of refinement.
 const MOST_ROUNDS: usize = 12;
@@ -130,13 +131,13 @@ impl<'a> RegimeSolver<'a> {
         let target = self.target(drive)?;
         let mut unknowns = self.first_guess(drive, &target)?;
         let (mut trials, mut round) = (Vec::new(), 0);
-        let (tuned, residual) = loop {
+        let (tuned, misses) = loop {
             let tuner = Tuner { shooting: &mut self.shooting, target, trials };
             let found = tuner.tune(unknowns)?;
-            let (residual, refined) = self.shooting.refine(&found.solution, ACCURACY)?;
+            let (misses, refined) = self.shooting.refine(&found.solution)?;
             round += 1;
             if !refined || round == MOST_ROUNDS {
-                break (found, residual);
+                break (found, misses);
             }
             (unknowns, trials) = (found.unknowns, found.trials);
         };
@@ -157,8 +158,9 @@ impl<'a> RegimeSolver<'a> {
                 cycles: self.shooting.cycles,
                 evaluations: self.shooting.path.evaluations,
                 panels: self.shooting.panels.len(),
-                residual,
+                residual: misses.residual,
             },
+            error_of_moments: OFF_THE_MIDDLE * misses.moment,
         };
         Ok(Regime::new(tuned, context))
     }

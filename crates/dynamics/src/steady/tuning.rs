@@ -109,14 +109,7 @@ impl Tuner<'_, '_> {
     ) -> Result<(CycleSolution, SpeedRange), DynamicsError> {
         let setup = self.target.setup(unknowns, self.shooting.path.cycle.sense);
         self.shooting.check_inertia(&setup)?;
-        let solution = self.shooting.close(
-            setup,
-            self.target.closing,
-            unknowns.energy,
-            near.cloned(),
-            &mut Vec::new(),
-        )?;
-        let range = solution.speed_range().ok_or(DynamicsError::NoCycle)?;
+        let (solution, range) = self.resolved(setup, unknowns.energy, near)?;
         self.trials.push(Trial {
             number: self.trials.len() + 1,
             ratio: unknowns.ratio(),
@@ -125,6 +118,29 @@ impl Tuner<'_, '_> {
             unevenness: range.unevenness(),
         });
         Ok((solution, range))
+    }
+
+    /// The periodic cycle, on panels short enough that its speed is positive between their nodes, too: it isn't where the machine
+    /// nearly stalls within a panel.
+    fn resolved(
+        &mut self,
+        setup: Setup,
+        energy: f64,
+        near: Option<&CycleSolution>,
+    ) -> Result<(CycleSolution, SpeedRange), DynamicsError> {
+        let mut near = near.cloned();
+        loop {
+            let solution =
+                self.shooting.close(setup, self.target.closing, energy, near.take(), &mut Vec::new())?;
+            let range = solution.speed_range().ok_or(DynamicsError::NoCycle)?;
+            if range.least.value > 0.0 {
+                return Ok((solution, range));
+            }
+            if !self.shooting.refine(&solution)?.1 {
+                return Err(DynamicsError::Stalled(self.shooting.path.cycle.coordinate(range.least.at.x)));
+            }
+            near = Some(solution);
+        }
     }
 
     /// Finds ratio (or energy) and flywheel from a first guess.

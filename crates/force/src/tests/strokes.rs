@@ -131,7 +131,7 @@ fn two_reversals_close_together_are_found() {
     };
     let flat = assur_mechanism::Table::constant(1.0);
     let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
-    let stroke = Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0).unwrap();
+    let stroke = Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], [&span, &span], 1.0).unwrap();
     let (piece, ends) = stroke.piece(c, 1.0);
     assert!(piece.back);
     near(ends[0], c - d, 1.0);
@@ -156,7 +156,7 @@ fn a_point_that_runs_through_infinity_has_no_stroke() {
             Ok::<_, String>(body)
         };
         let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
-        match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], &span, 1.0) {
+        match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], [&span, &span], 1.0) {
             Err(NoStroke::Infinite(q)) => near(q, c, 1.0),
             other => panic!("{other:?}"),
         }
@@ -179,7 +179,8 @@ fn few_cells_find_the_reversals_of_many() {
         let [one, other] = [few, many].map(|span| {
             let mut bodies = Bodies::new(&linkage, span);
             let mut body = |q| bodies.at(q, link);
-            Stroke::find(&mut body, at.at, axis, [&flat, &flat], &span, linkage.structure.scale).unwrap()
+            Stroke::find(&mut body, at.at, axis, [&flat, &flat], [&span, &span], linkage.structure.scale)
+                .unwrap()
         });
         for q in (0..50).map(|i| f64::from(i) * 0.123) {
             let [(_, a), (_, b)] = [&one, &other].map(|stroke| stroke.piece(q, 1.0));
