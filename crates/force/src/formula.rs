@@ -13,6 +13,9 @@ use crate::stroke::Travel;
 /// Relative difference below which an argument has the same value a cycle later.
 const REPEATS: f64 = 1e-9;
 
+/// Part of a cell between two places of an interval at which its sides are looked for.
+const BESIDE: f64 = 0.381_966_011_250_105;
+
 /// A formula, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FormulaLaw {
@@ -133,13 +136,16 @@ impl FormulaLaw {
         }
         let breaks = Breaks::new(points, span.periodic.then_some(span.length));
         for index in 0..breaks.count() {
-            let q = breaks.inside(index);
-            let q = if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
-            let (at, mut sides) = (at(q)?, Branches::default());
+            let within = |q: f64| if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
+            let inside = within(breaks.inside(index));
+            // The argument may just touch zero in the middle, at a dead point.
+            let other = within(inside + BESIDE * (span.at(1) - span.at(0)));
+            let other = if breaks.interval(other).index == index { other } else { inside };
+            let (inside, other, mut sides) = (at(inside)?, at(other)?, Branches::default());
             for (switch, _) in self.by_place() {
-                if let Some(side) = Sign::of(self.formula.argument(switch, &at)) {
-                    sides.set(switch, side);
-                }
+                let sign = |at: &Variables| Sign::of(self.formula.argument(switch, at));
+                let side = sign(&inside).filter(|side| *side != Sign::Zero).or_else(|| sign(&other));
+                side.into_iter().for_each(|side| sides.set(switch, side));
             }
             self.places.sides.push(sides);
         }

@@ -116,9 +116,13 @@ impl Selection {
                 Variables { speed, ..near }
             }
             Some(Variable::Place) | None => {
-                let way = way.max(self.rate(state).abs() * delay);
-                let found = self.passing(state, coordinate + self.ahead * self.sense * way);
-                Variables { speed: speed + state.acceleration * (found.time - time), ..found }
+                // Both stay within their own least distances; at rest time has none.
+                let in_time = (self.rate(state).abs() + 0.5 * state.acceleration.abs() * delay) * delay;
+                let way = if in_time > 0.0 { way.min(in_time) } else { way };
+                let way = self.ahead * self.sense * way;
+                let after = self.after(state, way);
+                let (speed, time) = (speed + state.acceleration * after, time + after);
+                Variables { coordinate: coordinate + way, speed, time, ..near }
             }
         }
     }
@@ -130,14 +134,19 @@ impl Selection {
         if self.closed && passing * self.sense > 0.0 { passing } else { state.speed }
     }
 
-    /// The variables where the motion of a state passes another coordinate, at the speed of the state; the time of the
-    /// turning point where it never does. The place of a point is not among them.
-    pub(crate) fn passing(&self, state: &State, coordinate: f64) -> Variables {
+    /// The time in which the motion of a state goes a way along the coordinate; to the turning point where it never does.
+    fn after(&self, state: &State, way: f64) -> f64 {
         let (rate, acceleration) = (self.rate(state), state.acceleration);
         let turn = if acceleration == 0.0 { 0.0 } else { -rate / acceleration };
-        let after = passage(coordinate - state.coordinate, rate, acceleration).unwrap_or(turn);
+        let after = passage(way, rate, acceleration).unwrap_or(turn);
         // From rest the same way leads to a motion that begins and from one that ended.
-        let after = if rate == 0.0 { self.ahead * after.abs() } else { after };
+        if rate == 0.0 { self.ahead * after.abs() } else { after }
+    }
+
+    /// The variables where the motion of a state passes another coordinate, at the speed of the state. The place of a point
+    /// is not among them.
+    pub(crate) fn passing(&self, state: &State, coordinate: f64) -> Variables {
+        let after = self.after(state, coordinate - state.coordinate);
         Variables { coordinate, speed: state.speed, time: state.time + after, place: f64::NAN }
     }
 
