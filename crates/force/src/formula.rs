@@ -57,16 +57,6 @@ pub(crate) fn variable_of(used: Used) -> Option<Variable> {
     }
 }
 
-/// The variables with another value of one of them.
-fn with(at: Variables, variable: Variable, value: f64) -> Variables {
-    match variable {
-        Variable::Coordinate => Variables { coordinate: value, ..at },
-        Variable::Speed => Variables { speed: value, ..at },
-        Variable::Time => Variables { time: value, ..at },
-        Variable::Place => Variables { place: value, ..at },
-    }
-}
-
 impl FormulaLaw {
     /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
     pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, Unlocated> {
@@ -200,28 +190,26 @@ impl FormulaLaw {
             let (sign, distance) = self.formula.side_ahead(index, ahead);
             sign.into_iter().for_each(|sign| found.set(index, sign));
             let from = ahead(distance);
-            let variable = variable_of(switch.used);
-            let until = |variable, path: &dyn Fn(f64) -> Variables| {
-                [-1.0, 1.0]
-                    .map(|along| self.formula.smooth_until(index, sign, from.get(variable), along, path))
+            let until = |here: f64, path: &dyn Fn(f64) -> Variables| {
+                [-1.0, 1.0].map(|along| self.formula.smooth_until(index, sign, here, along, path))
             };
-            match variable {
+            match variable_of(switch.used) {
                 _ if switch.used == Used::default() => {}
                 // Under a known motion time passes with the coordinate.
                 Some(Variable::Time) | None if !self.steps => {
-                    let path = |q| side.passing(state, q);
-                    cut(&mut bounds.coordinate, until(Variable::Coordinate, &path));
+                    cut(&mut bounds.coordinate, until(from.coordinate, &|q| side.passing(state, q)));
                 }
-                Some(variable) => {
-                    let ends = until(variable, &|value| with(from, variable, value));
-                    match variable {
-                        Variable::Coordinate => cut(&mut bounds.coordinate, ends),
-                        Variable::Speed => cut(&mut bounds.speed, ends),
-                        Variable::Time => cut(&mut bounds.time, ends),
-                        Variable::Place => {}
-                    }
+                Some(Variable::Coordinate) => {
+                    let path = |coordinate| Variables { coordinate, ..from };
+                    cut(&mut bounds.coordinate, until(from.coordinate, &path));
                 }
-                None => {}
+                Some(Variable::Speed) => {
+                    cut(&mut bounds.speed, until(from.speed, &|speed| Variables { speed, ..from }));
+                }
+                Some(Variable::Time) => {
+                    cut(&mut bounds.time, until(from.time, &|time| Variables { time, ..from }));
+                }
+                Some(Variable::Place) | None => {}
             }
         }
         found

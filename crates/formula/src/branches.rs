@@ -1,6 +1,6 @@
 //! On which side of its switches a formula is taken.
 
-use crate::formula::{Formula, Variables};
+use crate::formula::{Formula, Variable, Variables};
 use crate::number::Sign;
 use crate::rounded::Rounded;
 
@@ -59,6 +59,8 @@ impl Branches {
 /// needed where the argument only touches zero at the place: `cos(q) - 1` is zero up to its rounding over 1e-8.
 const DISTANCES: [f64; 5] = [1.0, 1e2, 1e4, 1e6, 1e8];
 
+const VARIABLES: [Variable; 4] = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
+
 /// Rounding of variables that follow from each other along a motion, relative to their sizes: some operations lead from
 /// the coordinate to the time. A variable alone is what it is.
 const OF_MOTION: f64 = 4.0 * f64::EPSILON;
@@ -86,7 +88,9 @@ impl Formula {
             }
         }
         // Where nothing moves, the number itself is all that is known.
-        let moves = ahead(least) != ahead(DISTANCES[DISTANCES.len() - 1]);
+        let [near, far] = [least, DISTANCES[DISTANCES.len() - 1]].map(&ahead);
+        // A variable that is not known does not move.
+        let moves = VARIABLES.iter().any(|name| near.get(*name).total_cmp(&far.get(*name)).is_ne());
         let side = if first.value.is_nan() {
             None
         } else if moves {

@@ -161,7 +161,7 @@ impl Number for Rounded {
             Kind::Angle => self.angle(other),
             Kind::Min | Kind::Max => {
                 let apart = (self.value - other.value).abs() > self.error + other.error;
-                let chosen = if value == self.value { self } else { other };
+                let chosen = if value.total_cmp(&self.value).is_eq() { self } else { other };
                 let error = if apart { chosen.error } else { self.error.max(other.error) };
                 Self { value, error }
             }
