@@ -228,9 +228,10 @@ impl<'a> Writer<'a> {
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
         let found = if lever == 0.0 || rests { given.abs() } else { given / lever };
         let size = self.size(now, &moment.value, place, None, found);
-        let held = rests && given.abs() <= (brake.lever() * size.value).abs();
-        let value = if held { given } else { lever * size.value };
-        Size { value, terms: brake.lever().abs() * size.terms }
+        if rests && given.abs() <= (brake.lever() * size.value).abs() {
+            return Size { value: given, terms: given.abs() };
+        }
+        Size { value: lever * size.value, terms: brake.lever().abs() * size.terms }
     }
 
     fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {

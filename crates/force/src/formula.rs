@@ -65,13 +65,11 @@ impl FormulaLaw {
             moves && variable_of(used).is_none()
         };
         let found = formula.switches().iter().position(|switch| mixed(switch.used));
-        match found.filter(|_| steps) {
-            Some(index) => Err(Unlocated(index)),
-            None => {
-                let jumps = formula.jumps();
-                Ok(Self { formula, factor, steps, jumps, travel: None, places: Places::default() })
-            }
+        if let Some(index) = found.filter(|_| steps) {
+            return Err(Unlocated(index));
         }
+        let jumps = formula.jumps();
+        Ok(Self { formula, factor, steps, jumps, travel: None, places: Places::default() })
     }
 
     /// The switches whose changes are found from the place of a point: a bend that mixes it with speed or time needs none,
@@ -135,7 +133,9 @@ impl FormulaLaw {
             for (switch, _) in self.by_place() {
                 let sign = |at: &Variables| Sign::of(self.formula.argument(switch, at));
                 let side = sign(&inside).filter(|side| *side != Sign::Zero).or_else(|| sign(&other));
-                side.into_iter().for_each(|side| sides.set(switch, side));
+                if let Some(side) = side {
+                    sides.set(switch, side);
+                }
             }
             self.places.sides.push(sides);
         }
@@ -159,7 +159,9 @@ impl FormulaLaw {
             let bit = 1 << index;
             if self.jumps & bit != 0 && self.places.switches & bit == 0 {
                 let ahead = |distance| side.ahead(state, period, switch.used, distance);
-                self.formula.side_ahead(index, ahead).0.into_iter().for_each(|side| found.set(index, side));
+                if let Some(side) = self.formula.side_ahead(index, ahead).0 {
+                    found.set(index, side);
+                }
             }
         }
         found
@@ -188,7 +190,9 @@ impl FormulaLaw {
         {
             let ahead = |distance| side.ahead(state, period, switch.used, distance);
             let (sign, distance) = self.formula.side_ahead(index, ahead);
-            sign.into_iter().for_each(|sign| found.set(index, sign));
+            if let Some(sign) = sign {
+                found.set(index, sign);
+            }
             let from = ahead(distance);
             let until = |here: f64, path: &dyn Fn(f64) -> Variables| {
                 [-1.0, 1.0].map(|along| self.formula.smooth_until(index, sign, here, along, path))

@@ -19,7 +19,9 @@ fn sides(formula: &Formula, at: &Variables) -> Branches {
     let mut found = Branches::default();
     for switch in 0..formula.switches().len() {
         let side = formula.side_ahead(switch, |_| *at).0;
-        side.into_iter().for_each(|side| found.set(switch, side));
+        if let Some(side) = side {
+            found.set(switch, side);
+        }
     }
     found
 }
@@ -200,7 +202,9 @@ fn a_formula_is_finite_at_its_bends() {
             let mut given = vec![formula.value(&here)];
             for side in [Sign::Negative, Sign::Positive] {
                 let mut branches = Branches::default();
-                (0..formula.switches().len()).for_each(|switch| branches.set(switch, side));
+                for switch in 0..formula.switches().len() {
+                    branches.set(switch, side);
+                }
                 given.push(formula.value_on(&here, branches));
             }
             // The third root of a rounding is the greatest of them.
@@ -307,7 +311,9 @@ fn the_jump_of_an_angle_is_a_switch() {
         let here = at(PI, 0.0, 0.0, 0.0);
         let side = formula.side_ahead(0, |distance| at(PI + along * 1e-12 * distance, 0.0, 0.0, 0.0)).0;
         let mut branches = Branches::default();
-        side.into_iter().for_each(|side| branches.set(0, side));
+        if let Some(side) = side {
+            branches.set(0, side);
+        }
         assert!((formula.value_on(&here, branches) - wanted).abs() < 1e-15);
         // Continued smoothly.
         let on = |q: f64| formula.value_on(&at(q, 0.0, 0.0, 0.0), branches);
