@@ -1,7 +1,7 @@
 //! Sizes of loads, computed independently: tables, and the stroke of a point from its places alone.
 
 use assur_force::State;
-use assur_formula::{Formula, Variables};
+use assur_formula::{Branches, Formula, Sign, Variables};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Over, Place, Range, Table, Value};
@@ -39,9 +39,26 @@ pub(crate) struct At<'a> {
     pub(crate) scale: f64,
 }
 
-/// The possible sizes of a load: one number, an interval from rounding, or both sides of a jump.
-pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
-    match value {
+/// The possible sizes of a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sizes {
+    /// The least and the greatest: one number, an interval from rounding, or both sides of a jump.
+    pub(crate) range: [f64; 2],
+    /// The size of the terms of a formula, in which it has a rounding unit: where they cancel, more than its value.
+    pub(crate) terms: f64,
+}
+
+impl Sizes {
+    /// With those of another case.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let [one, two] = [self.range, other.range];
+        Self { range: [one[0].min(two[0]), one[1].max(two[1])], terms: self.terms.max(other.terms) }
+    }
+}
+
+/// The possible sizes of a load, and of its terms.
+pub(crate) fn sizes(value: &Value, at: &At<'_>) -> Sizes {
+    let range = match value {
         Value::Constant(size) => [*size; 2],
         Value::Table { over, table, repeat } => {
             let period = at.period.filter(|_| *repeat);
@@ -54,12 +71,13 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> [f64; 2] {
             around(table, x, tolerance, period)
         }
         Value::Stroke { axis, forward, back } => on_stroke(*axis, [forward, back], at),
-        Value::Formula { formula, factor, axis } => by_formula(formula, *factor, *axis, at),
-    }
+        Value::Formula { formula, factor, axis } => return by_formula(formula, *factor, *axis, at),
+    };
+    Sizes { range, terms: 0.0 }
 }
 
-/// The values of a formula within rounding of each of its variables.
-fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) -> [f64; 2] {
+/// The values of a formula within rounding of its variables, on either side of the jumps that lie there.
+fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) -> Sizes {
     let State { coordinate, speed, time, .. } = *at.state;
     let (place, width) = match (axis, at.extremes) {
         (Some(axis), Some([low, high])) => {
@@ -69,18 +87,63 @@ fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) ->
         }
         _ => (0.0, 0.0),
     };
+    let width_of = |value: f64, least: f64| (ROUNDING * value.abs().max(least)).max(f64::MIN_POSITIVE);
+    let around = |used: bool, value: f64, off: f64| {
+        if used { vec![value - off, value, value + off] } else { vec![value] }
+    };
+    let used = formula.used();
+    let coordinates = around(used.coordinate, coordinate, width_of(coordinate, at.period.unwrap_or(1.0)));
+    let speeds = around(used.speed, speed, width_of(speed, f64::MIN_POSITIVE));
+    let times = around(used.time, time, width_of(time, 1.0));
+    let places = around(used.place, place, width);
+    let mut near = Vec::new();
+    for &coordinate in &coordinates {
+        for &speed in &speeds {
+            for &time in &times {
+                near.extend(places.iter().map(|place| {
+                    let place = place.clamp(0.0, 1.0);
+                    Variables { coordinate, speed, time, place }
+                }));
+            }
+        }
+    }
+    // Each side of a jump that lies nearby may hold at each place nearby.
+    let mut sides: Vec<Branches> = Vec::new();
+    for at in &near {
+        for side in all_sides(formula, at) {
+            if !sides.contains(&side) {
+                sides.push(side);
+            }
+        }
+    }
+    let values = sides.iter().flat_map(|side| near.iter().map(|at| factor * formula.value_on(at, *side)));
+    let range = values
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
     let exact = Variables { coordinate, speed, time, place };
-    let near = |value: f64, least: f64| (ROUNDING * value.abs().max(least)).max(f64::MIN_POSITIVE);
-    let moved = [-1.0, 1.0].into_iter().flat_map(|side| {
-        [
-            Variables { coordinate: coordinate + side * near(coordinate, at.period.unwrap_or(1.0)), ..exact },
-            Variables { speed: speed + side * near(speed, f64::MIN_POSITIVE), ..exact },
-            Variables { time: time + side * near(time, 1.0), ..exact },
-            Variables { place: place + side * width, ..exact },
-        ]
-    });
-    let values = moved.chain([exact]).map(|at| factor * formula.value(&at));
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+    let terms = factor.abs() * formula.rounding(&exact, Branches::default()) / f64::EPSILON;
+    // At a pole there is no bound, and no value either.
+    Sizes { range, terms: if terms.is_finite() { terms } else { 0.0 } }
+}
+
+/// Of so many jumps at one place all combinations of their sides are tried.
+const TOGETHER: usize = 4;
+
+/// The sides of all jumps of a formula at a place; of those whose arguments are zero within their rounding, every side.
+fn all_sides(formula: &Formula, at: &Variables) -> Vec<Branches> {
+    let (known, undecided) = formula.jumps_at(at);
+    let jumps = (0..formula.switches().len()).filter(|jump| undecided >> jump & 1 == 1).take(TOGETHER);
+    let mut all = vec![known];
+    for jump in jumps {
+        let with = |branches: &Branches| {
+            [Sign::Negative, Sign::Zero, Sign::Positive].map(|side| {
+                let mut branches = *branches;
+                branches.set(jump, side);
+                branches
+            })
+        };
+        all = all.iter().flat_map(with).collect();
+    }
+    all
 }
 
 fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {

@@ -13,6 +13,7 @@ mod mutations;
 mod near;
 mod random;
 mod singular;
+mod switches;
 
 /// The report of a failure.
 fn show(all: &[Check]) -> String {

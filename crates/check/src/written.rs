@@ -9,7 +9,7 @@ use assur_mechanism::{
     Brake, Contact, Direction, Force, GROUND, LinkId, Mechanism, Moment, Place, Spring, Value,
 };
 
-use crate::stroke::{At, Extremes, extremes, sizes};
+use crate::stroke::{At, Extremes, Sizes, extremes, sizes};
 use crate::subject::Subject;
 
 /// Distance of a rest, in the coordinate, rad or m, that counts as zero: a coordinate of a few turns is rounded by
@@ -39,6 +39,14 @@ pub(crate) struct Writer<'a> {
     /// PF1 of a point that is rounding: 1e-14 of the size of the mechanism in a unit of the coordinate.
     standing: f64,
     strokes: Vec<Option<Extremes>>,
+}
+
+/// The size of a load.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    value: f64,
+    /// The size of its terms, at least its own.
+    terms: f64,
 }
 
 /// Bodies and state of one position, and the compiled loads there.
@@ -90,9 +98,11 @@ impl<'a> Writer<'a> {
         }
         for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
             let m = now.given(Cause::Moment(id), moment.link).m;
-            let m = self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m);
-            let m = moment.brake.map_or(m, |brake| self.brake(&now, id, moment, &brake));
-            let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: m.abs() / self.scale };
+            let Size { value: m, terms } = match &moment.brake {
+                Some(brake) => self.brake(&now, id, moment, brake),
+                None => self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m),
+            };
+            let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: terms / self.scale };
             items.insert((Cause::Moment(id), moment.link), item);
         }
         for (id, spring) in self.mechanism.springs.iter().enumerate() {
@@ -148,7 +158,7 @@ impl<'a> Writer<'a> {
         place: Place,
         extremes: Option<Extremes>,
         given: f64,
-    ) -> f64 {
+    ) -> Size {
         let input = &self.mechanism.input;
         let body = &now.bodies[place.link];
         let arm = body.arm(place.at);
@@ -157,15 +167,16 @@ impl<'a> Writer<'a> {
             let (period, scale) = (input.period(), self.scale);
             sizes(value, &At { state: now.state, point, pf1, extremes, sense, period, scale })
         });
-        let [low, high] = [one[0].min(other[0]), one[1].max(other[1])];
+        let Sizes { range: [low, high], terms } = one.and(other);
         // Not clamp(): it panics for NaN bounds, and here NaN must appear as a failed check.
-        if given < low || !low.is_finite() {
+        let value = if given < low || !low.is_finite() {
             low
         } else if given > high {
             high
         } else {
             given
-        }
+        };
+        Size { value, terms: value.abs().max(terms) }
     }
 
     fn force(&self, now: &Now<'_>, id: usize, force: &Force) -> Item {
@@ -187,9 +198,8 @@ impl<'a> Writer<'a> {
                 if now.state.speed == 0.0 || speed <= 1e-11 * parts || speed <= self.standing {
                     let bounds = [f64::NEG_INFINITY, f64::INFINITY];
                     let sizes =
-                        bounds.map(|any| self.size(now, &force.value, force.at, self.strokes[id], any));
-                    let greatest =
-                        sizes.into_iter().fold(given[0].hypot(given[1]), |most, size| most.max(size.abs()));
+                        bounds.map(|any| self.size(now, &force.value, force.at, self.strokes[id], any).terms);
+                    let greatest = sizes.into_iter().fold(given[0].hypot(given[1]), f64::max);
                     return self.at(body, force.at.at, given, greatest);
                 }
                 let bend = body.second(arm);
@@ -204,11 +214,11 @@ impl<'a> Writer<'a> {
         };
         let found = given[0] * along[0] + given[1] * along[1];
         let size = self.size(now, &force.value, force.at, self.strokes[id], found);
-        self.at(body, force.at.at, along.map(|a| size * a), size.abs() * terms)
+        self.at(body, force.at.at, along.map(|a| size.value * a), size.terms * terms)
     }
 
     /// The moment of a brake: against the rotation of its link.
-    fn brake(&self, now: &Now<'_>, id: usize, moment: &Moment, brake: &Brake) -> f64 {
+    fn brake(&self, now: &Now<'_>, id: usize, moment: &Moment, brake: &Brake) -> Size {
         let given = now.given(Cause::Moment(id), moment.link).m;
         let body = &now.bodies[moment.link];
         let speed = body.w1 * now.state.speed;
@@ -218,7 +228,10 @@ impl<'a> Writer<'a> {
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
         let found = if lever == 0.0 || rests { given.abs() } else { given / lever };
         let size = self.size(now, &moment.value, place, None, found);
-        if rests && given.abs() <= (brake.lever() * size).abs() { given } else { lever * size }
+        if rests && given.abs() <= (brake.lever() * size.value).abs() {
+            return Size { value: given, terms: given.abs() };
+        }
+        Size { value: lever * size.value, terms: brake.lever().abs() * size.terms }
     }
 
     fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {
@@ -255,18 +268,18 @@ impl<'a> Writer<'a> {
         let mut size = self.size(now, &contact.force, center, None, found);
         match self.touching(contact, now.state.coordinate) {
             Some(true) => {}
-            Some(false) => size = 0.0,
+            Some(false) => size = Size { value: 0.0, terms: 0.0 },
             // At an end of the interval.
-            None => size = found,
+            None => size.value = found,
         }
         let arm = body.arm(center.at);
         let arm = [arm[0] - contact.radius * s, arm[1] - contact.radius * c];
         let mut wrench = Wrench::ZERO;
-        wrench.add_at(arm, along.map(|a| size * a), 0.0);
+        wrench.add_at(arm, along.map(|a| size.value * a), 0.0);
         let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
         // The rounding of the angle turns the force, and beyond half a turn there is nothing left of its direction.
         let turned = (angle.abs() + self.turned(now, contact) / f64::EPSILON).min(1.0 / f64::EPSILON);
-        Item { wrench, size: size.abs() * square.sqrt() * lever * (1.0 + turned) }
+        Item { wrench, size: size.terms.max(size.value.abs()) * square.sqrt() * lever * (1.0 + turned) }
     }
 
     /// By how much the angle of a contact changes over the rounding of the coordinate.
@@ -275,17 +288,18 @@ impl<'a> Writer<'a> {
         let [before, after] = [-rounding, rounding].map(|off| {
             let state = State { coordinate: now.state.coordinate + off, ..*now.state };
             self.size(&Now { state: &state, ..*now }, &contact.angle, contact.center, None, f64::INFINITY)
+                .value
         });
         (after - before).abs()
     }
 
     /// The angle of a contact: the one of the given force, if the scene allows it.
     fn contact_angle(&self, now: &Now<'_>, contact: &Contact, given: [f64; 2]) -> f64 {
-        let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY);
+        let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY).value;
         // The force may point either way along its line.
         let apart = given[0].atan2(given[1]) - contact.friction.atan() - of_scene;
         let apart = if given[0].hypot(given[1]) == 0.0 { 0.0 } else { apart - PI * (apart / PI).round() };
-        self.size(now, &contact.angle, contact.center, None, of_scene + apart)
+        self.size(now, &contact.angle, contact.center, None, of_scene + apart).value
     }
 
     /// Whether there is contact; `None` at an end of the interval.

@@ -142,9 +142,7 @@ impl Loads {
             Side::After => Selections::One(one(1.0)),
             Side::Before => Selections::One(one(-1.0)),
             Side::Held { upper } => Selections::Held([(1.0 - upper, held(-1.0)), (upper, held(1.0))]),
-            Side::Prescribed => {
-                Selections::One(Selection { speed_side: 0.0, moves: speed != 0.0, closed: true, ..one(1.0) })
-            }
+            Side::Prescribed => Selections::One(Selection { moves: speed != 0.0, closed: true, ..one(1.0) }),
         }
     }
 }
@@ -166,7 +164,7 @@ impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
         Phase {
-            actives: vec![Active::ONLY; self.laws.len()],
+            actives: vec![Active::only(); self.laws.len()],
             sides: vec![EVERYWHERE; self.forces.len() + self.moments.len()],
             contacts: vec![true; self.contacts.len()],
             sense: self.sense,

@@ -14,11 +14,17 @@ use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
 use crate::stroke::{NoStroke, Stroke, Travel};
-use crate::{LoadError, Loads};
+use crate::{LoadError, Loads, State};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
+
+/// How often a formula may change in a cycle: what follows its changes takes time and memory with their number.
+const MOST_CHANGES: usize = 10_000;
+
+/// Of more cycles than these the cells in which a switch is looked for grow.
+const MOST_CYCLES: u32 = 100;
 
 /// What compiling needs.
 struct Compiler<'a> {
@@ -206,25 +212,44 @@ impl<'a> Compiler<'a> {
             needs_motion(self.mechanism, name, "a formula with `w` or `t`")?;
         }
         let steps = !matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
-        let unlocated = |Unlocated(index)| {
+        let place = |index: usize| {
             let span = &formula.switches()[index].span;
-            let (function, column) = (formula.text()[span.clone()].to_owned(), span.start + 1);
-            LoadError::Unlocated { name: name.to_owned(), function, column }
+            (name.to_owned(), formula.text()[span.clone()].to_owned(), span.start + 1)
+        };
+        let unlocated = |Unlocated(index)| {
+            let (name, function, column) = place(index);
+            LoadError::Unlocated { name, function, column }
         };
         let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
+        let motion = |q: f64| State::prescribed(self.mechanism, q);
+        if let Some(index) = law.changing_too_often(self.cycle(), MOST_CHANGES, motion) {
+            let (name, function, column) = place(index);
+            return Err(LoadError::ChangesTooOften { name, function, column, most: MOST_CHANGES });
+        }
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
             let scale = self.linkage.structure.scale;
             let found = self.over_stroke(name, at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
-                // Nothing is known of the switches in a cell.
-                let span = &Span { cells: GRID, ..self.reach(span) };
-                let mut bodies = Bodies::new(self.linkage, *span);
-                let point = |q: f64| {
-                    let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
-                    Ok(body.point(at.at))
+                let along = |span: Span| {
+                    let mut bodies = Bodies::new(self.linkage, span);
+                    let point = |q: f64| {
+                        let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+                        Ok((motion(q), body.point(at.at)))
+                    };
+                    law.clone().along(travel, &span, point)
                 };
-                law.clone().along(travel, span, point)
+                // Nothing is known of the switches in a cell.
+                let repeated = if law.mixes_place() {
+                    None
+                } else {
+                    Some(along(Span { cells: GRID, ..self.reach(span) })?)
+                };
+                match repeated {
+                    Some(found) if steps || found.is_ok() => Ok(found),
+                    // What does not repeat with the cycle changes along the positions.
+                    _ => along(self.positions()),
+                }
             })?;
             law = found.map_err(unlocated)?;
         }
@@ -289,6 +314,26 @@ impl<'a> Compiler<'a> {
         let Some(span) = self.spans().first().map(|span| self.reach(span)) else { return Breaks::default() };
         let mut bodies = Bodies::new(self.linkage, span);
         rests(&mut |q| bodies.at(q, link).map(|body| motion(&body)), &span)
+    }
+
+    /// A cycle from the first position; where the input has none, its range.
+    fn cycle(&self) -> [f64; 2] {
+        let input = &self.mechanism.input;
+        match (input.period(), input.range) {
+            (Some(period), _) => [input.from, input.from + period],
+            (None, Range::To(to)) => [input.from.min(to), input.from.max(to)],
+            (None, Range::Cycle(_)) => [input.from; 2],
+        }
+    }
+
+    /// The interval of the positions of the scene, in as many cells a cycle as any other.
+    fn positions(&self) -> Span {
+        let input = &self.mechanism.input;
+        let ends = [input.from, input.coordinate(input.positions.saturating_sub(1))];
+        let (from, length) = (ends[0].min(ends[1]), (ends[1] - ends[0]).abs());
+        let covers = |cycles: &u32| input.period().is_none_or(|period| f64::from(*cycles) * period >= length);
+        let cycles = (1..MOST_CYCLES).find(covers).unwrap_or(MOST_CYCLES);
+        Span { from, length, periodic: false, cells: GRID * cycles }
     }
 
     /// The interval of a stroke: a cycle and, where the scene gives a range, the range.

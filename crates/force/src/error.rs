@@ -52,7 +52,8 @@ pub enum LoadError {
     /// A jump or bend of a formula can't be found before an integrator steps over it.
     #[error(
         "load `{name}`: the argument of `{function}` (character {column} of the formula) mixes coordinate, speed, time and place, \
-         so its changes can't be found in advance; let it depend on one of q, w, t (or on x and what repeats with the cycle)"
+         so its changes can't be found in advance in a motion that is calculated; let it depend on one of q, w, t (or on x and \
+         what repeats with the cycle)"
     )]
     Unlocated {
         /// The load.
@@ -61,6 +62,21 @@ pub enum LoadError {
         function: String,
         /// Where it stands in the formula, from 1.
         column: usize,
+    },
+    /// A formula changes too often for its changes to be followed.
+    #[error(
+        "load `{name}`: the argument of `{function}` (character {column} of the formula) passes zero too often: a formula may have \
+         {most} jumps and bends in a cycle"
+    )]
+    ChangesTooOften {
+        /// The load.
+        name: String,
+        /// The function that jumps or bends.
+        function: String,
+        /// Where it stands in the formula, from 1.
+        column: usize,
+        /// Most changes in a cycle.
+        most: usize,
     },
     /// The stroke can't be found because the mechanism can't take a position of the cycle.
     #[error(
@@ -86,6 +102,7 @@ impl LoadError {
             | Self::InfiniteStroke { name, .. }
             | Self::NotFinite { name, .. }
             | Self::Unlocated { name, .. }
+            | Self::ChangesTooOften { name, .. }
             | Self::NoPosition { name, .. } => (name, Some("value")),
         };
         let forces = mechanism.forces.iter().map(|force| &force.name).position(|other| other == name);

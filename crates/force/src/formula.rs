@@ -1,6 +1,6 @@
-//! Loads by formula: which smooth branch applies, and where it ends.
+//! Loads by formula: on which side of its switches a state lies, and where the smooth branch ends.
 
-use assur_formula::{Formula, Used, Variable, Variables};
+use assur_formula::{Branches, Formula, Sign, Used, Variable, Variables};
 use assur_integrator::Piece;
 use assur_number::search::bisect;
 
@@ -13,12 +13,19 @@ use crate::stroke::Travel;
 /// Relative difference below which an argument has the same value a cycle later.
 const REPEATS: f64 = 1e-9;
 
+/// Part of a cell between two places of an interval at which its sides are looked for.
+const BESIDE: f64 = 0.381_966_011_250_105;
+
 /// A formula, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FormulaLaw {
     formula: Formula,
     /// SI value of a result of 1.
     factor: f64,
+    /// Integrators step onto its switches; else the motion is known in advance, or there is none.
+    steps: bool,
+    /// The switches at which it jumps, as bits.
+    jumps: u32,
     /// The extremes of the point whose place is `x`.
     travel: Option<Travel>,
     /// Where switches that depend on the place of the point change.
@@ -30,7 +37,7 @@ pub(crate) struct FormulaLaw {
 struct Places {
     breaks: Breaks,
     /// The sides of those switches in each interval.
-    sides: Vec<u32>,
+    sides: Vec<Branches>,
     /// Which switches they are.
     switches: u32,
 }
@@ -40,7 +47,7 @@ struct Places {
 pub(crate) struct Unlocated(pub(crate) usize);
 
 /// The only variable on which a switch depends, if it is one of those that an integrator steps along.
-fn variable_of(used: Used) -> Option<Variable> {
+pub(crate) fn variable_of(used: Used) -> Option<Variable> {
     match used {
         Used { place: true, .. } => None,
         Used { coordinate: true, speed: false, time: false, .. } => Some(Variable::Coordinate),
@@ -51,49 +58,64 @@ fn variable_of(used: Used) -> Option<Variable> {
 }
 
 impl FormulaLaw {
-    /// A formula without places of points. `steps`: integrators must be able to step onto its jumps.
+    /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
     pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, Unlocated> {
-        let mixed = |used: Used| used != Used::default() && !used.place && variable_of(used).is_none();
+        let mixed = |used: Used| {
+            let moves = used.speed || used.time;
+            moves && variable_of(used).is_none()
+        };
         let found = formula.switches().iter().position(|switch| mixed(switch.used));
-        match found.filter(|_| steps) {
-            Some(index) => Err(Unlocated(index)),
-            None => Ok(Self { formula, factor, travel: None, places: Places::default() }),
+        if let Some(index) = found.filter(|_| steps) {
+            return Err(Unlocated(index));
         }
+        let jumps = formula.jumps();
+        Ok(Self { formula, factor, steps, jumps, travel: None, places: Places::default() })
     }
 
-    /// Takes the place of a point along the travel for `x`; `point` gives it at a coordinate, m.
+    /// The switches whose changes are found from the place of a point: a bend that mixes it with speed or time needs none,
+    /// since the motion is known then.
+    fn by_place(&self) -> Vec<(usize, Used)> {
+        let switches = self.formula.switches().iter().map(|switch| switch.used).enumerate();
+        let is_found = |index: usize, used: Used| {
+            let moves = used.speed || used.time;
+            used.place && (!moves || self.jumps >> index & 1 == 1)
+        };
+        switches.filter(|(index, used)| is_found(*index, *used)).collect()
+    }
+
+    /// Whether a switch depends on the place of a point and on speed or time, so that it does not repeat with the cycle.
+    pub(crate) fn mixes_place(&self) -> bool {
+        self.by_place().iter().any(|(_, used)| used.speed || used.time)
+    }
+
+    /// Takes the place of a point along the travel for `x`; `motion` gives the state and the point, m, at a coordinate.
     pub(crate) fn along<E>(
         mut self,
         travel: Travel,
         span: &Span,
-        mut point: impl FnMut(f64) -> Result<[f64; 2], E>,
+        mut motion: impl FnMut(f64) -> Result<(State, [f64; 2]), E>,
     ) -> Result<Result<Self, Unlocated>, E> {
         self.travel = Some(travel);
-        let mut points = Vec::new();
         let mut at = |q: f64| {
-            let place = travel.part(point(q)?);
-            Ok::<_, E>(Variables { coordinate: q, place, ..Variables::default() })
+            let (State { speed, time, .. }, point) = motion(q)?;
+            Ok::<_, E>(Variables { coordinate: q, speed, time, place: travel.part(point) })
         };
-        for (index, switch) in
-            self.formula.switches().iter().enumerate().filter(|(_, switch)| switch.used.place)
-        {
-            if switch.used.speed || switch.used.time {
-                return Ok(Err(Unlocated(index)));
-            }
+        let mut points = Vec::new();
+        for (index, used) in self.by_place() {
             self.places.switches |= 1 << index;
             let argument = |at: &Variables| self.formula.argument(index, at);
             let mut before = at(span.at(0))?;
             for cell in 1..=span.cells {
                 let after = at(span.at(cell))?;
-                if (argument(&before) >= 0.0) != (argument(&after) >= 0.0) {
-                    let side = argument(&before) >= 0.0;
+                let side = Sign::of(argument(&before));
+                if Sign::of(argument(&after)) != side {
                     // A position that is missing between two that exist ends the search there.
-                    let stays = |q: f64| at(q).is_ok_and(|at| (argument(&at) >= 0.0) == side);
+                    let stays = |q: f64| at(q).is_ok_and(|at| Sign::of(argument(&at)) == side);
                     points.push(bisect(before.coordinate, after.coordinate, 0.0, stays)[1]);
                 }
                 before = after;
             }
-            if span.periodic && switch.used.coordinate {
+            if span.periodic && used.coordinate {
                 let [first, last] = [at(span.at(0))?, before].map(|at| argument(&at));
                 if (first - last).abs() > REPEATS * first.abs().max(last.abs()).max(1.0) {
                     return Ok(Err(Unlocated(index)));
@@ -102,9 +124,20 @@ impl FormulaLaw {
         }
         let breaks = Breaks::new(points, span.periodic.then_some(span.length));
         for index in 0..breaks.count() {
-            let q = breaks.inside(index);
-            let q = if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
-            self.places.sides.push(self.formula.branches(&at(q)?) & self.places.switches);
+            let within = |q: f64| if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
+            let inside = within(breaks.inside(index));
+            // The argument may just touch zero in the middle, at a dead point.
+            let other = within(inside + BESIDE * (span.at(1) - span.at(0)));
+            let other = if breaks.interval(other).index == index { other } else { inside };
+            let (inside, other, mut sides) = (at(inside)?, at(other)?, Branches::default());
+            for (switch, _) in self.by_place() {
+                let sign = |at: &Variables| Sign::of(self.formula.argument(switch, at));
+                let side = sign(&inside).filter(|side| *side != Sign::Zero).or_else(|| sign(&other));
+                if let Some(side) = side {
+                    sides.set(switch, side);
+                }
+            }
+            self.places.sides.push(sides);
         }
         self.places.breaks = breaks;
         Ok(Ok(self))
@@ -115,16 +148,28 @@ impl FormulaLaw {
         self.formula.used()
     }
 
-    /// The smooth branch on a side of a state, as the sides of all switches.
+    /// The sides of its jumps at a state; where it bends, the formula itself holds.
     #[inline]
-    pub(crate) fn branches(&self, state: &State, side: &Selection, period: Option<f64>) -> u32 {
-        self.branches_at(&beside(state, side, period))
+    pub(crate) fn branches(&self, state: &State, side: &Selection, period: Option<f64>) -> Branches {
+        if self.jumps == 0 {
+            return Branches::default();
+        }
+        let mut found = self.of_places(side.coordinate(state, period)).only(self.jumps);
+        for (index, switch) in self.formula.switches().iter().enumerate() {
+            let bit = 1 << index;
+            if self.jumps & bit != 0 && self.places.switches & bit == 0 {
+                let ahead = |distance| side.ahead(state, period, switch.used, distance);
+                if let Some(side) = self.formula.side_ahead(index, ahead).0 {
+                    found.set(index, side);
+                }
+            }
+        }
+        found
     }
 
-    fn branches_at(&self, at: &Variables) -> u32 {
-        let Places { breaks, sides, switches } = &self.places;
-        let of_places = sides.get(breaks.interval(at.coordinate).index).copied().unwrap_or(0);
-        if self.formula.switches().is_empty() { 0 } else { self.formula.branches(at) & !switches | of_places }
+    fn of_places(&self, coordinate: f64) -> Branches {
+        let Places { breaks, sides, .. } = &self.places;
+        sides.get(breaks.interval(coordinate).index).copied().unwrap_or_default()
     }
 
     /// The smooth branch on a side of a state; cuts the `bounds` to those in which it applies.
@@ -134,39 +179,85 @@ impl FormulaLaw {
         side: &Selection,
         period: Option<f64>,
         bounds: &mut Piece,
-    ) -> u32 {
-        let at = beside(state, side, period);
-        for (index, switch) in self.formula.switches().iter().enumerate() {
-            let Some(variable) = variable_of(switch.used) else { continue };
-            let ends = [-1.0, 1.0].map(|along| self.formula.smooth_until(index, &at, variable, along));
-            match variable {
-                Variable::Coordinate => cut(&mut bounds.coordinate, ends),
-                Variable::Speed => cut(&mut bounds.speed, ends),
-                Variable::Time => cut(&mut bounds.time, ends),
-                Variable::Place => {}
+    ) -> Branches {
+        let coordinate = side.coordinate(state, period);
+        let mut found = self.of_places(coordinate);
+        if self.places.switches != 0 {
+            cut(&mut bounds.coordinate, self.places.breaks.interval(coordinate).ends);
+        }
+        for (index, switch) in
+            self.formula.switches().iter().enumerate().filter(|(_, switch)| !switch.used.place)
+        {
+            let ahead = |distance| side.ahead(state, period, switch.used, distance);
+            let (sign, distance) = self.formula.side_ahead(index, ahead);
+            if let Some(sign) = sign {
+                found.set(index, sign);
+            }
+            let from = ahead(distance);
+            let until = |here: f64, path: &dyn Fn(f64) -> Variables| {
+                [-1.0, 1.0].map(|along| self.formula.smooth_until(index, sign, here, along, path))
+            };
+            match variable_of(switch.used) {
+                _ if switch.used == Used::default() => {}
+                // Under a known motion time passes with the coordinate.
+                Some(Variable::Time) | None if !self.steps => {
+                    cut(&mut bounds.coordinate, until(from.coordinate, &|q| side.passing(state, q)));
+                }
+                Some(Variable::Coordinate) => {
+                    let path = |coordinate| Variables { coordinate, ..from };
+                    cut(&mut bounds.coordinate, until(from.coordinate, &path));
+                }
+                Some(Variable::Speed) => {
+                    cut(&mut bounds.speed, until(from.speed, &|speed| Variables { speed, ..from }));
+                }
+                Some(Variable::Time) => {
+                    cut(&mut bounds.time, until(from.time, &|time| Variables { time, ..from }));
+                }
+                Some(Variable::Place) | None => {}
             }
         }
-        if self.places.switches != 0 {
-            cut(&mut bounds.coordinate, self.places.breaks.interval(at.coordinate).ends);
-        }
-        self.branches_at(&at)
+        found
     }
 
-    /// Its value on one branch; `point`: its place, m.
+    /// The first switch by which the formula changes more than `most` times between two coordinates; `motion` gives the
+    /// state at a coordinate of a known motion. Those that depend on places of points are as few as the cells in which they
+    /// are looked for.
+    pub(crate) fn changing_too_often(
+        &self,
+        range: [f64; 2],
+        most: usize,
+        motion: impl Fn(f64) -> State,
+    ) -> Option<usize> {
+        let at = |q: f64| {
+            let State { coordinate, speed, time, .. } = motion(q);
+            Variables { coordinate, speed, time, place: f64::NAN }
+        };
+        let mut left = most;
+        let changes_with_coordinate = |used: Used| {
+            let follows = used.coordinate || used.time && !self.steps;
+            follows && !used.place && !(used == Used { speed: true, ..Used::default() })
+        };
+        for (index, _) in self
+            .formula
+            .switches()
+            .iter()
+            .enumerate()
+            .filter(|(_, switch)| changes_with_coordinate(switch.used))
+        {
+            let found = self.formula.changes_between(index, range, left, at);
+            left = match left.checked_sub(found) {
+                Some(left) => left,
+                None => return Some(index),
+            };
+        }
+        None
+    }
+
+    /// Its value on given sides; `point`: its place, m.
     #[inline]
-    pub(crate) fn value(&self, branches: u32, state: &State, point: [f64; 2]) -> f64 {
+    pub(crate) fn value(&self, branches: Branches, state: &State, point: [f64; 2]) -> f64 {
         let place = self.travel.map_or(0.0, |travel| travel.part(point));
         let State { coordinate, speed, time, .. } = *state;
         self.factor * self.formula.value_on(&Variables { coordinate, speed, time, place }, branches)
-    }
-}
-
-/// The variables at which the branch is chosen; the place of a point is not among them.
-fn beside(state: &State, side: &Selection, period: Option<f64>) -> Variables {
-    Variables {
-        coordinate: side.coordinate(state, period),
-        speed: side.speed(state),
-        time: side.time(state),
-        place: f64::NAN,
     }
 }

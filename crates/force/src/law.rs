@@ -1,6 +1,6 @@
 //! How the size of a load follows from the state.
 
-use assur_formula::Used;
+use assur_formula::{Branches, Used};
 use assur_integrator::Piece;
 
 use crate::State;
@@ -30,29 +30,30 @@ pub(crate) enum Law {
 /// Which formula of a law is in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Active {
-    /// Segment of the table, and which table; of a formula the sides of its switches.
+    /// Segment of the table, and which table.
     pub(crate) piece: Segment,
     /// Sum of the whole cycles that are subtracted from the argument.
     pub(crate) shift: f64,
+    /// Of a formula, the sides of its switches.
+    sides: Branches,
 }
 
 impl Active {
     /// The only formula of a law that has one.
-    pub(crate) const ONLY: Self = Self { piece: Segment { back: false, segment: 0 }, shift: 0.0 };
+    pub(crate) fn only() -> Self {
+        Self::segment(0, 0.0)
+    }
 
     fn segment(segment: usize, shift: f64) -> Self {
-        Self { piece: Segment { back: false, segment }, shift }
+        Self::piece(Segment { back: false, segment }, shift)
     }
 
-    /// The branch of a formula.
-    fn branches(sides: u32) -> Self {
-        Self::segment(sides as usize, 0.0)
+    fn piece(piece: Segment, shift: f64) -> Self {
+        Self { piece, shift, sides: Branches::default() }
     }
 
-    /// The sides of the switches of a formula.
-    #[expect(clippy::cast_possible_truncation, reason = "made of 32 bits")]
-    fn sides(self) -> u32 {
-        self.piece.segment as u32
+    fn branches(sides: Branches) -> Self {
+        Self { sides, ..Self::only() }
     }
 }
 
@@ -91,12 +92,12 @@ impl Law {
     #[inline(always)]
     pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
         match self {
-            Self::Constant(_) => Active::ONLY,
+            Self::Constant(_) => Active::only(),
             Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)).0,
             Self::Speed(table) => Active::segment(table.segment(side.speed(state)), 0.0),
             Self::Time(table) => Active::segment(table.segment(side.time(state)), 0.0),
             Self::Stroke(stroke) => {
-                Active { piece: stroke.piece(side.coordinate(state, period), side.sense).0, shift: 0.0 }
+                Active::piece(stroke.piece(side.coordinate(state, period), side.sense).0, 0.0)
             }
             Self::Formula(law) => Active::branches(law.branches(state, side, period)),
         }
@@ -112,7 +113,7 @@ impl Law {
     ) -> Active {
         let ahead = side.coordinate(state, period);
         match self {
-            Self::Constant(_) => Active::ONLY,
+            Self::Constant(_) => Active::only(),
             Self::Coordinate(table, breaks) => {
                 let (active, ends) = on_coordinate(table, breaks, ahead);
                 cut(&mut bounds.coordinate, ends);
@@ -131,7 +132,7 @@ impl Law {
             Self::Stroke(stroke) => {
                 let (piece, ends) = stroke.piece(ahead, side.sense);
                 cut(&mut bounds.coordinate, ends);
-                Active { piece, shift: 0.0 }
+                Active::piece(piece, 0.0)
             }
             Self::Formula(law) => Active::branches(law.enter(state, side, period, bounds)),
         }
@@ -146,7 +147,7 @@ impl Law {
             Self::Speed(table) => table.value(active.piece.segment, state.speed),
             Self::Time(table) => table.value(active.piece.segment, state.time),
             Self::Stroke(stroke) => stroke.value(active.piece, point),
-            Self::Formula(law) => law.value(active.sides(), state, point),
+            Self::Formula(law) => law.value(active.sides, state, point),
         }
     }
 }

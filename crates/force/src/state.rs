@@ -1,10 +1,12 @@
 //! The state of motion at which loads are evaluated.
 
+use assur_formula::{Used, Variable, Variables};
 use assur_group::Number;
 use assur_mechanism::{Mechanism, Motion, passage};
 use assur_number::Lanes;
 
 use crate::breaks::tolerance;
+use crate::formula::variable_of;
 
 /// Where the mechanism is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -41,7 +43,8 @@ pub enum Side {
     },
 }
 
-/// The nearest speed that counts as above (side 1) or below (-1) a row of a table, or rest.
+/// The nearest speed that counts as above (side 1) or below (-1) a row of a table, or rest; for a greater side, one so
+/// many times as far.
 #[inline]
 pub fn beside(speed: f64, side: f64) -> f64 {
     speed + side * (2.0 * f64::EPSILON * speed.abs()).max(f64::MIN_POSITIVE)
@@ -92,6 +95,59 @@ impl Selection {
     #[inline(always)]
     pub(crate) fn time(&self, state: &State) -> f64 {
         state.time + self.ahead * tolerance(state.time, None)
+    }
+
+    /// The variables just ahead of a state, or just before it, as the side demands; `distance`: in the least that counts.
+    /// What depends on one of them has its own least distance, what mixes them goes along the motion. The place of a point
+    /// is not among them.
+    pub(crate) fn ahead(&self, state: &State, period: Option<f64>, used: Used, distance: f64) -> Variables {
+        let State { coordinate, speed, time, .. } = *state;
+        let near = Variables { coordinate, speed, time, place: f64::NAN };
+        let [way, delay] =
+            [tolerance(coordinate, period), tolerance(time, None)].map(|least| distance * least);
+        match variable_of(used) {
+            Some(Variable::Coordinate) => {
+                Variables { coordinate: coordinate + self.ahead * self.sense * way, ..near }
+            }
+            Some(Variable::Time) => Variables { time: time + self.ahead * delay, ..near },
+            Some(Variable::Speed) => {
+                let side = self.speed_side;
+                let speed = if side == 0.0 { speed } else { beside(speed, side * distance) };
+                Variables { speed, ..near }
+            }
+            Some(Variable::Place) | None => {
+                // Both stay within their own least distances; at rest time has none.
+                let in_time = (self.rate(state).abs() + 0.5 * state.acceleration.abs() * delay) * delay;
+                let way = if in_time > 0.0 { way.min(in_time) } else { way };
+                let way = self.ahead * self.sense * way;
+                let after = self.after(state, way);
+                let (speed, time) = (speed + state.acceleration * after, time + after);
+                Variables { coordinate: coordinate + way, speed, time, ..near }
+            }
+        }
+    }
+
+    /// The speed at which the coordinate changes with time: the speed of a state may be that of all positions, whose times
+    /// follow from speed and acceleration at the first of them.
+    fn rate(&self, state: &State) -> f64 {
+        let passing = state.speed + state.acceleration * state.time;
+        if self.closed && passing * self.sense > 0.0 { passing } else { state.speed }
+    }
+
+    /// The time in which the motion of a state goes a way along the coordinate; to the turning point where it never does.
+    fn after(&self, state: &State, way: f64) -> f64 {
+        let (rate, acceleration) = (self.rate(state), state.acceleration);
+        let turn = if acceleration == 0.0 { 0.0 } else { -rate / acceleration };
+        let after = passage(way, rate, acceleration).unwrap_or(turn);
+        // From rest the same way leads to a motion that begins and from one that ended.
+        if rate == 0.0 { self.ahead * after.abs() } else { after }
+    }
+
+    /// The variables where the motion of a state passes another coordinate, at the speed of the state. The place of a point
+    /// is not among them.
+    pub(crate) fn passing(&self, state: &State, coordinate: f64) -> Variables {
+        let after = self.after(state, coordinate - state.coordinate);
+        Variables { coordinate, speed: state.speed, time: state.time + after, place: f64::NAN }
     }
 
     /// The speed at which the formula of a law is chosen.

@@ -29,7 +29,6 @@ pub(crate) fn evaluate<N: Number>(
             Operation::Multiply => one.multiply(other),
             Operation::Divide => one.divide(other),
             Operation::Power => one.power(other),
-            Operation::Atan2 => one.atan2(other),
             Operation::Call(function) => one.call(function),
             Operation::Switch(kind, index) => switch(kind, index, one, other),
         };

@@ -3,10 +3,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::branches::Branches;
 use crate::evaluate::evaluate;
-use crate::number::{Number, on_side};
+use crate::number::Number;
 use crate::parse::{self, FormulaError};
 use crate::program::{Kind, Operation};
+use crate::rounded::Rounded;
 
 pub use crate::program::Variable;
 
@@ -49,16 +51,23 @@ pub struct Used {
     pub place: bool,
 }
 
-/// A place in a formula at which one smooth branch ends and another begins: the argument of `sign`, `step` or `abs`, or the
-/// difference of the arguments of `min` or `max`, passes zero.
+impl Used {
+    /// How many of them.
+    pub(crate) fn count(self) -> usize {
+        [self.coordinate, self.speed, self.time, self.place].into_iter().filter(|used| *used).count()
+    }
+}
+
+/// A place in a formula at which one smooth branch ends and another begins: the argument of `sign`, `step` or `abs`, the
+/// difference of the arguments of `min` or `max`, or the first argument of `atan2` passes zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Switch {
     /// Variables on which it depends.
     pub used: Used,
     /// Operations of its arguments.
     pub(crate) operations: Range<usize>,
-    /// Whether it is the difference of two arguments.
-    pub(crate) is_difference: bool,
+    /// The function that switches.
+    pub(crate) kind: Kind,
     /// Where it stands in the text, bytes.
     pub span: Range<usize>,
 }
@@ -139,22 +148,51 @@ impl Formula {
         &self.switches
     }
 
-    /// Its value, on a switch that of mathematics: `sign(0)` is 0, `step(0)` is 1.
+    /// Its value: on a switch that of mathematics, so that `sign(0)` is 0 and `step(0)` is 1.
     pub fn value(&self, at: &Variables) -> f64 {
-        evaluate(&self.operations, |name| at.get(name), |kind, _, one, other| one.switch(kind, other))
+        self.value_on(at, Branches::default())
     }
 
-    /// Its value on given sides of its switches, continued smoothly beyond them.
+    /// Its value on given sides of its switches, continued smoothly beyond them; the other switches go by their arguments.
+    ///
+    /// Beyond a bend the branch may have no value, as that of `sqrt(abs(q))` has none: there the formula itself counts, by the
+    /// given sides of its jumps. A root or an inverse function whose argument misses its domain by no more than what a
+    /// place may miss a switch is taken at the end of the domain.
     #[inline]
-    pub fn value_on(&self, at: &Variables, branches: u32) -> f64 {
-        let side = |kind, index: usize, one, other| on_side(kind, one, other, branches >> index & 1 == 1);
-        evaluate(&self.operations, |name| at.get(name), side)
+    pub fn value_on(&self, at: &Variables, branches: Branches) -> f64 {
+        let value = self.number(branches, |name| at.get(name));
+        if value.is_finite() { value } else { self.value_at_an_end(at, branches) }
     }
 
-    /// The sides of its switches: bit i is set where the argument of switch i is not negative.
-    pub fn branches(&self, at: &Variables) -> u32 {
-        let side = |bits, index| bits | u32::from(self.argument(index, at) >= 0.0) << index;
-        (0..self.switches.len()).fold(0, side)
+    #[cold]
+    fn value_at_an_end(&self, at: &Variables, branches: Branches) -> f64 {
+        let branches = branches.only(self.jumps());
+        let value = self.number(branches, |name| at.get(name));
+        if value.is_finite() {
+            value
+        } else {
+            self.number(branches, |name| Rounded::near(at.get(name))).value
+        }
+    }
+
+    /// A bound of the rounding of its value, from the sizes of all terms of which it is computed: where the value is zero, the
+    /// bound is not. Infinite where the formula has a pole within that rounding.
+    pub fn rounding(&self, at: &Variables, branches: Branches) -> f64 {
+        self.number(branches, |name| Rounded::variable(at.get(name), f64::EPSILON)).error
+    }
+
+    #[inline]
+    fn number<N: Number>(&self, branches: Branches, variable: impl Fn(Variable) -> N) -> N {
+        let switch = |kind: Kind, index: usize, one: N, other: N| match branches.side(index) {
+            Some(side) => one.on_side(kind, other, side),
+            None => one.switch(kind, other),
+        };
+        evaluate(&self.operations, variable, switch)
+    }
+
+    /// The switches at which the value jumps, as bits; at the others it bends.
+    pub fn jumps(&self) -> u32 {
+        self.switches.iter().enumerate().map(|(index, switch)| u32::from(switch.kind.jumps()) << index).sum()
     }
 
     /// The argument of a switch.
@@ -164,14 +202,15 @@ impl Formula {
 
     /// The argument of a switch in numbers or intervals.
     pub(crate) fn argument_of<N: Number>(&self, switch: usize, variable: impl Fn(Variable) -> N) -> N {
-        let Switch { operations, is_difference, .. } = &self.switches[switch];
+        let Switch { operations, kind, .. } = &self.switches[switch];
         let natural = |kind: Kind, _: usize, one: N, other: N| one.switch(kind, other);
         let of = |range: Range<usize>| evaluate(&self.operations[range], &variable, natural);
-        if !is_difference {
+        if kind.arguments() == 1 {
             return of(operations.clone());
         }
         let middle = second_argument(&self.operations, operations.clone());
-        of(operations.start..middle).add(of(middle..operations.end).negate())
+        let first = of(operations.start..middle);
+        if *kind == Kind::Angle { first } else { first.add(of(middle..operations.end).negate()) }
     }
 }
 

@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::number::Number;
+use crate::number::{Number, Sign};
 use crate::program::{Function, Kind};
 
 /// All numbers between two bounds.
@@ -26,6 +26,11 @@ impl Interval {
         !(self.low > 0.0 || self.high < 0.0)
     }
 
+    /// Whether it is zero and nothing else.
+    pub(crate) fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
+    }
+
     fn hull(values: impl IntoIterator<Item = f64>) -> Self {
         let mut found = Self { low: f64::INFINITY, high: f64::NEG_INFINITY };
         for value in values {
@@ -35,6 +40,16 @@ impl Interval {
             found = Self { low: found.low.min(value), high: found.high.max(value) };
         }
         found
+    }
+
+    /// The angles of the points of a rectangle.
+    fn angle(self, x: Self) -> Self {
+        // Away from the branch cut the extremes are at corners.
+        if x.low > 0.0 || !self.may_be_zero() {
+            let corners = [self.low, self.high].into_iter().flat_map(|y| [y.atan2(x.low), y.atan2(x.high)]);
+            return Self::hull(corners);
+        }
+        Self { low: -PI, high: PI }
     }
 
     fn ends(self, function: impl Fn(f64) -> f64) -> Self {
@@ -95,15 +110,6 @@ impl Number for Interval {
         Self::hull(ends.chain(extreme))
     }
 
-    fn atan2(self, x: Self) -> Self {
-        // Away from the branch cut the extremes are at corners.
-        if x.low > 0.0 || !self.may_be_zero() {
-            let corners = [self.low, self.high].into_iter().flat_map(|y| [y.atan2(x.low), y.atan2(x.high)]);
-            return Self::hull(corners);
-        }
-        Self { low: -PI, high: PI }
-    }
-
     fn call(self, function: Function) -> Self {
         match function {
             Function::Cos => self.cosine(),
@@ -116,12 +122,17 @@ impl Number for Interval {
 
     fn switch(self, kind: Kind, other: Self) -> Self {
         match kind {
-            Kind::Sign => self.ends(|x| x.switch(Kind::Sign, 0.0)),
-            Kind::Step => self.ends(|x| x.switch(Kind::Step, 0.0)),
+            Kind::Sign | Kind::Step => self.ends(|x| x.switch(kind, 0.0)),
+            Kind::Angle => self.angle(other),
             Kind::Abs if self.may_be_zero() => Self { low: 0.0, high: self.high.max(-self.low) },
             Kind::Abs => self.ends(f64::abs),
             Kind::Min => Self { low: self.low.min(other.low), high: self.high.min(other.high) },
             Kind::Max => Self { low: self.low.max(other.low), high: self.high.max(other.high) },
         }
+    }
+
+    /// Not needed: arguments of switches are bounded by their own values, on no side.
+    fn continued(self, _: Self, _: Self, _: Sign) -> Self {
+        Self::WHOLE
     }
 }

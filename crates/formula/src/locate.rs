@@ -2,52 +2,122 @@
 
 use assur_number::search::bisect;
 
-use crate::formula::{Formula, Variable, Variables};
+use crate::formula::{Formula, Variables};
 use crate::interval::Interval;
+use crate::number::Sign;
+use crate::rounded::Rounded;
 
 /// Steps of the search: more only where intervals overestimate much; the branch is then said to end early, which costs
 /// another search and changes no value.
 const MOST_STEPS: usize = 1000;
 
-/// How far is searched, in units of the variable.
+/// How far is searched, in units of the parameter.
 const REACH: f64 = 1e6;
 
-/// Width of an interval, relative to the variable or to 1, below which it is not halved further.
+/// Width of an interval, relative to the parameter or to 1, below which it is not halved further.
 const WIDTH: f64 = 1e-15;
 
+/// Halvings after which a part of a range in which changes are counted is not halved further: some parts for each of ten
+/// thousand changes.
+const HALVINGS: u32 = 15;
+
+/// Places in such a part, as parts of its length, at which the argument is looked at: not in the ratio of whole numbers, so that no
+/// oscillation shows the same at all of them.
+const PLACES: [f64; 4] = [0.0, 0.381_966_011_250_105, 0.763_932_022_500_21, 1.0];
+
 impl Formula {
-    /// Where the argument of a switch first may change its sign when one variable grows (`along` = 1) or falls (-1) from its
-    /// value in `at`, the others staying; ±infinity where it does not within a far reach.
+    /// Where the argument of a switch, which has the sign `side` just ahead of `here`, first may have another sign along a path:
+    /// with a growing parameter of the path (`along` = 1) or a falling one (-1); ±infinity where it has not within a far
+    /// reach. `path` gives the variables at a parameter, each of which must be monotone along the path.
     ///
     /// Intervals prove that there is no change before; a place where the argument touches zero counts as a change.
-    pub fn smooth_until(&self, switch: usize, at: &Variables, variable: Variable, along: f64) -> f64 {
-        let mut here = at.get(variable);
+    pub fn smooth_until(
+        &self,
+        switch: usize,
+        side: Option<Sign>,
+        mut here: f64,
+        along: f64,
+        path: impl Fn(f64) -> Variables,
+    ) -> f64 {
         let end = here + along * REACH * here.abs().max(1.0);
         let mut step = (end - here).abs();
-        let argument =
-            |x: f64| self.argument_of(switch, |name| if name == variable { x } else { at.get(name) });
+        let stays = |x: f64| Sign::of(self.argument(switch, &path(x))) == side;
         for _ in 0..MOST_STEPS {
             let there = if along > 0.0 { (here + step).min(end) } else { (here - step).max(end) };
-            let between = self.argument_of(switch, |name| {
-                if name == variable {
-                    Interval::between(here, there)
-                } else {
-                    Interval::between(at.get(name), at.get(name))
-                }
-            });
-            if !between.may_be_zero() {
+            let between = self.argument_between(switch, [path(here), path(there)]);
+            if !between.may_be_zero() || (between.is_zero() && side == Some(Sign::Zero)) {
                 if there.total_cmp(&end).is_eq() {
                     return along * f64::INFINITY;
                 }
                 (here, step) = (there, 2.0 * step);
             } else if step > WIDTH * here.abs().max(1.0) {
                 step *= 0.5;
+            } else if side == Some(Sign::Zero) && stays(there) {
+                // It is zero, but intervals don't show it.
+                return along * f64::INFINITY;
             } else {
-                let side = argument(here) >= 0.0;
-                let [last, next] = bisect(here, there, 0.0, |x| (argument(x) >= 0.0) == side);
+                let [last, next] = bisect(here, there, 0.0, stays);
                 return f64::midpoint(last, next);
             }
         }
         here
+    }
+
+    /// The number of changes of the sign of the argument of a switch along a path, between two parameters; of more than `most`
+    /// not all are counted. Takes a bounded time; changes that are closer than a part in 30,000 of the range may count as one.
+    pub fn changes_between(
+        &self,
+        switch: usize,
+        [from, to]: [f64; 2],
+        most: usize,
+        path: impl Fn(f64) -> Variables,
+    ) -> usize {
+        // Parts of the range that are still to be looked at, the last of them first, with their halvings.
+        let mut parts = vec![([from, to], 0)];
+        let (mut found, mut end) = (0, f64::NAN);
+        while let Some(([low, high], halvings)) = parts.pop() {
+            let between = self.argument_between(switch, [path(low), path(high)]);
+            if !between.may_be_zero() || between.is_zero() {
+                continue;
+            }
+            if halvings < HALVINGS {
+                let middle = f64::midpoint(low, high);
+                parts.extend([([middle, high], halvings + 1), ([low, middle], halvings + 1)]);
+                continue;
+            }
+            // Neighbors have one change at their common end.
+            let counted = low.total_cmp(&end).is_eq();
+            if self.may_change(switch, PLACES.map(|part| path(low + part * (high - low))), counted) {
+                (found, end) = (found + 1, high);
+            }
+            if found > most {
+                break;
+            }
+        }
+        found
+    }
+
+    /// Whether the argument of a switch may change its sign between the first and the last of some places; `counted`: a change
+    /// at the first one counts elsewhere. Intervals that are too wide leave this to the values: those of one sign that lie
+    /// close to a straight line don't change it.
+    fn may_change(&self, switch: usize, places: [Variables; 4], counted: bool) -> bool {
+        let arguments =
+            places.map(|at| self.argument_of(switch, |name| Rounded::variable(at.get(name), f64::EPSILON)));
+        let signs = arguments.map(|argument| argument.sign().filter(|sign| *sign != Sign::Zero));
+        let same = |signs: &[Option<Sign>]| signs.windows(2).all(|pair| pair[0] == pair[1]);
+        if counted && signs[0].is_none() && same(&signs[1..]) {
+            return false;
+        }
+        let values = arguments.map(|argument| argument.value);
+        let [first, .., last] = values;
+        let least = values.into_iter().map(f64::abs).fold(f64::INFINITY, f64::min);
+        let bent = |(value, part): (f64, f64)| (value - first - part * (last - first)).abs() > 0.5 * least;
+        let certain = signs.iter().all(Option::is_some);
+        !same(&signs) || (certain && values.into_iter().zip(PLACES).any(bent))
+    }
+
+    /// Bounds of the argument of a switch while each variable goes from one value to another.
+    fn argument_between(&self, switch: usize, [from, to]: [Variables; 2]) -> Interval {
+        self.argument_of(switch, |name| Interval::between(from.get(name), to.get(name)))
     }
 }

@@ -1,5 +1,8 @@
 //! What a formula is evaluated with: numbers, or intervals of them.
 
+use std::cmp::Ordering;
+use std::f64::consts::TAU;
+
 use crate::program::{Function, Kind};
 
 /// A number or an interval of numbers.
@@ -10,22 +13,58 @@ pub(crate) trait Number: Copy {
     fn multiply(self, other: Self) -> Self;
     fn divide(self, other: Self) -> Self;
     fn power(self, exponent: Self) -> Self;
-    fn atan2(self, x: Self) -> Self;
     fn call(self, function: Function) -> Self;
-    /// The value of a function with a switch; `other` is the second argument of `min` and `max`.
+    /// The value of a function with a switch; `other` is the second argument of `min`, `max` and `atan2`.
     fn switch(self, kind: Kind, other: Self) -> Self;
+
+    /// The value of a function with a switch on a given side of it, continued smoothly beyond the switch.
+    #[inline]
+    fn on_side(self, kind: Kind, other: Self, side: Sign) -> Self {
+        match (kind, side) {
+            (Kind::Sign | Kind::Step, Sign::Positive) | (Kind::Step, Sign::Zero) => Self::of(1.0),
+            (Kind::Sign, Sign::Zero) | (Kind::Step, Sign::Negative) => Self::of(0.0),
+            (Kind::Sign, Sign::Negative) => Self::of(-1.0),
+            (Kind::Abs | Kind::Max, Sign::Positive) | (Kind::Min, Sign::Negative) => self,
+            (Kind::Abs, Sign::Negative) => self.negate(),
+            (Kind::Max, Sign::Negative) | (Kind::Min, Sign::Positive) => other,
+            (Kind::Abs | Kind::Min | Kind::Max, Sign::Zero) => self.switch(kind, other),
+            (Kind::Angle, side) => self.switch(kind, other).continued(self, other, side),
+        }
+    }
+
+    /// This angle of the point with the ordinate `y` and the abscissa `x`, a turn away where the point has passed the
+    /// negative half of the axis from this side.
+    fn continued(self, y: Self, x: Self, side: Sign) -> Self;
 }
 
-/// The value of a function with a switch on a given side of it: whether its argument (of `min` and `max` the difference of
-/// both) is not negative.
-pub(crate) fn on_side(kind: Kind, one: f64, other: f64, not_negative: bool) -> f64 {
-    match (kind, not_negative) {
-        (Kind::Sign | Kind::Step, true) => 1.0,
-        (Kind::Sign, false) => -1.0,
-        (Kind::Step, false) => 0.0,
-        (Kind::Abs | Kind::Max, true) | (Kind::Min, false) => one,
-        (Kind::Abs, false) => -one,
-        (Kind::Max, false) | (Kind::Min, true) => other,
+/// The sign of a number that may be zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Less than zero.
+    Negative,
+    /// Zero.
+    Zero,
+    /// Greater than zero.
+    Positive,
+}
+
+impl Sign {
+    /// The sign of a number; `None` of what is not one.
+    pub fn of(value: f64) -> Option<Self> {
+        Some(match value.partial_cmp(&0.0)? {
+            Ordering::Less => Self::Negative,
+            Ordering::Equal => Self::Zero,
+            Ordering::Greater => Self::Positive,
+        })
+    }
+}
+
+/// The turn by which an angle is continued beyond the negative half of the axis.
+pub(crate) fn turn(angle: f64, x: f64, side: Sign) -> f64 {
+    match side {
+        Sign::Positive if x < 0.0 && angle < 0.0 => TAU,
+        Sign::Negative if x < 0.0 && angle > 0.0 => -TAU,
+        _ => 0.0,
     }
 }
 
@@ -48,9 +87,6 @@ impl Number for f64 {
     fn power(self, exponent: Self) -> Self {
         self.powf(exponent)
     }
-    fn atan2(self, x: Self) -> Self {
-        f64::atan2(self, x)
-    }
     fn call(self, function: Function) -> Self {
         match function {
             Function::Sin => self.sin(),
@@ -66,9 +102,18 @@ impl Number for f64 {
     }
     fn switch(self, kind: Kind, other: Self) -> Self {
         match kind {
-            Kind::Sign if self == 0.0 => 0.0,
-            Kind::Sign | Kind::Step | Kind::Abs => on_side(kind, self, other, self >= 0.0),
-            Kind::Min | Kind::Max => on_side(kind, self, other, self >= other),
+            Kind::Angle => self.atan2(other),
+            Kind::Abs => self.abs(),
+            // What is not a number stays so.
+            Kind::Min | Kind::Max if self.is_nan() || other.is_nan() => Self::NAN,
+            Kind::Min => self.min(other),
+            Kind::Max => self.max(other),
+            Kind::Sign | Kind::Step => {
+                Sign::of(self).map_or(Self::NAN, |side| self.on_side(kind, other, side))
+            }
         }
+    }
+    fn continued(self, _: Self, x: Self, side: Sign) -> Self {
+        self + turn(self, x, side)
     }
 }

@@ -46,7 +46,7 @@ type Failure = ErrMode<ContextError>;
 
 /// A formula as it is written.
 enum Tree {
-    Number(f64),
+    Number(Range<usize>, f64),
     Name(Range<usize>),
     Call(Range<usize>, Vec<Self>),
     Negate(Box<Self>),
@@ -120,7 +120,7 @@ fn number(input: &mut Input<'_>) -> Result<Tree, Failure> {
     if !input.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
         return fail.parse_next(input);
     }
-    float.verify(|value: &f64| value.is_finite()).map(Tree::Number).parse_next(input)
+    float.with_span().map(|(value, span)| Tree::Number(span, value)).parse_next(input)
 }
 
 /// A variable, or a function with its arguments.
@@ -160,10 +160,10 @@ fn operation(name: &str) -> Option<(usize, Operation)> {
         "sqrt" => call(Function::Sqrt),
         "exp" => call(Function::Exp),
         "ln" => call(Function::Ln),
-        "atan2" => Some((2, Operation::Atan2)),
         "sign" => switch(Kind::Sign),
         "step" => switch(Kind::Step),
         "abs" => switch(Kind::Abs),
+        "atan2" => switch(Kind::Angle),
         "min" => switch(Kind::Min),
         "max" => switch(Kind::Max),
         _ => None,
@@ -181,7 +181,14 @@ impl Writer<'_> {
     /// Returns how many numbers wait on the stack while it is evaluated.
     fn write(&mut self, tree: &Tree) -> Result<usize, FormulaError> {
         match tree {
-            Tree::Number(value) => {
+            Tree::Number(span, value) if !value.is_finite() => Err(FormulaError {
+                span: span.clone(),
+                what: format!(
+                    "the number {} is beyond all that can be calculated with",
+                    &self.text[span.clone()]
+                ),
+            }),
+            Tree::Number(_, value) => {
                 self.operations.push(Operation::Number(*value));
                 Ok(1)
             }
@@ -220,11 +227,10 @@ impl Writer<'_> {
         let operation = match operation {
             Operation::Switch(..) if self.switches.len() == Formula::MOST_SWITCHES => {
                 let most = Formula::MOST_SWITCHES;
-                return fault(format!("a formula has at most {most} of sign, step, abs, min and max"));
+                return fault(format!("a formula has at most {most} of sign, step, abs, min, max and atan2"));
             }
             Operation::Switch(kind, _) => {
-                let (used, is_difference) = (Used::default(), count == 2);
-                self.switches.push(Switch { used, operations, is_difference, span: span.clone() });
+                self.switches.push(Switch { used: Used::default(), operations, kind, span: span.clone() });
                 Operation::Switch(kind, self.switches.len() - 1)
             }
             other => other,

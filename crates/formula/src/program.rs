@@ -35,12 +35,19 @@ pub(crate) enum Kind {
     Abs,
     Min,
     Max,
+    /// `atan2`: on the negative half of the second argument it jumps by a turn where the first passes zero.
+    Angle,
 }
 
 impl Kind {
     /// Number of arguments.
     pub(crate) fn arguments(self) -> usize {
-        if matches!(self, Self::Min | Self::Max) { 2 } else { 1 }
+        if matches!(self, Self::Min | Self::Max | Self::Angle) { 2 } else { 1 }
+    }
+
+    /// Whether the value jumps at the switch; else it only bends there.
+    pub(crate) fn jumps(self) -> bool {
+        matches!(self, Self::Sign | Self::Step | Self::Angle)
     }
 }
 
@@ -55,7 +62,6 @@ pub(crate) enum Operation {
     Multiply,
     Divide,
     Power,
-    Atan2,
     Call(Function),
     /// The function and the number of its switch.
     Switch(Kind, usize),
@@ -67,7 +73,7 @@ impl Operation {
         match self {
             Self::Number(_) | Self::Variable(_) => 0,
             Self::Negate | Self::Call(_) => 1,
-            Self::Add | Self::Subtract | Self::Multiply | Self::Divide | Self::Power | Self::Atan2 => 2,
+            Self::Add | Self::Subtract | Self::Multiply | Self::Divide | Self::Power => 2,
             Self::Switch(kind, _) => kind.arguments(),
         }
     }

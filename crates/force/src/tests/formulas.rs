@@ -96,6 +96,94 @@ fn what_can_not_be_located_is_refused() {
     assert_eq!(refused(mixed, "[motion]\nspeed = 1"), None);
     assert!(refused("{ formula = 'abs(x - q/10)', axis = 0 }", TRANSIENT).is_some());
     assert_eq!(refused("{ formula = 'abs(x - sin(q)/10)', axis = 0 }", TRANSIENT), None);
+    // Along a motion that is known, or without one, everything can.
+    for value in ["abs(x - q/10)", "sign(x - q/10)", "max(t, x) + sign(t*w - x)"] {
+        assert_eq!(refused(&format!("{{ formula = '{value}', axis = 0 }}"), "[motion]\nspeed = 1"), None);
+    }
+}
+
+/// A formula that changes too often is refused when it is read, with its function.
+#[test]
+fn what_changes_too_often_is_refused() {
+    let motions = ["", "[motion]\nspeed = 0.5\nacceleration = 3", TRANSIENT];
+    let refused = |formula: &str, motion: &str| {
+        Loads::compile(&linkage(&scene(&format!("{{ formula = '{formula}' }}"), motion))).err()
+    };
+    for motion in motions {
+        for formula in ["1 + sign(sin(1e5*q))", "2 + abs(sin(1e6*q))", "q + step(sin(1e9*q))"] {
+            match refused(formula, motion) {
+                Some(LoadError::ChangesTooOften { column, most: 10_000, .. }) => assert_eq!(column, 5),
+                other => panic!("{formula}: {other:?}"),
+            }
+        }
+        assert_eq!(refused("sign(sin(4999*q))", motion), None);
+    }
+    // Under a known motion time passes with the coordinate; in any other its steps are counted.
+    assert!(matches!(refused("sign(sin(1e5*t))", motions[1]), Some(LoadError::ChangesTooOften { .. })));
+    assert_eq!(refused("sign(sin(1e5*t))", TRANSIENT), None);
+}
+
+/// A load has the value of its formula on a bend, and on a jump that just ahead, however the motion passes it.
+#[test]
+fn a_switch_has_the_value_ahead() {
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+    let known =
+        |speed: f64, acceleration: f64| format!("[motion]\nspeed = {speed}\nacceleration = {acceleration}");
+    let size = |formula: &str, motion: &str, q: f64| {
+        let axis = if formula.contains('x') && !formula.contains("max(0") { ", axis = 0" } else { "" };
+        let (linkage, loads) = compiled(&scene(&format!("{{ formula = '{formula}'{axis} }}"), motion));
+        let state = State::prescribed(&linkage.mechanism, q);
+        applied(&loads, &state, &bodies(&linkage, q))[3].fx
+    };
+    let steady = &known(2.0, 0.0);
+    for (formula, q, wanted) in [
+        // Bends: the formula itself, with its rounding.
+        ("100*abs(sin(q))", PI, 100.0 * 1.224_646_799_147_353_2e-16),
+        ("100*max(0, sin(q))", PI, 100.0 * 1.224_646_799_147_353_2e-16),
+        ("sqrt(abs(cos(q)))", FRAC_PI_2, 6.123_233_995_736_766e-17_f64.sqrt()),
+        ("abs(q - pi)^0.5", PI, 0.0),
+        // Jumps: the value ahead.
+        ("sign(sin(q))", PI, -1.0),
+        ("sign(sin(q))*sign(cos(q/2))", PI, 1.0),
+        ("sign(cos(q) - 1)", 0.0, -1.0),
+        ("step(sin(q) - 1)", FRAC_PI_2, 0.0),
+        ("atan2(sin(q), cos(q))", PI, -PI),
+        ("sign(x - 1)", TAU, -1.0),
+        ("sign(x)", PI, 1.0),
+        // Zero identically.
+        ("3 + 5*sign(0) + step(0)", 1.0, 4.0),
+        ("sign(max(0, sin(q)))", PI, 0.0),
+        ("sign(max(0, sin(q)))", 4.0, 0.0),
+        ("sign(q - 2*t) + 7*step(q - 2*t)", 1.3, 7.0),
+        ("sign(w - 2)", 1.3, 0.0),
+        // Several variables: along the motion q grows twice as fast as t.
+        ("sign(q - 1 - (t - 0.5))", 1.0, 1.0),
+        ("sign(q - 1 - 3*(t - 0.5))", 1.0, -1.0),
+        ("sign((q - 1)*w - 7*(t - 0.5))", 1.0, -1.0),
+        ("sign(x - t)", 0.0, 1.0),
+        ("max(t, x)", 0.0, 1.0),
+    ] {
+        let found = size(formula, steady, q);
+        assert!(
+            (found - wanted).abs() <= 1e-15 * wanted.abs(),
+            "{formula} at {q}: {found} instead of {wanted}"
+        );
+    }
+    // Against the coordinate, without a motion too; in an accelerated motion; at rest.
+    let back = &known(-2.0, 0.0);
+    for (motion, formula, q, wanted) in [
+        (back, "sign(sin(q))", -PI, 1.0),
+        (back, "sign(q - 2*t)", 0.0, -1.0),
+        (&"direction = 'cw'".to_owned(), "sign(sin(q))", -PI, 1.0),
+        (&String::new(), "sign(sin(q))", PI, -1.0),
+        (&known(2.0, 3.0), "sign(q - 2*t - 1.5*t^2)", 1.3, 0.0),
+        (&known(2.0, 3.0), "sign(w - 2)", 1.3, 1.0),
+        (&known(2.0, -0.1), "sign(w - 2)", 1.3, -1.0),
+        (&known(0.0, 0.0), "sign(w)", 1.3, 0.0),
+        (&known(0.0, 3.0), "sign(w)", 1.3, 1.0),
+    ] {
+        near(size(formula, motion, q), wanted, 1.0);
+    }
 }
 
 /// The angle of a contact by formula: force and place follow it.

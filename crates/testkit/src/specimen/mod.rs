@@ -5,11 +5,13 @@
 //! guides on either link, offset and tilted, multiple joints, links of many points, pinned and sliding inputs.
 
 mod draft;
+mod formula;
 mod loads;
 mod recipe;
 mod write;
 
 pub use crate::Rng;
+pub use formula::{Terms, formula};
 pub use recipe::{Recipe, Specimen, kinds};
 pub use write::scene_text;
 
