@@ -12,6 +12,7 @@ mod mutations;
 mod near;
 mod random;
 mod singular;
+mod twice;
 
 /// The report of a failure.
 fn show(all: &[Check]) -> String {
