@@ -13,9 +13,12 @@ use crate::{Calculation, InputMotion, Options, unwatched};
 
 const MECHANISMS: usize = 50;
 
+/// A motion that is found, with its drive.
+type Asked = (Motion, Option<Drive>);
+
 /// Random mechanisms of one or two groups, without what `remove` removes, in a motion.
 fn calculations(
-    motion: fn(&Mechanism) -> Option<(Motion, Option<Drive>)>,
+    motion: fn(&Mechanism) -> Option<Asked>,
     remove: fn(&mut Mechanism),
 ) -> impl Iterator<Item = (u64, Calculation)> {
     (0..1000).filter_map(move |seed| {
@@ -42,7 +45,7 @@ fn assert_caught(what: &str, sound: &Check, wrong: &Check) {
 }
 
 /// A tenth of a second from a speed, until the first turning point at most.
-fn released(mechanism: &Mechanism) -> Option<(Motion, Option<Drive>)> {
+fn released(mechanism: &Mechanism) -> Option<Asked> {
     let Some(Motion::Prescribed { speed, .. }) = mechanism.motion else { return None };
     // Within the range in which the mechanism stays away from singular positions.
     let way = match mechanism.input.range {
@@ -93,7 +96,7 @@ fn energy_that_changes_by_twice_the_limit_is_caught() {
 }
 
 /// A crank in steady rotation: a constant moment of the drive makes up for the work of the loads.
-fn turning(mechanism: &Mechanism) -> Option<(Motion, Option<Drive>)> {
+fn turning(mechanism: &Mechanism) -> Option<Asked> {
     let Some(Motion::Prescribed { speed, .. }) = mechanism.motion else { return None };
     matches!(mechanism.input.range, Range::Cycle(_)).then_some(())?;
     let unevenness = Some(Solve::Given(0.05));
