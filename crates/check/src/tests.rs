@@ -13,6 +13,7 @@ mod near;
 mod random;
 mod singular;
 mod twice;
+mod units;
 
 /// The report of a failure.
 fn show(all: &[Check]) -> String {
