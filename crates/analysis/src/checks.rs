@@ -229,3 +229,6 @@ fn greatest_moment(linkage: &Linkage, regime: &Regime) -> f64 {
     };
     (0..PLACES).map(of).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod twice;

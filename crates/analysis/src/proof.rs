@@ -233,3 +233,7 @@ impl Balance {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod twice;
+#[cfg(test)]
+pub(crate) use twice::twice_the_limit;

@@ -26,3 +26,6 @@ pub(crate) fn slope_terms(mechanism: &Mechanism, bodies: &[Body<f64>]) -> f64 {
     };
     mechanism.links.iter().zip(bodies).skip(1).map(term).sum()
 }
+
+#[cfg(test)]
+mod tests;

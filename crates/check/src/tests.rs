@@ -14,6 +14,8 @@ mod near;
 mod random;
 mod singular;
 mod switches;
+mod twice;
+mod units;
 
 /// The report of a failure.
 fn show(all: &[Check]) -> String {

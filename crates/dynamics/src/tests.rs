@@ -6,6 +6,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
 mod energy;
+mod known;
 mod loads;
 mod settled;
 mod steady;

@@ -149,3 +149,6 @@ pub(crate) fn first_step(
     let time = if time.is_finite() { time } else { 50.0 * trial };
     (2.0 * time * tolerance.powf(1.0 / order)).min(longest)
 }
+
+#[cfg(test)]
+mod tests;

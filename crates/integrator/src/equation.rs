@@ -110,3 +110,6 @@ fn increment(value: f64) -> f64 {
     let wanted = f64::EPSILON.sqrt() * value.abs().max(SMALL);
     (value + wanted) - value
 }
+
+#[cfg(test)]
+mod tests;

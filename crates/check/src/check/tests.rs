@@ -27,3 +27,18 @@ fn parts_one_after_another_are_the_whole() {
     }
     assert_eq!((whole.check.left_out, whole.check.at, whole.offers), (20, Some(6), 20));
 }
+
+#[test]
+fn of_equal_residuals_the_first_is_shown() {
+    let mut collector = Collector::new("name", "reason");
+    for at in 0..3 {
+        collector.offer(at, 1e-9, 1e-8, || format!("place {at}"));
+    }
+    assert_eq!(collector.into_check().unwrap().at, Some(0));
+    let mut failing = Collector::new("name", "reason");
+    failing.offer(0, 1e-9, 1e-8, String::new);
+    failing.offer(1, 3e-8, 1e-8, String::new);
+    failing.offer(2, 3e-8, 1e-8, String::new);
+    let check = failing.into_check().unwrap();
+    assert_eq!((check.at, check.judged, check.ok), (Some(1), true, false));
+}

@@ -50,3 +50,30 @@ fn rounding_is_measured_and_smooth_functions_have_none() {
     let noise = rounding_of(&coarse);
     assert!(noise > 1e-10, "{noise:e}");
 }
+
+#[test]
+fn alternating_errors_are_measured_by_their_size() {
+    // Fourth differences of +1, -1, ... are 16; of independent errors of deviation 1 they have the deviation sqrt(70).
+    let size = 0.25;
+    let alternating: [f64; SAMPLES] =
+        std::array::from_fn(|i| 7.0 * i as f64 + if i % 2 == 0 { size } else { -size });
+    let found = rounding_of(&alternating);
+    assert!((found - 16.0 * size / 70.0_f64.sqrt()).abs() < 1e-12, "{found}");
+}
+
+#[test]
+fn rows_that_disagree_have_an_error_of_their_distance() {
+    // Quotients that converge to 1 down to the last one, which is off: the best row can't be trusted beyond that.
+    let steps: Vec<f64> = (0..6).map(|k| 0.5_f64.powi(k)).collect();
+    let last_off = |by: f64| {
+        let quotients: Vec<_> =
+            steps.iter().enumerate().map(|(k, step)| (*step, if k == 5 { 1.0 + by } else { 1.0 })).collect();
+        extrapolated(&quotients, 0.0)
+    };
+    let agreed = last_off(0.0);
+    assert!((agreed.value - 1.0).abs() < 1e-15 && agreed.error < 1e-15, "{agreed:?}");
+    let found = last_off(1e-3);
+    assert!((found.value - 1.0).abs() < 1e-15, "{found:?}");
+    // The row of the smallest step is off by at most 4/3 of it, by 16/15, ...
+    assert!((1e-3..2e-3).contains(&found.error), "{found:?}");
+}

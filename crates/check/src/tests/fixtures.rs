@@ -97,3 +97,40 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
     assert!(check(1.0).ok, "{:?}", check(1.0));
     assert!(check(1.0 + 1e-9).failed());
 }
+
+/// A disc at rest at a coordinate, with a moment that jumps at 0.5 rad and rises over 1e-12 rad at 1 rad.
+fn drive_at_rest(coordinate: f64, value: f64) -> Check {
+    let linkage = scene(
+        "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\ninertia = 0.5\n[input]\nlink = \"disc\"\n\
+         [[moment]]\nlink = \"disc\"\nvalue = { over = \"angle\", repeat = false, \
+         table = [[0, 5], [0.5, 5], [0.5, -3], [1, -3], [1.000000000001, 7], [2, 7]] }\n",
+    );
+    let loads = Loads::compile(&linkage).unwrap();
+    let state = State { coordinate, ..State::default() };
+    let subject = Subject {
+        linkage: &linkage,
+        loads: Some(&loads),
+        positions: Chosen::all(0),
+        states: Chosen::all(1),
+        state: &|_| Some(state),
+        drive: Some(&move |_: &State| InputLoad { value, error: 0.0, accuracy: [1e-9, 0.0] }),
+        methods: methods(&linkage, None),
+    };
+    let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
+    all.into_iter().find(|check| check.name == "drive against force analysis").unwrap()
+}
+
+#[test]
+fn a_drive_at_rest_is_judged_but_on_a_jump() {
+    for (coordinate, needed) in [(0.3, -5.0), (0.7, 3.0), (1.5, -7.0)] {
+        let check = drive_at_rest(coordinate, needed);
+        assert!(check.ok && check.limit < 1e-12, "{coordinate}: {check:?}");
+        assert!(drive_at_rest(coordinate, 1.0 + needed).failed(), "{coordinate}");
+    }
+    // Within the accuracy of the motion on either side.
+    for coordinate in [0.5 - 5e-10, 0.5, 0.5 + 5e-10] {
+        let check = drive_at_rest(coordinate, 0.0);
+        assert_eq!((check.judged, check.left_out), (false, 1), "{coordinate}: {check:?}");
+    }
+    assert!(drive_at_rest(0.5 + 5e-9, 0.0).failed());
+}

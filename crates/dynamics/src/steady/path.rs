@@ -253,3 +253,6 @@ impl<'a> Path<'a> {
         self.cut(x + 0.5 * h, 0.5 * h, v, tolerance, scale, panels)
     }
 }
+
+#[cfg(test)]
+mod tests;

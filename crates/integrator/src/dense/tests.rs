@@ -33,3 +33,18 @@ fn parabola_is_uniformly_accelerated() {
         assert!((found.speed - (3.0 - 4.0 * dt)).abs() < 1e-14);
     }
 }
+
+#[test]
+fn cubics_reproduce_a_motion_of_degree_three() {
+    // q = 2 - t + t³.
+    let node = |t: f64| {
+        let state = State { time: t, coordinate: 2.0 - t + t * t * t, speed: 3.0 * t * t - 1.0 };
+        Node { state, acceleration: 6.0 * t }
+    };
+    let dense = Dense::cubic(&node(0.3), &node(1.1), 0.8);
+    for theta in [0.0, 0.1, 0.5, 0.7, 1.0] {
+        let (found, wanted) = (dense.at(theta), node(0.3 + 0.8 * theta).state);
+        assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{theta}: {found}");
+        assert!((found.speed - wanted.speed).abs() < 1e-14, "{theta}: {found}");
+    }
+}

@@ -1,0 +1,62 @@
+//! Numbers of small machines that are known by hand.
+
+use assur_force::Side;
+use assur_integrator::Sample;
+
+use super::compiled;
+use crate::{Method, equation, steady, transient};
+
+/// A disc on which nothing acts.
+#[test]
+fn what_nothing_acts_on_rests_without_being_held() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\ninertia = 0.5\n\
+        [input]\nlink = \"disc\"\n[motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"1 s\"\n";
+    let (linkage, loads) = compiled(scene);
+    let mut motion = equation(&linkage, &loads).unwrap();
+    let instant =
+        motion.instant(&Sample { time: 0.0, coordinate: 0.3, speed: 0.0, acceleration: 0.0 }, false).unwrap();
+    // Nothing jumps there: the formulas above and below the speed count alike.
+    assert_eq!((instant.state.side, instant.holding), (Side::Held { upper: 0.5 }, None));
+}
+
+/// 2 kg at 3 m on a crank that lies level, in a gravity of 10 m/s².
+#[test]
+fn the_rounding_of_the_potential_energy_is_that_of_its_terms() {
+    let scene = "gravity = 10\n[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0 }\nmass = 2\ncenter = 3\n\
+        [input]\nlink = \"arm\"\nfrom = 0\n[motion]\nkind = \"transient\"\nspeed = 1\nuntil = \"0.05 s\"\nsamples = 4\n";
+    let (linkage, loads) = compiled(scene);
+    let energy = transient(&linkage, &loads, &Method::default(), None).unwrap().energy;
+    // Eight rounding units of a weight of 20 N at 3 m, and that of the coordinate, at most 0.05 rad, by 60 N m.
+    let greatest = energy.kinetic.iter().copied().fold(0.0, f64::max);
+    let units = energy.rounding * greatest / f64::EPSILON;
+    assert!((480.0..=483.0).contains(&units), "{units}");
+    // T = 18/2 at 1 rad/s at the start, which is the greatest.
+    assert!((greatest - 9.0).abs() < 1e-12, "{greatest}");
+}
+
+#[test]
+fn the_excess_work_of_example_2_needs_the_flywheel_of_the_textbook() {
+    let (linkage, loads) = compiled(assur_fixtures::scene("flywheel"));
+    let regime = steady(&linkage, &loads, None).unwrap().regime;
+    let by = &regime.flywheel_by_method;
+    let [first, exact] = [by.first().unwrap(), by.last().unwrap()];
+    assert_eq!((first.method, exact.method, by.len()), ("excess-work", "exact", 5));
+    // E example 2: A/(w² δ) with A = 10 pi J, 100 rad/s and 0.02; the triangle is symmetric, so that it is exact.
+    let wanted = std::f64::consts::PI / 20.0;
+    assert!((first.flywheel / wanted - 1.0).abs() < 1e-9, "{}", first.flywheel);
+}
+
+/// The methods of the textbooks neglect something; by how much they miss is told in parts of the exact flywheel.
+#[test]
+fn methods_for_a_flywheel_tell_their_distance_from_the_exact_one() {
+    let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
+    let by = steady(&linkage, &loads, None).unwrap().regime.flywheel_by_method;
+    let exact = by.last().unwrap().flywheel;
+    let mut apart = 0;
+    for row in &by {
+        let difference = row.flywheel / exact - 1.0;
+        assert!((row.difference.unwrap() - difference).abs() < 1e-12, "{row:?}");
+        apart += usize::from(difference.abs() > 1e-3);
+    }
+    assert!(apart > 1, "{by:?}");
+}
