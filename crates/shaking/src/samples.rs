@@ -5,9 +5,10 @@ use std::f64::consts::TAU;
 use assur_force::{Loads, State};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_group::{Body, Order, Wrench};
-use assur_kinematics::{Linkage, Position, PositionError};
+use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId};
 
+use crate::ShakingError;
 use crate::data::Harmonic;
 
 /// A link that turns about a pin on the ground, and so may carry a counterweight.
@@ -100,7 +101,7 @@ impl<'a> Sampler<'a> {
         Self { linkage, loads, state, carriers: carriers(linkage), position: linkage.position() }
     }
 
-    pub(crate) fn at(&mut self, coordinate: f64) -> Result<Sample, PositionError> {
+    pub(crate) fn at(&mut self, coordinate: f64) -> Result<Sample, ShakingError> {
         self.linkage.solve(coordinate, Order::Second, &mut self.position)?;
         let (bodies, state) = (&self.position.bodies, (self.state)(coordinate));
         let mut wrenches = vec![Wrench::ZERO; bodies.len()];
@@ -112,6 +113,9 @@ impl<'a> Sampler<'a> {
         let reduced = self.loads.reduced(&state, bodies);
         let inertia = reduced.inertia * state.acceleration;
         let torque = inertia + 0.5 * reduced.inertia_derivative * state.speed * state.speed - reduced.moment;
+        if !torque.is_finite() {
+            self.loads.finite(&self.linkage.mechanism, &state, bodies)?;
+        }
         let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
         Ok(Sample { coordinate, force: total.force(), moment: total.m, torque, units: units.collect() })
     }
