@@ -76,8 +76,8 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
         let before = before.trim_start_matches('\u{feff}');
         let line = before.split('\n').count();
         let column = before.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
-        let byte = rest.first().map_or_else(String::new, |byte| format!(": the byte 0x{byte:02X}"));
-        error(format!("line {line}, column {column}{byte} is not UTF-8 text; save the file as UTF-8"))
+        let byte = rest.first().map_or_else(String::new, |byte| format!(": byte 0x{byte:02X}"));
+        error(format!("is not UTF-8 text (line {line}, column {column}{byte}); save it as UTF-8"))
     })
 }
 
