@@ -73,7 +73,6 @@ fn in_array<'a, 'b>(
     depth: usize,
 ) -> Result<&'a Spanned<DeValue<'b>>, String> {
     let owner = owner(&steps[..depth]);
-    let names: Vec<String> = array.iter().filter_map(|item| element_name(item.get_ref())).collect();
     match &steps[depth] {
         Step::Index(index) => array.get(*index).ok_or_else(|| {
             let last = array.len().checked_sub(1).map(|last| format!(", from [0] to [{last}]"));
@@ -83,6 +82,8 @@ fn in_array<'a, 'b>(
             let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
             let found = array.iter().find(same);
             found.ok_or_else(|| {
+                let names: Vec<String> =
+                    array.iter().filter_map(|item| element_name(item.get_ref())).collect();
                 let by_index =
                     format!("name an element by its number, such as `{}[0]`", shown(&steps[..depth]));
                 if names.is_empty() {

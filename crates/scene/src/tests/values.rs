@@ -257,7 +257,8 @@ fn scale_is_a_factor_on_the_size_of_every_sort_of_load() {
     let plain = [vec![2000.0], vec![1.0, 3.0, 5.0], vec![1000.0], vec![10.0, 20.0], vec![40.0]];
     assert_eq!(loads(""), plain);
     assert_eq!(loads("scale = 1"), plain);
-    assert_eq!(loads("scale = -0.5"), plain.map(|sizes| sizes.into_iter().map(|size| -0.5 * size).collect()));
+    let halves = [vec![-1000.0], vec![-0.5, -1.5, -2.5], vec![-500.0], vec![-5.0, -10.0], vec![-20.0]];
+    assert_eq!(loads("scale = -0.5"), halves);
     let text = BASE.to_owned() + "[[moment]]\nlink = \"rod\"\nvalue = 1e12\nscale = 1e12\n";
     let errors = read("scene.toml", &text).unwrap_err();
     assert!(errors.to_string().contains("`scale` makes the size of the load"), "{errors}");
