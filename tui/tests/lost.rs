@@ -190,6 +190,13 @@ fn a_fault_of_motion_loads_and_lengths_has_its_place_in_the_file() {
 #[test]
 fn a_load_without_a_value_has_its_place_in_what_shaking_says() {
     let folder = tempfile::tempdir().unwrap();
+    // A brake is in a list of its own.
+    let brake = "[[brake]]\nlink = \"crank\"\nradius = 0.1\nfriction = 0.1\nforce = { formula = \"1/0\", unit = \"N\" }";
+    let scene = loaded(&format!("[[moment]]\nlink = \"rod\"\nvalue = 1\n{brake}"));
+    let number = scene.lines().position(|text| text.contains("1/0")).unwrap() + 1;
+    fs::write(folder.path().join("a.toml"), &scene).unwrap();
+    let text = String::from_utf8(assur(folder.path(), &["analyze", "a.toml"]).stderr).unwrap();
+    assert!(text.contains(&format!("a.toml, line {number}, column 1")), "{text}");
     let scene = loaded("[[moment]]\nlink = \"rod\"\nvalue = { formula = \"1/0\", unit = \"N*m\" }");
     let number = scene.lines().position(|text| text.contains("1/0")).unwrap() + 1;
     fs::write(folder.path().join("a.toml"), &scene).unwrap();

@@ -102,9 +102,7 @@ fn charted(
     });
     drop(line);
     match found {
-        Err(error @ (ChartError::Compile(_) | ChartError::Load(_))) => {
-            Err(scene::in_file(path, &error.to_string()))
-        }
+        Err(error @ ChartError::Compile(_)) => Err(scene::in_file(path, &error.to_string())),
         other => Ok(other),
     }
 }
