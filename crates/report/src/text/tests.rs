@@ -104,7 +104,8 @@ fn a_number_that_is_not_finite_is_found_behind_an_empty_one_and_never_printed() 
     let nested = std::collections::BTreeMap::from([("a", Some((1, [0.0, f64::INFINITY])))]);
     assert_eq!(crate::json::finite(&nested).unwrap_err().place, "a[1][1]");
     let text = super::checks(&rows, false);
-    assert!(!text.contains("NaN") && text.contains("PF2    -"), "{text}");
+    let residual = text.lines().nth(3).and_then(|line| line.split_whitespace().nth(1));
+    assert!(!text.contains("NaN") && residual == Some("-"), "{text}");
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let column = column(&[Some(value), Some(2.5), None], 1.0);
         assert_eq!(column, ["-", "2.50000", "-"]);
