@@ -104,7 +104,9 @@ pub(super) fn shown(steps: &[Step]) -> String {
     for step in steps {
         match step {
             Step::Index(index) => text.extend(["[", &index.to_string(), "]"]),
-            Step::Range(first, Some(last)) => text.push_str(&format!("[{first}..{last}]")),
+            Step::Range(first, Some(last)) => {
+                text.extend(["[", &first.to_string(), "..", &last.to_string(), "]"]);
+            }
             Step::Range(..) => text.push_str("[*]"),
             Step::Name(name) => {
                 if !text.is_empty() {
