@@ -88,6 +88,7 @@ not-judged = not judged
 model = Model and its limits
 model-text = Links are rigid, motion is plane, pairs have no clearance and no friction. What the task does not name is not modelled: links without a mass have no weight and no inertia.
 no-position = Positions without an assembly: { $positions }.
+no-forces = Positions without forces: { $positions }. At the first: { $reason }.
 results = Main results
 main-results = Main results; greatest values are those of the calculated positions
 value = Value

@@ -6,9 +6,9 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use assur_kinematics::CompileError;
 use assur_mechanism::{Mechanism, Motion};
 use assur_scene::{SceneErrors, document};
-use assur_structure::StructureError;
 
 pub(crate) use write::{
     is_same, is_stream, open_stream, put, remove_on_signals, remove_temporaries, write, write_by,
@@ -70,15 +70,20 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
         return Err(error(format!("is larger than {} MiB: is it the right file?", most >> 20)));
     }
     String::from_utf8(bytes).map_err(|problem| {
-        let at = problem.utf8_error().valid_up_to();
-        let line = problem.as_bytes()[..at].split(|byte| *byte == b'\n').count();
-        error(format!("is not UTF-8 text (byte {at}, line {line}); save it as UTF-8"))
+        let (read, rest) = problem.as_bytes().split_at(problem.utf8_error().valid_up_to());
+        let before = String::from_utf8_lossy(read);
+        // A byte order mark does not belong to the first line.
+        let before = before.trim_start_matches('\u{feff}');
+        let line = before.split('\n').count();
+        let column = before.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
+        let byte = rest.first().map_or_else(String::new, |byte| format!(": byte 0x{byte:02X}"));
+        error(format!("is not UTF-8 text (line {line}, column {column}{byte}); save it as UTF-8"))
     })
 }
 
-/// An error of the structure at its line of the scene, if it concerns a link.
-pub(crate) fn located(name: &str, text: &str, error: &StructureError) -> Option<SceneErrors> {
-    assur_scene::fault_at(name, text, &["link", error.link()?], &error.to_string())
+/// An error of compiling at its line of the scene, if it concerns a link.
+pub(crate) fn located(name: &str, text: &str, error: &CompileError) -> Option<SceneErrors> {
+    assur_scene::fault_at(name, text, &error.key()?, &error.to_string())
 }
 
 /// An integrator of a scene that is not registered, at its line.

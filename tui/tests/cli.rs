@@ -70,13 +70,27 @@ fn a_starter_scene_runs_and_is_not_overwritten() {
 fn a_file_that_is_no_scene_is_told_by_name() {
     let folder = folder("");
     fs::write(folder.path().join("latin1.toml"), b"title = \"x\"\n# caf\xe9\n").unwrap();
+    fs::write(folder.path().join("first.toml"), b"\xff").unwrap();
+    // A mark before the first column, and a letter of two bytes.
+    fs::write(folder.path().join("marked.toml"), b"\xef\xbb\xbf# \xc3\xa9 \xe9").unwrap();
     for (name, message) in [
         (
             "none.toml",
             "error: none.toml: there is no such file (`assur new FILE` writes a scene to begin with)\n",
         ),
         (".", "error: .: is a folder, not a scene file\n"),
-        ("latin1.toml", "error: latin1.toml: is not UTF-8 text (byte 17, line 2); save it as UTF-8\n"),
+        (
+            "latin1.toml",
+            "error: latin1.toml: is not UTF-8 text (line 2, column 6: byte 0xE9); save it as UTF-8\n",
+        ),
+        (
+            "first.toml",
+            "error: first.toml: is not UTF-8 text (line 1, column 1: byte 0xFF); save it as UTF-8\n",
+        ),
+        (
+            "marked.toml",
+            "error: marked.toml: is not UTF-8 text (line 1, column 5: byte 0xE9); save it as UTF-8\n",
+        ),
     ] {
         for command in ["analyze", "check", "explain"] {
             let output = assur(folder.path(), &[command, name]);

@@ -217,3 +217,79 @@ fn the_help_names_every_measure() {
         assert!(help.lines().any(|line| line.starts_with(&name)), "{name}");
     }
 }
+
+/// The parameters of a call, without the quotes around them.
+fn parameters(call: &str) -> Vec<String> {
+    let after = call.split("--vary ").skip(1);
+    let quoted = after.filter_map(|text| text.strip_prefix('"')?.split('"').next());
+    quoted.map(|text| text.trim_matches('\'').to_owned()).collect()
+}
+
+#[test]
+fn every_example_of_the_documentation_runs_on_the_shipped_scene() {
+    let folder = folder();
+    fs::write(folder.path().join("shaper.toml"), assur_fixtures::scene("shaper")).unwrap();
+    let text = include_str!("../../docs/sweep.md").replace("\\\n", " ");
+    let calls: Vec<&str> = text.lines().filter(|line| line.contains("assur sweep shaper.toml")).collect();
+    assert!(calls.len() > 3, "{calls:?}");
+    for call in calls {
+        // Few points of each.
+        let sampled = call.contains("--sample");
+        let few = |vary: String| match vary.rsplit_once(':') {
+            Some((vary, _)) if !sampled => format!("{vary}:2"),
+            _ => vary,
+        };
+        let vary: Vec<String> = parameters(call).into_iter().map(few).collect();
+        assert!(!vary.is_empty(), "{call}");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+        command.args(["sweep", "shaper.toml", "-o", "b.csv"]).current_dir(folder.path());
+        command.args(vary.iter().flat_map(|vary| ["--vary", vary.as_str()]));
+        command.args(if sampled { &["--sample", "3"][..] } else { &[] });
+        assert_eq!(end(&command.output().unwrap()), (0, ""), "{call}");
+    }
+}
+
+#[test]
+fn a_scale_of_a_load_and_a_column_of_its_table_are_parameters() {
+    let folder = folder();
+    let greatest = |scene: &str, vary: &str| -> Vec<f64> {
+        fs::write(folder.path().join("a.toml"), scene).unwrap();
+        let output = sweep(folder.path(), &["--vary", vary]);
+        assert_eq!(end(&output), (0, ""), "{vary}");
+        let text = String::from_utf8(output.stdout).unwrap();
+        let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+        let column = rows[0].iter().position(|name| name.starts_with("reaction_O_greatest")).unwrap();
+        rows[1..].iter().map(|row| row[column].parse().unwrap()).collect()
+    };
+    // Without masses every reaction is proportional to the only load.
+    let table = format!(
+        "{}[[force]]\nname = \"load\"\nlink = \"piston\"\nat = \"B\"\nangle = 0\nscale = 1\n\
+         value = {{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }}\n",
+        SLIDER.replace("mass = \"2 kg\"\n", "")
+    );
+    let found = greatest(&table, "force.load.scale=0.5..2:4");
+    let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
+    assert!(near(found[1], 2.0 * found[0]) && near(found[3], 4.0 * found[0]), "{found:?}");
+    // A constant load: the same in every place of the table.
+    let found = greatest(&table, "force.load.value.table[*][1]=200..400:2");
+    let constant = table.replace("{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }", "100");
+    let wanted = greatest(&constant, "force.load.value=200..400:2");
+    assert!(near(found[0], wanted[0]) && near(found[1], wanted[1]), "{found:?} {wanted:?}");
+    // A factor on the constant load is the load, whether it is set as a number or read.
+    let scaled = greatest(&constant, "force.load.scale=2..4:2");
+    assert!(near(scaled[0], wanted[0]) && near(scaled[1], wanted[1]), "{scaled:?} {wanted:?}");
+}
+
+#[test]
+fn a_load_without_a_value_is_the_message_of_its_point() {
+    let folder = folder();
+    let scene = format!(
+        "{SLIDER}[[force]]\nname = \"z\"\nlink = \"piston\"\nat = \"B\"\nangle = 0\nvalue = {{ formula = \"1/q\" }}\n"
+    );
+    fs::write(folder.path().join("a.toml"), scene).unwrap();
+    let output = sweep(folder.path(), &["--vary", LENGTHS]);
+    let (code, told) = end(&output);
+    assert!(code == 1 && told.contains("position 0: load `z` has no finite value"), "{told}");
+    let rows = str::from_utf8(&output.stdout).unwrap();
+    assert!(rows.contains("load `z`") && !rows.contains("NaN") && !rows.contains("determinant"), "{rows}");
+}

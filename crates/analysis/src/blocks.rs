@@ -58,7 +58,8 @@ impl<'a> Blocks<'a> {
         let end = ((number + 1) * self.rows).min(self.positions());
         let (mut table, mut failures, mut at_change_points) = (filler.table(), Vec::new(), Vec::new());
         table.reserve(self.rows);
-        let input = &self.calculation.linkage.mechanism.input;
+        let mechanism = &self.calculation.linkage.mechanism;
+        let input = &mechanism.input;
         filler.notable = Notable::default();
         for first in (number * self.rows..end).step_by(Lanes::WIDTH) {
             let instants = std::array::from_fn(|lane| Instant {
@@ -66,16 +67,20 @@ impl<'a> Blocks<'a> {
                 holding: None,
             });
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
+                let mut key = None;
                 let message = match obstacle {
                     Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.to_string(),
-                    Obstacle::Load(error) => format!("position {index}: {error}"),
+                    Obstacle::Load(error) => {
+                        key = error.key(mechanism);
+                        format!("position {index}: {error}")
+                    }
                     Obstacle::ChangePoint => {
                         at_change_points.push(index);
                         continue;
                     }
                     Obstacle::Refused(error) => format!("position {index}: {error}"),
                 };
-                failures.push(Failure { index, coordinate: input.coordinate(index), message });
+                failures.push(Failure { index, coordinate: input.coordinate(index), message, key });
             }
         }
         Block { table, failures, at_change_points, notable: std::mem::take(&mut filler.notable) }

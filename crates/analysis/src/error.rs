@@ -44,7 +44,7 @@ pub enum AnalysisError {
 
 impl From<assur_dynamics::DynamicsError> for AnalysisError {
     fn from(error: assur_dynamics::DynamicsError) -> Self {
-        let (usage, key) = (crate::motion::is_usage(&error), error.key());
+        let (usage, key) = (crate::motion::is_usage(&error), Some(error.key()));
         Self::Motion { message: error.to_string(), usage, key }
     }
 }
@@ -56,12 +56,13 @@ impl AnalysisError {
             "the steady regime has no finite speed and acceleration at the coordinate {coordinate:.6}: the machine has no \
              inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`"
         );
-        Self::Motion { message, usage: false, key: None }
+        Self::Motion { message, usage: false, key: Some(&["motion"]) }
     }
 
     /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
     pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
         match self {
+            Self::Compile(error) => Some(error.key()?.into_iter().map(str::to_owned).collect()),
             Self::Load(error) => error.key(mechanism),
             Self::Motion { key: Some(key), .. } => Some(key.iter().map(|step| (*step).to_owned()).collect()),
             _ => None,

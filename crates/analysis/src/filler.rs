@@ -146,6 +146,7 @@ impl<'a> Filler<'a> {
         }
         obstacles.extend(refused.into_iter().map(|(lane, error)| match error {
             ForceError::ChangePoint(_) => (lane, Obstacle::ChangePoint),
+            ForceError::Load(error) => (lane, Obstacle::Load(error)),
             _ => (lane, Obstacle::Refused(error)),
         }));
         obstacles

@@ -4,6 +4,7 @@ use std::convert::Infallible;
 
 use assur_check::Notable;
 use assur_group::Order;
+use assur_kinematics::Linkage;
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
@@ -29,22 +30,23 @@ struct Positions {
     notable: Notable,
 }
 
-impl Calculation {
-    /// The positions that can't be assembled, at most [`MOST_FAILURES`] of them, and how many there are; nothing else is
-    /// calculated.
-    pub fn failures(&self) -> (Vec<Failure>, usize) {
-        let mut position = self.linkage.position();
-        let (mut failures, mut count) = (Vec::new(), 0);
-        for index in 0..self.linkage.mechanism.input.positions {
-            let Err(error) = self.linkage.solve_index(index, Order::Place, &mut position) else { continue };
-            count += 1;
-            if failures.len() < MOST_FAILURES {
-                failures.push(Failure { index, coordinate: error.coordinate, message: error.to_string() });
-            }
+/// The positions of a mechanism that can't be assembled, at most [`MOST_FAILURES`] of them, and how many there are; nothing
+/// else is calculated.
+pub fn lost_positions(linkage: &Linkage) -> (Vec<Failure>, usize) {
+    let mut position = linkage.position();
+    let (mut failures, mut count) = (Vec::new(), 0);
+    for index in 0..linkage.mechanism.input.positions {
+        let Err(error) = linkage.solve_index(index, Order::Place, &mut position) else { continue };
+        count += 1;
+        if failures.len() < MOST_FAILURES {
+            let (coordinate, message) = (error.coordinate, error.to_string());
+            failures.push(Failure { index, coordinate, message, key: None });
         }
-        (failures, count)
     }
+    (failures, count)
+}
 
+impl Calculation {
     /// Calculates the results of the scene, without [`checks`](Self::checks). A position without a solution is among
     /// the failures; one without forces too, and keeps the other results.
     ///

@@ -24,23 +24,26 @@ pub(crate) struct Samples {
 pub(crate) struct WithoutForces {
     /// How many of them are at a change point.
     pub(crate) at_change_points: usize,
-    /// For how many of them the method fails.
+    /// For how many of them the method fails, or a load has no value.
     pub(crate) refused: usize,
-    /// The error of the method at the first of them.
+    /// Why at the first of them.
     pub(crate) reason: Option<String>,
 }
 
 impl WithoutForces {
     fn add(&mut self, obstacle: &Obstacle) {
         match obstacle {
-            // Neither occurs in a state that an integrator has reached.
-            Obstacle::Unsolved(_) | Obstacle::Load(_) => {}
+            // Does not occur in a state that an integrator has reached.
+            Obstacle::Unsolved(_) => {}
             Obstacle::ChangePoint => self.at_change_points += 1,
-            Obstacle::Refused(why) => {
-                self.refused += 1;
-                self.reason.get_or_insert_with(|| why.to_string());
-            }
+            Obstacle::Load(why) => self.refuse(why),
+            Obstacle::Refused(why) => self.refuse(why),
         }
+    }
+
+    fn refuse(&mut self, why: &dyn std::error::Error) {
+        self.refused += 1;
+        self.reason.get_or_insert_with(|| why.to_string());
     }
 }
 

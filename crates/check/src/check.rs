@@ -1,9 +1,9 @@
 //! The result of a check, and how the residuals of all positions are combined.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// One check over all positions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// Name, stable.
     pub name: &'static str,
@@ -12,20 +12,16 @@ pub struct Check {
     /// Its limit.
     pub limit: f64,
     /// Number of the position of this residual; absent where it belongs to none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<usize>,
     /// Pair, link or point of this residual.
-    #[serde(skip_serializing_if = "String::is_empty")]
     pub place: String,
     /// What is compared, and where the limit comes from.
     pub reason: &'static str,
     /// Where not all positions (samples of a motion) were checked: how many were, and out of how many.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sample: Option<[usize; 2]>,
     /// Positions that could not be checked, or not in full (too close to the limit of assembly, or singular).
     pub left_out: usize,
     /// The reason for the first of them; empty where all were checked.
-    #[serde(skip_serializing_if = "str::is_empty")]
     pub why_left_out: &'static str,
     /// Whether the check is conclusive: a residual exceeds its limit, or at least one position could be checked in
     /// full. Otherwise it is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
@@ -54,9 +50,62 @@ impl Check {
         }
     }
 
+    /// Whether every residual keeps its limit; `None` where the check is not conclusive, and
+    /// [`why_left_out`](Self::why_left_out) says why.
+    pub fn verdict(&self) -> Option<bool> {
+        self.judged.then_some(self.ok)
+    }
+
     /// Whether a residual exceeds its limit. A check that could check no position does not fail.
     pub fn failed(&self) -> bool {
         self.judged && !self.ok
+    }
+}
+
+/// A check as results show it.
+#[derive(Serialize)]
+struct Shown<'a> {
+    name: &'a str,
+    residual: f64,
+    limit: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<usize>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    place: &'a str,
+    reason: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sample: Option<[usize; 2]>,
+    left_out: usize,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    why_left_out: &'a str,
+    judged: bool,
+    /// Null where the check is not conclusive.
+    ok: Option<bool>,
+    /// Why it is not.
+    why: Option<&'a str>,
+}
+
+impl Serialize for Check {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self {
+            name, residual, limit, at, ref place, reason, sample, left_out, why_left_out, judged, ..
+        } = *self;
+        let (ok, why) = (self.verdict(), (!judged).then_some(why_left_out));
+        let shown = Shown {
+            name,
+            residual,
+            limit,
+            at,
+            place,
+            reason,
+            sample,
+            left_out,
+            why_left_out,
+            judged,
+            ok,
+            why,
+        };
+        shown.serialize(serializer)
     }
 }
 

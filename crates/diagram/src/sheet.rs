@@ -42,7 +42,7 @@ pub struct Sheet {
 ///
 /// # Errors
 ///
-/// [`DiagramError`] where there is no position, or no reaction.
+/// [`DiagramError`] where there is no position, no reaction, or a load without a value.
 pub fn sheet(
     linkage: &Linkage,
     loads: &Loads,
@@ -52,6 +52,7 @@ pub fn sheet(
 ) -> Result<Sheet, DiagramError> {
     let mut position = linkage.position();
     linkage.solve(state.coordinate, Order::Second, &mut position)?;
+    loads.finite(&linkage.mechanism, state, &position.bodies)?;
     let list = named_loads(loads, state, &position.bodies);
     let (mut polygons, mut constructions, mut by_cause) = (Vec::new(), Vec::new(), None);
     if !list.is_empty() {

@@ -167,28 +167,23 @@ pub enum DynamicsError {
 }
 
 impl DynamicsError {
-    /// The key of the scene that the error concerns, step by step; `None` where it concerns the machine as a whole, or a
-    /// position of it.
-    pub fn key(&self) -> Option<&'static [&'static str]> {
+    /// The key of the scene that the error concerns, step by step; the motion where it concerns the machine as a whole.
+    pub fn key(&self) -> &'static [&'static str] {
         match self {
-            Self::NoMotion(_)
-            | Self::Integration(IntegrationError::Request(_) | IntegrationError::TooManySteps { .. }) => {
-                Some(&["motion"])
-            }
-            Self::Integration(IntegrationError::NotReached { .. }) => Some(&["motion", "until"]),
-            Self::Integration(IntegrationError::Registry(_)) => Some(&["motion", "integrator"]),
-            Self::OtherSpeed { .. } => Some(&["motion", "mean_speed"]),
-            Self::NoCycle => Some(&["input"]),
-            Self::NotRepeating { .. } => Some(&["input", "cycle"]),
-            Self::SteadyOnly(_) | Self::Stalled(_) | Self::NotTuned { .. } => Some(&["drive"]),
+            Self::Integration(IntegrationError::NotReached { .. }) => &["motion", "until"],
+            Self::Integration(IntegrationError::Registry(_)) => &["motion", "integrator"],
+            Self::OtherSpeed { .. } => &["motion", "mean_speed"],
+            Self::NoCycle => &["input"],
+            Self::NotRepeating { .. } => &["input", "cycle"],
+            Self::SteadyOnly(_) | Self::Stalled(_) | Self::NotTuned { .. } => &["drive"],
             Self::TooWeak { .. }
             | Self::OffSection { .. }
             | Self::NoMotor
             | Self::NoLoad(_)
             | Self::Rated(_)
             | Self::Lookup(_)
-            | Self::Selection(_) => Some(&["drive", "motor"]),
-            _ => None,
+            | Self::Selection(_) => &["drive", "motor"],
+            _ => &["motion"],
         }
     }
 }

@@ -5,7 +5,7 @@ use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 
-use crate::{Construction, Reactions};
+use crate::{Construction, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -86,6 +86,9 @@ pub enum ForceError {
         /// The reason, from the group.
         source: GroupError,
     },
+    /// A load has no value there, whatever the method.
+    #[error(transparent)]
+    Load(#[from] LoadError),
     /// The equations of equilibrium of the whole mechanism can't be solved.
     #[error(
         "coordinate {coordinate:.9}: the equations of equilibrium are singular (pivots as 1 to {health:.3e}); \

@@ -1,6 +1,6 @@
 //! What is wrong with the loads of a mechanism.
 
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Mechanism, Value};
 
 /// Why loads can't be compiled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -95,22 +95,39 @@ pub enum LoadError {
 impl LoadError {
     /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
     pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
-        let (name, part) = match self {
-            Self::NeedsMotion { name, .. } => (name, None),
+        let (name, of_size) = match self {
+            Self::NeedsMotion { name, .. } => (name, false),
             Self::StrokeOfMoment(name)
             | Self::NoStroke { name, .. }
             | Self::InfiniteStroke { name, .. }
             | Self::NotFinite { name, .. }
             | Self::Unlocated { name, .. }
             | Self::ChangesTooOften { name, .. }
-            | Self::NoPosition { name, .. } => (name, Some("value")),
+            | Self::NoPosition { name, .. } => (name, true),
         };
-        let forces = mechanism.forces.iter().map(|force| &force.name).position(|other| other == name);
-        let moments = mechanism.moments.iter().map(|moment| &moment.name).position(|other| other == name);
-        let springs = mechanism.springs.iter().map(|spring| &spring.name).position(|other| other == name);
-        let contacts = mechanism.contacts.iter().map(|contact| &contact.name).position(|other| other == name);
-        let lists = [("force", forces), ("moment", moments), ("spring", springs), ("contact", contacts)];
-        let (list, index) = lists.into_iter().find_map(|(list, index)| Some((list, index?)))?;
-        Some([list.to_owned(), index.to_string()].into_iter().chain(part.map(str::to_owned)).collect())
+        let (list, index, size) = place(name, mechanism)?;
+        let size = of_size.then(|| size.to_owned());
+        Some([list.to_owned(), index.to_string()].into_iter().chain(size).collect())
     }
+}
+
+/// Where the scene has a load: its list, its number there, and the key that gives its size.
+fn place(name: &str, mechanism: &Mechanism) -> Option<(&'static str, usize, &'static str)> {
+    let Mechanism { forces, moments, springs, contacts, .. } = mechanism;
+    let named = |other: &str| other == name;
+    // A brake is a moment of the mechanism, and has a list of its own in the scene.
+    let brakes = || moments.iter().filter(|moment| moment.brake.is_some());
+    let others = || moments.iter().filter(|moment| moment.brake.is_none());
+    let contact = |index: usize| {
+        let found = &contacts[index];
+        let varies = |value: &Value| !matches!(value, Value::Constant(_));
+        let part = if varies(&found.angle) && !varies(&found.force) { "angle" } else { "force" };
+        ("contact", index, part)
+    };
+    let force = forces.iter().position(|one| named(&one.name)).map(|index| ("force", index, "value"));
+    force
+        .or_else(|| others().position(|one| named(&one.name)).map(|index| ("moment", index, "value")))
+        .or_else(|| brakes().position(|one| named(&one.name)).map(|index| ("brake", index, "force")))
+        .or_else(|| springs.iter().position(|one| named(&one.name)).map(|index| ("spring", index, "damping")))
+        .or_else(|| contacts.iter().position(|one| named(&one.name)).map(contact))
 }

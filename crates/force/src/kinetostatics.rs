@@ -34,14 +34,30 @@ impl<'a> Kinetostatics<'a> {
     ///
     /// # Errors
     ///
-    /// [`ForceError`] where they are not determined, [`ForceError::ChangePoint`] among them.
+    /// [`ForceError`] where they are not determined, [`ForceError::ChangePoint`] and [`ForceError::Load`] among them.
     #[inline]
     pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
         if self.linkage.is_at_change_point(position) {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions)
+        let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
+        if found.is_ok() && self.reactions.balancing.is_finite() {
+            return found;
+        }
+        self.explained(found, state, position)
+    }
+
+    /// Whatever a method says of loads without a value: the load is the reason.
+    #[cold]
+    fn explained(
+        &self,
+        found: Result<(), ForceError>,
+        state: &State,
+        position: &Position,
+    ) -> Result<(), ForceError> {
+        self.loads.finite(&self.linkage.mechanism, state, &position.bodies)?;
+        found
     }
 
     /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
@@ -95,10 +111,11 @@ impl<'a> LaneKinetostatics<'a> {
         loads.evaluate(states, &position.bodies, &mut self.wrenches);
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
         let near = position.coordinates.0.map(|coordinate| linkage.is_interpolated(coordinate));
-        if together && near == [false; Lanes::WIDTH] {
+        let valueless = self.reactions.balancing.0.map(|load| !load.is_finite());
+        if together && (near, valueless) == ([false; Lanes::WIDTH], [false; Lanes::WIDTH]) {
             return Ok(());
         }
-        let alone = near.map(|near| near || !together);
+        let alone = std::array::from_fn(|lane| near[lane] || valueless[lane] || !together);
         self.solve_alone(alone, states, position)
     }
 

@@ -13,14 +13,14 @@ pub enum GroupError {
         gap_m: f64,
     },
     /// The links can be placed, but derivatives or reactions are not determined there.
-    #[error("singular position (dimensionless determinant {health:.3e})")]
+    #[error("singular position ({})", determinant(*health))]
     Singular {
         /// The dimensionless determinant of the group.
         health: f64,
     },
     /// The iteration from the starting pose that the known places give came to a singular pose.
     #[error(
-        "the starting guess is singular (dimensionless determinant {health:.3e}): give `[assembly]` more points"
+        "the starting guess is singular ({}): give `[assembly]` more points", determinant(*health)
     )]
     SingularStart {
         /// The dimensionless determinant of the group.
@@ -35,6 +35,15 @@ pub enum GroupError {
         /// Its pairs, inner and outer together.
         pairs: usize,
     },
+}
+
+/// Numbers that outgrow all others have no determinant.
+fn determinant(health: f64) -> String {
+    if health.is_finite() {
+        format!("dimensionless determinant {health:.3e}")
+    } else {
+        "its determinant has no finite value".to_owned()
+    }
 }
 
 fn unfit(links: usize, pairs: usize) -> String {
@@ -53,12 +62,20 @@ fn unfit(links: usize, pairs: usize) -> String {
 pub struct BuildError {
     /// What is wrong, with the numbers.
     pub what: String,
+    /// The link that is at fault, where it is one: its index among all links.
+    pub link: Option<usize>,
 }
 
 impl BuildError {
     /// An error with this description.
     pub fn new(what: impl Into<String>) -> Self {
-        Self { what: what.into() }
+        Self { what: what.into(), link: None }
+    }
+
+    /// The link that is at fault, by its index among all links.
+    #[must_use]
+    pub fn of_link(self, link: usize) -> Self {
+        Self { link: Some(link), ..self }
     }
 }
 

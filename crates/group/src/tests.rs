@@ -114,6 +114,10 @@ fn errors_read_as_sentences() {
         (GroupError::NoAssembly { gap_m: 0.012_345 }, "no assembly: it misses by 12.345000 mm"),
         (GroupError::Singular { health: 0.0 }, "singular position (dimensionless determinant 0.000e0)"),
         (
+            GroupError::Singular { health: f64::NAN },
+            "singular position (its determinant has no finite value)",
+        ),
+        (
             GroupError::Unfit { links: 10, pairs: 15 },
             "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has 10 links \
              and 15 pairs and needs a kind of its own",

@@ -17,7 +17,19 @@ pub enum CompileError {
         group: String,
         /// What is wrong.
         source: BuildError,
+        /// The link that is at fault, where it is one.
+        link: Option<String>,
     },
+}
+
+impl CompileError {
+    /// The key of the scene that the error concerns, step by step, if it is about a link.
+    pub fn key(&self) -> Option<Vec<&str>> {
+        match self {
+            Self::Structure(error) => Some(vec!["link", error.link()?]),
+            Self::Build { link, .. } => Some(vec!["link", link.as_deref()?, "points"]),
+        }
+    }
 }
 
 /// Why there is no position at a coordinate.

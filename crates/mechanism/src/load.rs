@@ -40,6 +40,32 @@ pub enum Value {
     },
 }
 
+impl Value {
+    /// The same law with another size: every value of it times a factor.
+    #[must_use]
+    pub fn scaled(mut self, scale: f64) -> Self {
+        let all = |table: &mut Table| table.rows.iter_mut().for_each(|row| row[1] *= scale);
+        match &mut self {
+            Self::Constant(value) => *value *= scale,
+            Self::Table { table, .. } => all(table),
+            Self::Stroke { forward, back, .. } => [forward, back].into_iter().for_each(all),
+            Self::Formula { factor, .. } => *factor *= scale,
+        }
+        self
+    }
+
+    /// The sizes that it gives: the values of a constant and of tables, the SI value of a formula's result of 1.
+    pub fn sizes(&self) -> impl Iterator<Item = f64> {
+        let (number, tables) = match self {
+            Self::Constant(number) | Self::Formula { factor: number, .. } => (Some(*number), [None, None]),
+            Self::Table { table, .. } => (None, [Some(table), None]),
+            Self::Stroke { forward, back, .. } => (None, [Some(forward), Some(back)]),
+        };
+        let rows = tables.into_iter().flatten().flat_map(|table| &table.rows);
+        number.into_iter().chain(rows.map(|row| row[1]))
+    }
+}
+
 /// The quantity of a table's first column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Over {

@@ -201,4 +201,9 @@ fn columns_are_harmless_and_have_one_name_each() {
     let cells = [Cell::Number(1.0), Cell::Text("-sum(A1)"), Cell::Number(3.0), Cell::Empty];
     let text = write(&["=a", "b", "ä", "ae"], [cells], true).unwrap();
     assert_eq!(text, "_=a,b,ae,ae_2\n1,_-sum(A1),3,\n");
+    // Full and small width, which some spreadsheets take for the common sign; after a letter it is a name's own.
+    for begins in ["＝1", "＋1", "－1", "＠a", "﹦1", "﹢1", "﹣1", "﹫a", "−1"] {
+        let text = write(&[begins], [[Cell::Text(begins)], [Cell::Text("a＝1")]], false).unwrap();
+        assert_eq!(text, format!("_{begins}\n_{begins}\na＝1\n"));
+    }
 }

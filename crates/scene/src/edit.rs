@@ -37,12 +37,12 @@ impl<'a> Document<'a> {
         Self { text, table: DeTable::parse_recoverable(text).0 }
     }
 
-    /// Finds the place of a key.
+    /// Finds the places of a key: one, or where it names several elements of a list all of them.
     ///
     /// # Errors
     ///
     /// A message about the key, with the keys that exist instead.
-    pub fn find(&self, key: &Key) -> Result<Place, String> {
+    pub fn find(&self, key: &Key) -> Result<Vec<Place>, String> {
         find::find(self.table.get_ref(), &key.0)
     }
 

@@ -86,7 +86,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 pub(crate) const CONTACTS: Sort<Contact> = Sort {
     key: "contact",
     what: "a contact",
-    keys: &["name", "link", "center", "radius", "angle", "force", "friction", "during"],
+    keys: &["name", "link", "center", "radius", "angle", "force", "scale", "friction", "during"],
     one: contact,
 };
 
@@ -105,7 +105,7 @@ fn contact(
         Some(entry) => entry.bounded(Dimension::Angle, Bound::Direction).map(Value::Constant),
     };
     let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
-    let force = section.need("force").and_then(|entry| value::read(&entry, Dimension::Force, false, context));
+    let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = section
         .need("link")

@@ -74,21 +74,23 @@ pub fn note(file_name: &str, text: &str) -> Result<Note, SceneErrors> {
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
-/// element of a list is given by its number, from 0. `None` if the scene has no such key. `file_name` appears only in the
-/// error.
+/// element of a list is given by its number, from 0. Where the scene leaves a key out, the fault is at the table that would
+/// have it; `None` if there is none either. `file_name` appears only in the error.
 pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Option<SceneErrors> {
     let (document, _) = DeTable::parse_recoverable(text);
     let (first, rest) = path.split_first()?;
     let (key, mut value) = document.get_ref().get_key_value(*first)?;
     let mut span = key.span();
     for step in rest {
-        (span, value) = match value.get_ref() {
-            DeValue::Table(table) => table.get_key_value(*step).map(|(key, value)| (key.span(), value))?,
+        let next = match value.get_ref() {
+            DeValue::Table(table) => table.get_key_value(*step).map(|(key, value)| (key.span(), value)),
             DeValue::Array(array) => {
-                array.get(step.parse::<usize>().ok()?).map(|value| (value.span(), value))?
+                step.parse().ok().and_then(|index: usize| array.get(index)).map(|value| (value.span(), value))
             }
-            _ => return None,
+            _ => None,
         };
+        let Some(next) = next else { break };
+        (span, value) = next;
     }
     let faults = Faults::default();
     faults.push(Fault::new(span, message));

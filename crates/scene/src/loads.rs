@@ -27,13 +27,13 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
 pub(crate) const FORCES: Sort<Force> = Sort {
     key: "force",
     what: "a force",
-    keys: &["name", "link", "at", "angle", "frame", "value", "against_motion"],
+    keys: &["name", "link", "at", "angle", "frame", "value", "scale", "against_motion"],
     one: force,
 };
 
 fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut LoadNames) -> Option<Force> {
     let direction = direction(section, context);
-    let value = section.need("value").and_then(|entry| value::read(&entry, Dimension::Force, true, context));
+    let value = value::sized(section, "value", Dimension::Force, true, context);
     let weight = "the ground carries any load";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
@@ -66,7 +66,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 
 /// Reads a `[[moment]]`.
 pub(crate) const MOMENTS: Sort<Moment> =
-    Sort { key: "moment", what: "a moment", keys: &["name", "link", "value"], one: moment };
+    Sort { key: "moment", what: "a moment", keys: &["name", "link", "value", "scale"], one: moment };
 
 fn moment(
     section: &Section<'_>,
@@ -74,8 +74,7 @@ fn moment(
     context: &Context<'_>,
     names: &mut LoadNames,
 ) -> Option<Moment> {
-    let value =
-        section.need("value").and_then(|entry| value::read(&entry, Dimension::Moment, false, context));
+    let value = value::sized(section, "value", Dimension::Moment, false, context);
     let weight = "the ground carries any load";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let on = link.map_or("?", |link| &context.linkage.links[link].name);
@@ -87,7 +86,7 @@ fn moment(
 pub(crate) const BRAKES: Sort<Moment> = Sort {
     key: "brake",
     what: "a brake",
-    keys: &["name", "link", "radius", "force", "friction"],
+    keys: &["name", "link", "radius", "force", "scale", "friction"],
     one: brake,
 };
 
@@ -101,11 +100,10 @@ fn brake(
         |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::NotNegative));
     let radius = bounded("radius", Dimension::Length);
     let friction = bounded("friction", Dimension::Number);
-    let force = section.need("force");
-    if let Some(entry) = &force {
-        context.need_motion(entry, "a brake");
+    if let Some(entry) = section.get("force") {
+        context.need_motion(&entry, "a brake");
     }
-    let force = force.and_then(|entry| value::read(&entry, Dimension::Force, false, context));
+    let force = value::sized(section, "force", Dimension::Force, false, context);
     let ground = "the ground does not turn";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
     let on = link.map_or("?", |link| &context.linkage.links[link].name);

@@ -7,7 +7,7 @@ use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::brief;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section};
 
 const OVER: &[(&str, Kind)] = &[
@@ -66,6 +66,25 @@ pub(crate) fn read(
             strokes(&section, shape, dimension)
         }
     }
+}
+
+/// Reads the size of a load under a key of its section, times the load's `scale`.
+pub(crate) fn sized(
+    section: &Section<'_>,
+    key: &str,
+    dimension: Dimension,
+    stroke: bool,
+    context: &Context<'_>,
+) -> Option<Value> {
+    let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
+    let Some(scale) = section.get("scale") else { return Some(value) };
+    let value = value.scaled(scale.bounded(Dimension::Number, Bound::Any)?);
+    if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
+        let message = format!("`scale` makes the size of the load {}, out of range", brief(size));
+        scale.fault(message, "results would have no digits: are unit and factor right?");
+        return None;
+    }
+    Some(value)
 }
 
 /// The argument of the table; if `over` is missing, the keys are checked against those of all tables.

@@ -2,6 +2,7 @@
 
 use assur_force::LoadError;
 use assur_kinematics::PositionError;
+use assur_mechanism::Mechanism;
 use serde::Serialize;
 
 /// Shaking force and moment of a mechanism over its cycle.
@@ -140,4 +141,25 @@ pub enum ShakingError {
     /// A position of the cycle has no solution.
     #[error(transparent)]
     Position(#[from] PositionError),
+}
+
+impl ShakingError {
+    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number. `None` where
+    /// it concerns a position.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+        let steps: &[&str] = match self {
+            Self::NoCycle => &["input", "to"],
+            Self::NoMotion if mechanism.motion.is_some() => &["motion", "kind"],
+            Self::NoMotion => &["input"],
+            Self::NoMass => &["link"],
+            Self::Load(error) => return error.key(mechanism),
+            Self::Position(_) => return None,
+        };
+        Some(steps.iter().map(|step| (*step).to_owned()).collect())
+    }
+
+    /// Whether the machine has no solution, though the scene is sound.
+    pub fn is_no_solution(&self) -> bool {
+        matches!(self, Self::Position(_) | Self::Load(LoadError::NotFinite { .. }))
+    }
 }

@@ -15,8 +15,8 @@ pub(crate) struct Axis {
     pub(crate) key: String,
     /// Name of its column.
     pub(crate) column: String,
-    /// Bytes of the file that are replaced.
-    pub(crate) span: Range<usize>,
+    /// Bytes of the file that are replaced, in one place or several.
+    pub(crate) spans: Vec<Range<usize>>,
     /// First value.
     pub(crate) from: f64,
     /// Last value.
@@ -58,13 +58,18 @@ impl Axis {
         Ok(Self {
             key,
             column,
-            span: found.span,
+            spans: found.into_iter().map(|place| place.span).collect(),
             from: from.number,
             to: to.number,
             count,
             name: from.unit,
             unit,
         })
+    }
+
+    /// Whether both set a number of the scene.
+    pub(crate) fn shares(&self, other: &Self) -> bool {
+        self.spans.iter().any(|span| other.spans.contains(span))
     }
 
     /// A value in SI.
@@ -108,16 +113,17 @@ impl End {
 /// What the parameter measures; `None` for a count.
 fn dimension(
     vary: &Vary,
-    found: &Place,
+    found: &[Place],
     ends: [&End; 2],
     file: &str,
     scene: &str,
 ) -> Result<Option<Dimension>, String> {
-    let own = found.text.clone().or_else(|| scene.get(found.span.clone()).map(|text| text.replace('_', "")));
+    let written = |place: &Place| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
+    let own = found.first().and_then(|place| place.text.clone().or_else(|| written(place)));
     let own = own.filter(|text| split(text).is_some());
     let texts = ends.map(End::text);
     let texts: Vec<&str> = own.iter().chain(&texts).map(String::as_str).collect();
-    let with = |value: &str| replaced(scene, [(&found.span, value)]);
+    let with = |value: &str| replaced(scene, found.iter().map(|place| (&place.span, value)));
     match takes(&texts, |value| assur_scene::read(file, &with(value)).is_ok()) {
         Takes::Quantity(kinds) => chosen(&kinds, ends).map(Some),
         Takes::Bare if ends.iter().all(|end| end.unit.is_empty()) => Ok(None),

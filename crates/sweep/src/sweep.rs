@@ -74,7 +74,7 @@ impl Sweep {
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
         let axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for (index, axis) in axes.iter().enumerate() {
-            if let Some(same) = axes[..index].iter().find(|other| other.span == axis.span) {
+            if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
                 return Err(SweepError::Twice { first: same.key.clone(), second: axis.key.clone() });
             }
         }

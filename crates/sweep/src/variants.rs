@@ -82,7 +82,8 @@ impl Variants {
     /// The faults that the reader of scenes finds.
     pub(crate) fn read(&self, axes: &[Axis], numbers: &[f64]) -> Result<Mechanism, SceneErrors> {
         let texts: Vec<String> = axes.iter().zip(numbers).map(|(axis, number)| axis.toml(*number)).collect();
-        let edits = axes.iter().zip(&texts).map(|(axis, text)| (&axis.span, text.as_str()));
+        let edits = axes.iter().zip(&texts);
+        let edits = edits.flat_map(|(axis, text)| axis.spans.iter().map(move |span| (span, text.as_str())));
         assur_scene::read(&self.file, &replaced(&self.scene, edits))
     }
 

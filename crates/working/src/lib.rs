@@ -14,9 +14,10 @@ mod input;
 mod loads;
 mod names;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadError, Loads, State};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
+use assur_mechanism::Mechanism;
 use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Units};
 
 /// The working of one position.
@@ -47,6 +48,14 @@ pub enum WorkingError {
     /// The mechanism can't be assembled there.
     #[error(transparent)]
     Position(#[from] PositionError),
+    /// A load has no value there.
+    #[error("{place}: {error}")]
+    Load {
+        /// The position or the sample.
+        place: Place,
+        /// Which load.
+        error: LoadError,
+    },
     /// Two plugins provide a working for one kind.
     #[error(transparent)]
     Registry(#[from] RegistryError),
@@ -76,6 +85,22 @@ pub enum Place {
     Sample(usize),
 }
 
+impl WorkingError {
+    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+        if let Self::Load { error, .. } = self { error.key(mechanism) } else { None }
+    }
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Position(number) => write!(f, "position {number}"),
+            Self::Sample(number) => write!(f, "sample {number}"),
+        }
+    }
+}
+
 /// The drive of the input link in a state, reduced to it; positive along the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
@@ -102,7 +127,7 @@ impl Working {
     ///
     /// # Errors
     ///
-    /// [`WorkingError`] if the position does not exist or can't be assembled.
+    /// [`WorkingError`] if the position does not exist or can't be assembled, or a load has no value there.
     pub fn of(task: &Task<'_>) -> Result<Self, WorkingError> {
         Self::by(task, true)
     }
@@ -119,6 +144,10 @@ impl Working {
                 linkage.solve_index(index, Order::Second, &mut position)?;
             }
             Place::Sample(_) => linkage.solve(state.coordinate, Order::Second, &mut position)?,
+        }
+        if let Some(loads) = loads {
+            let finite = loads.finite(&linkage.mechanism, &state, &position.bodies);
+            finite.map_err(|error| WorkingError::Load { place, error })?;
         }
         let units = if linkage.angular() { Units::ANGULAR } else { Units::LINEAR };
         let sheet = Sheet::new(names::of(linkage), units);

@@ -3,10 +3,13 @@
 /// Range of decimal exponents printed without an exponent; other numbers have the form 1.5e-7.
 const PLAIN: std::ops::RangeInclusive<i32> = -5..=5;
 
+/// What stands for a value that is not finite. No working shows such a number: every number of it is formatted here.
+const UNDETERMINED: &str = "(undetermined)";
+
 /// Formats a number with so many significant digits; returns it with half a unit of its last digit.
 pub(crate) fn significant(value: f64, digits: usize) -> (String, f64) {
     if value == 0.0 || !value.is_finite() {
-        return (if value == 0.0 { "0".to_owned() } else { value.to_string() }, 0.5);
+        return (if value == 0.0 { "0" } else { UNDETERMINED }.to_owned(), 0.5);
     }
     let scientific = format!("{:.*e}", digits - 1, value);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));

@@ -92,9 +92,8 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let square = dot(rod, rod);
         let length = square.sqrt();
         if length.to_f64().is_nan() || length.to_f64() <= 0.0 {
-            return Err(BuildError::new(
-                "the rod of a group RRP needs its two pins apart; their distance is 0",
-            ));
+            let what = "the rod of a group RRP needs its two pins apart; their distance is 0";
+            return Err(BuildError::new(what).of_link(group.links[0]));
         }
         let size = frame.scale.max(length.to_f64());
         Ok(Self {

@@ -96,7 +96,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let lengths = [l1.to_f64(), l2.to_f64()];
         if let Some(i) = lengths.iter().position(|&l| l.is_nan() || l <= 0.0) {
             let what = format!("link {} of a group RRR needs its two pins apart; their distance is 0", i + 1);
-            return Err(BuildError::new(what));
+            return Err(BuildError::new(what).of_link(group.links[i]));
         }
         let (sum, difference) = (l1 + l2, l1 - l2);
         let size = frame.scale.max(sum.to_f64());

@@ -1,10 +1,9 @@
 //! `assur analyze`.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Analysis, Check, Failure, Table};
+use assur_analysis::results::{Analysis, Table};
 use assur_report::{csv, json, parquet, text};
 
 use super::args::AnalyzeArgs;
@@ -12,13 +11,9 @@ use super::fault::{Fault, Status};
 use super::options::Format;
 use super::output::Output;
 use super::style::Style;
+use super::verdict::Verdict;
 use super::{plans, scene};
 use crate::progress::ProgressLine;
-
-/// Most failures that are printed in full; of the others only the numbers.
-const MOST: usize = 3;
-/// Most numbers of further failures.
-const MOST_NUMBERS: usize = 100;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
@@ -33,12 +28,12 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    if let Err(problem) = json::analysis::finite(&analysis) {
-        style.tell(&format!("error: {problem}"));
-        return Ok(Status::Failed);
+    let verdict = Verdict::of(&analysis, &study, &scene.scene, style);
+    if !verdict.writable {
+        verdict.tell(style);
+        return Ok(verdict.status());
     }
-    let found = analysis.failures.is_empty() && analysis.no_motion.is_none();
-    let status = if found { added } else { Status::Failed };
+    let status = verdict.status().or(added);
     let results = Results { study: &study, analysis: &analysis, line: &line, style };
     let written = match form {
         Form::Json => results.json(output, status),
@@ -58,9 +53,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             "note: Parquet has the positions; the motion over time is written by `--format csv -o FOLDER`.",
         );
     }
-    tell_failures(&analysis.failures, analysis.survey.failures, style);
-    tell_no_motion(&study, &scene.scene, style);
-    tell_checks(&analysis.checks, style);
+    verdict.tell(style);
     written.map(|()| status)
 }
 
@@ -152,35 +145,5 @@ impl Results<'_> {
             self.each(Table::clone, |table| writer.add(&table).map_err(io::Error::other))?;
             writer.finish().map_err(io::Error::other)
         })
-    }
-}
-
-/// Checks that fail, or that could check nothing, are reported on standard error.
-pub(crate) fn tell_checks(checks: &[Check], style: Style) {
-    for check in checks.iter().filter(|check| check.failed()) {
-        style.tell(&format!("FAILED: {}: {}", check.name, check.reason));
-    }
-    for check in checks.iter().filter(|check| !check.failed() && !check.judged) {
-        style.tell(&format!("not judged: {}: {}", check.name, check.why_left_out));
-    }
-}
-
-/// A requested motion that is not found is reported on standard error.
-pub(crate) fn tell_no_motion(study: &Calculation, path: &Path, style: Style) {
-    if let Some(error) = &study.no_motion {
-        style.tell(&scene::fault(path, error, style).to_string());
-    }
-}
-
-/// Positions without a solution are reported on standard error, the first ones in full; `count`: how many there are.
-pub(crate) fn tell_failures(failures: &[Failure], count: usize, style: Style) {
-    for Failure { message, .. } in failures.iter().take(MOST) {
-        style.tell(&format!("error: {message}"));
-    }
-    if let Some(more) = count.checked_sub(MOST).filter(|more| *more > 0) {
-        let rest: Vec<_> =
-            failures.iter().skip(MOST).take(MOST_NUMBERS).map(|failure| failure.index.to_string()).collect();
-        let dots = if rest.len() < more { ", ..." } else { "" };
-        style.tell(&format!("error: no solution in {more} more positions: {}{dots}", rest.join(", ")));
     }
 }

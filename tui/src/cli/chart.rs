@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use assur_kinematics::Linkage;
 use assur_study::chart::{self, ChartData, ChartError, Options};
 use clap::Args;
 use signal_hook::consts::SIGINT;
 
 use super::fault::{Fault, Status};
-use super::options::Format;
+use super::options::{Format, MethodArgs, SceneArgs};
 use super::output::Output;
 use super::scene;
 use super::style::Style;
@@ -49,6 +48,9 @@ fn is_picture(path: &Path) -> bool {
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let stop = on_interrupt()?;
+    let scene = SceneArgs { scene: args.scene.clone(), methods: MethodArgs::default() };
+    let verdict = scene::verdict(&scene::whole_study(&scene, style)?, &args.scene, style)?;
+    verdict.tell(style);
     let data = match charted(&args.scene, args.quick, style, &stop)? {
         Ok(data) => data,
         Err(failure) => {
@@ -60,9 +62,9 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     if stopped {
         style.tell("stopped: what had been measured follows");
     }
+    let status = if stopped { Status::Code(INTERRUPTED) } else { verdict.status() };
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
         let figure = chart::figure(&data);
-        let status = if stopped { Status::Code(INTERRUPTED) } else { Status::Done };
         let picture = crate::screen::command::picture(&figure, path, PAGE).map_err(Fault::other)?;
         return output.write(picture, status).map(|()| status);
     }
@@ -71,7 +73,6 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         Format::Json => data.to_json().map_err(Fault::other)?,
         Format::Csv => chart::csv(&data).map_err(Fault::other)?,
     };
-    let status = if stopped { Status::Code(INTERRUPTED) } else { Status::Done };
     output.write(text, status).map(|()| status)
 }
 
@@ -91,8 +92,7 @@ fn charted(
     style: Style,
     stop: &AtomicBool,
 ) -> Result<Result<ChartData, ChartError>, Fault> {
-    let mechanism = scene::read(path, style)?;
-    let linkage = Linkage::compile(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?;
+    let linkage = scene::linkage(path, style)?;
     let options = if quick { Options::QUICK } else { Options::THOROUGH };
     let line = ProgressLine::new();
     let mut clock = SystemClock::default();
@@ -102,9 +102,7 @@ fn charted(
     });
     drop(line);
     match found {
-        Err(error @ (ChartError::Compile(_) | ChartError::Load(_))) => {
-            Err(scene::in_file(path, &error.to_string()))
-        }
+        Err(error @ ChartError::Compile(_)) => Err(scene::in_file(path, &error.to_string())),
         other => Ok(other),
     }
 }

@@ -27,13 +27,15 @@ pub(crate) fn run(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(Some(&args.output), &args.scene.scene)?;
     scene::options(&args.scene.methods)?;
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    match still::draw(args.scene.scene.clone(), methods, &args.request, &args.output) {
-        Ok(content) => output.write(content, Status::Done).map(|()| Status::Done),
+    let state = still::analyzed(still::open(args.scene.scene.clone())?, methods, args.request.shows_checks());
+    let verdict = scene::verdict_of(&state, &args.scene, style)?;
+    verdict.tell(style);
+    match still::draw(state, &args.request, &args.output) {
+        Ok(content) => output.write(content, verdict.status()).map(|()| verdict.status()),
         Err(StillError::Nothing(why)) => {
             style.tell(&format!("error: there is nothing to draw: {why}"));
             Ok(Status::Failed)
         }
-        Err(StillError::Scene(error)) => Err(error.into()),
         Err(error @ StillError::Request(_)) => Err(Fault::Scene(error.to_string())),
     }
 }

@@ -8,7 +8,8 @@ use assur_working::WorkingError;
 use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
-use super::{analyze, output, scene};
+use super::verdict::Verdict;
+use super::{output, scene};
 use crate::working;
 
 pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
@@ -31,9 +32,11 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
 
 /// Every equation of one position, or of one sample of a transient motion, with its numbers.
 fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fault> {
-    let fault = |error: &dyn std::fmt::Display| scene::in_file(&args.scene.scene, &error.to_string());
+    let path = &args.scene.scene;
+    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, &error.to_string());
     let study = scene::whole_study(&args.scene, style)?;
-    analyze::tell_no_motion(&study, &args.scene.scene, style);
+    let verdict = Verdict::of_motion(&study, path, style);
+    verdict.tell(style);
     let worked = match study.sample(index) {
         (Some(state), _) => working::of_sample(&study, index, state),
         (None, 0) => working::of_position(&study, index),
@@ -45,10 +48,16 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     match worked {
         Ok(working) => {
             output::print(&style.text(&working.text()))?;
-            Ok(Status::Done)
+            Ok(verdict.status())
         }
         Err(error @ WorkingError::Position(_)) => {
             style.tell(&fault(&error).to_string());
+            Ok(Status::Failed)
+        }
+        Err(error @ WorkingError::Load { .. }) => {
+            let key = error.key(&study.linkage.mechanism);
+            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string(), style));
+            style.tell(&located.unwrap_or_else(|| fault(&error)).to_string());
             Ok(Status::Failed)
         }
         Err(error) => Err(fault(&error)),

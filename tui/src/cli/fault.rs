@@ -18,6 +18,13 @@ pub(crate) enum Status {
     Code(u8),
 }
 
+impl Status {
+    /// This status, or the other one where this is success.
+    pub(crate) fn or(self, other: Self) -> Self {
+        if self == Self::Done { other } else { self }
+    }
+}
+
 impl From<Status> for ExitCode {
     fn from(status: Status) -> Self {
         match status {

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
 use assur_report::{csv, json, text};
 use clap::Args;
@@ -12,6 +11,7 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
+use super::verdict::Verdict;
 
 /// Arguments of `geometry`.
 #[derive(Debug, Clone, Args)]
@@ -32,15 +32,16 @@ pub(crate) struct GeometryArgs {
 pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let mechanism = scene::read(path, style)?;
+    let linkage = scene::linkage(path, style)?;
     let against = match &args.against {
         None => GROUND,
-        Some(name) => mechanism.link(name).ok_or_else(|| {
-            let names: Vec<_> = mechanism.links.iter().map(|link| link.name.as_str()).collect();
+        Some(name) => linkage.mechanism.link(name).ok_or_else(|| {
+            let names: Vec<_> = linkage.mechanism.links.iter().map(|link| link.name.as_str()).collect();
             Fault::other(format!("`--against {name}`: the scene has no such link, only {}", names.join(", ")))
         })?,
     };
-    let linkage = Linkage::compile(mechanism).map_err(|error| scene::in_file(path, &error.to_string()))?;
+    let verdict = Verdict::of_positions(&linkage, path, style);
+    verdict.tell(style);
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,
         Err(error) => {
@@ -53,5 +54,5 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
         Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
         Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::other)?,
     };
-    output.write(text, Status::Done).map(|()| Status::Done)
+    output.write(text, verdict.status()).map(|()| verdict.status())
 }

@@ -22,6 +22,7 @@ mod starter;
 mod style;
 mod sweep;
 mod usage;
+mod verdict;
 
 use std::ffi::OsString;
 use std::io::IsTerminal;

@@ -6,7 +6,7 @@ use assur_analysis::Coverage;
 use clap::{Args, ValueEnum};
 
 /// Methods by name.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct MethodArgs {
     /// Force analyzer (see `assur plugins`)
     #[arg(long, value_name = "NAME")]

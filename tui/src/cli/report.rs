@@ -45,11 +45,9 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
     }
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
     let mut state = still::analyzed(still::open(path.clone())?, methods, true);
-    let failed = state.found().is_none_or(|found| {
-        let analysis = &found.analysis;
-        analysis.no_motion.is_some() || analysis.checks.iter().any(assur_analysis::results::Check::failed)
-    });
-    let status = if failed { Status::Failed } else { Status::Done };
+    let verdict = scene::verdict_of(&state, &args.scene, style)?;
+    verdict.tell(style);
+    let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let name = format!("{stem}-figures");
     let written = note::write(&mut state, &note, form, &name).map_err(Fault::other)?;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use assur_analysis::{AnalysisError, Calculation, Options};
+use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::Structure;
@@ -10,15 +11,18 @@ use assur_structure::Structure;
 use super::fault::Fault;
 use super::options::{MethodArgs, SceneArgs};
 use super::style::Style;
+use super::verdict::Verdict;
 use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
+use crate::screen::state::State;
 
 /// Reads a scene file.
 pub(crate) fn read(path: &Path, style: Style) -> Result<Mechanism, Fault> {
     let text = files::read(path)?;
     let name = path.display().to_string();
     let mechanism = assur_scene::read(&name, &text).map_err(|errors| faults(&errors, style))?;
-    let structure = || Structure::of(&mechanism).err().and_then(|error| files::located(&name, &text, &error));
+    let structure =
+        || Structure::of(&mechanism).err().and_then(|error| files::located(&name, &text, &error.into()));
     match files::integrator_fault(&name, &text, &mechanism).or_else(structure) {
         Some(errors) => Err(faults(&errors, style)),
         None => Ok(mechanism),
@@ -57,13 +61,38 @@ fn compiled(
 /// An error of a calculation, at the key of the scene that it concerns if there is one.
 pub(crate) fn fault(path: &Path, error: &AnalysisError, style: Style) -> Fault {
     let located = || {
-        let text = files::read(path).ok()?;
-        let name = path.display().to_string();
-        let key = error.key(&assur_scene::read(&name, &text).ok()?)?;
-        let steps: Vec<&str> = key.iter().map(String::as_str).collect();
-        assur_scene::fault_at(&name, &text, &steps, &error.to_string())
+        let mechanism = assur_scene::read(&path.display().to_string(), &files::read(path).ok()?).ok()?;
+        at_key(path, &error.key(&mechanism)?, &error.to_string(), style)
     };
-    located().map_or_else(|| in_file(path, &error.to_string()), |errors| faults(&errors, style))
+    located().unwrap_or_else(|| in_file(path, &error.to_string()))
+}
+
+/// A fault that is found while calculating, at a key of the scene; `None` if the scene has no such key.
+pub(crate) fn at_key(path: &Path, key: &[String], message: &str, style: Style) -> Option<Fault> {
+    let text = files::read(path).ok()?;
+    let steps: Vec<&str> = key.iter().map(String::as_str).collect();
+    let errors = assur_scene::fault_at(&path.display().to_string(), &text, &steps, message)?;
+    Some(faults(&errors, style))
+}
+
+/// Calculates the results of a scene, for a command that gives others: what they lack, those lack too.
+pub(crate) fn verdict(calculation: &Calculation, path: &Path, style: Style) -> Result<Verdict, Fault> {
+    let analysis = calculation.analyze(&mut ProgressLine::new().watch()).map_err(Fault::other)?;
+    Ok(Verdict::of(&analysis, calculation, path, style))
+}
+
+/// What the results lack that the views and the note are made of.
+pub(crate) fn verdict_of(state: &State, args: &SceneArgs, style: Style) -> Result<Verdict, Fault> {
+    if let Some(found) = state.found() {
+        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene, style));
+    }
+    // The same calculation, which says why there is none, and where.
+    verdict(&study(args, style)?, &args.scene, style)
+}
+
+/// Reads a scene file and compiles its mechanism, for a command that needs neither loads nor motion.
+pub(crate) fn linkage(path: &Path, style: Style) -> Result<Linkage, Fault> {
+    Linkage::compile(read(path, style)?).map_err(|error| fault(path, &error.into(), style))
 }
 
 /// The requested methods, which must exist even if the scene does not use them.

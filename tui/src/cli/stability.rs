@@ -10,14 +10,17 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
+use super::verdict::Verdict;
 use crate::progress::ProgressLine;
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let mechanism = scene::read(path, style)?;
+    let linkage = scene::linkage(path, style)?;
+    let verdict = Verdict::of_positions(&linkage, path, style);
+    verdict.tell(style);
     let line = ProgressLine::new();
-    let found = stability(mechanism, &mut |done, total| {
+    let found = stability(linkage.mechanism, &mut |done, total| {
         line.count("step", done, total);
         ControlFlow::Continue(())
     });
@@ -32,6 +35,6 @@ pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     if let Some(failure) = &found.failure {
         style.tell(&format!("error: {failure}"));
     }
-    let status = if found.is_ok() { Status::Done } else { Status::Failed };
+    let status = verdict.status().or(if found.is_ok() { Status::Done } else { Status::Failed });
     output.write(text, status).map(|()| status)
 }

@@ -1,5 +1,6 @@
 //! The working of a position as equations.
 
+use assur_working::WorkingError;
 use assur_worksheet::{Entry, Line};
 
 use super::Context;
@@ -27,8 +28,15 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
         return Ok(Vec::new());
     };
     let plans = found.plans.at(position);
-    let sections = plans.working().as_ref().map_err(ToString::to_string)?;
     let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
+    let sections = match plans.working() {
+        Ok(sections) => sections,
+        Err(error @ WorkingError::Load { .. }) => {
+            blocks.push(Block::Text(words.phrase(&error.to_string())));
+            return Ok(blocks);
+        }
+        Err(error) => return Err(error.to_string()),
+    };
     // The first section repeats title and structure.
     for section in sections.iter().skip(1) {
         blocks.push(Block::Subheading(words.phrase(&section.title)));

@@ -17,7 +17,9 @@ mod task;
 mod tests;
 mod typst;
 
+use assur_analysis::results::{Analysis, Failure};
 use assur_figure::Figure;
+use assur_kinematics::Position;
 use assur_report::text::{Finding, summary};
 use assur_scene::Note;
 use document::{Block, Cover};
@@ -129,10 +131,10 @@ fn checks(context: &Context<'_>) -> Vec<Block> {
         return Vec::new();
     };
     let rows = found.analysis.checks.iter().map(|check| {
-        let verdict = match (check.failed(), check.judged) {
-            (true, _) => "failed",
-            (false, true) => "ok",
-            (false, false) => "not-judged",
+        let verdict = match check.verdict() {
+            Some(false) => "failed",
+            Some(true) => "ok",
+            None => "not-judged",
         };
         let size =
             |size: f64| if size == 0.0 { "0".to_owned() } else { words.number(&format!("{size:.1e}")) };
@@ -158,7 +160,23 @@ fn limits(context: &Context<'_>) -> Vec<Block> {
     if !failed.is_empty() {
         blocks.push(Block::Text(words.with("no-position", &[("positions", failed.join(", "))])));
     }
+    if let Some(found) = context.state.found() {
+        blocks.extend(lost(&found.analysis, poses, words));
+    }
     blocks
+}
+
+/// The positions that have a place but no forces, and the motion that is not found, each with the reason.
+fn lost(analysis: &Analysis, poses: &[Option<Position>], words: &Words) -> Vec<Block> {
+    let placed = |failure: &&Failure| poses.get(failure.index).is_some_and(Option::is_some);
+    let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
+    let positions: Vec<String> = failures.iter().map(|failure| failure.index.to_string()).collect();
+    let forces = failures.first().map(|first| {
+        let values = [("positions", positions.join(", ")), ("reason", words.phrase(&first.message))];
+        Block::Text(words.with("no-forces", &values))
+    });
+    let motion = analysis.no_motion.as_ref().map(|why| Block::Text(words.phrase(why)));
+    forces.into_iter().chain(motion).collect()
 }
 
 /// Heading and table of the main results; nothing without an analysis.

@@ -50,15 +50,19 @@ fn page(text: &str) -> Result<[f64; 2], String> {
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum StillError {
-    /// The scene can't be read.
-    #[error(transparent)]
-    Scene(#[from] ScreenError),
     /// The request has no meaning for this scene.
     #[error("error: {0}")]
     Request(String),
     /// The scene has nothing of this kind to show.
     #[error("{0}")]
     Nothing(String),
+}
+
+impl Request {
+    /// Whether the checks belong to what is drawn: residuals are quantities too.
+    pub(crate) fn shows_checks(&self) -> bool {
+        self.show.is_some() && self.view == View::Curves.command()
+    }
 }
 
 /// Time of one turn of an animation, s.
@@ -70,20 +74,12 @@ pub(crate) fn views() -> Vec<&'static str> {
     [Mechanism, Curves, Forces, Plans, Motion, Drive, Structure].map(View::command).to_vec()
 }
 
-/// The picture of a view of a scene, in the form that the ending of `output` names.
+/// The picture of a view of an [`analyzed`] scene, in the form that the ending of `output` names.
 ///
 /// # Errors
 ///
-/// [`StillError`]: a bad scene, a request without a meaning, a view that has nothing to show.
-pub(crate) fn draw(
-    scene: PathBuf,
-    methods: [Option<String>; 2],
-    request: &Request,
-    output: &Path,
-) -> Result<Vec<u8>, StillError> {
-    // Residuals are quantities too, and known after the checks.
-    let checks = request.show.is_some() && request.view == View::Curves.command();
-    let mut state = analyzed(open(scene)?, methods, checks);
+/// [`StillError`]: a request without a meaning, a view that has nothing to show.
+pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
     let wrong = |error: String| StillError::Request(error);
     state.view = request.view.parse().unwrap_or(View::Mechanism);

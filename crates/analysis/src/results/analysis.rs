@@ -81,6 +81,9 @@ pub struct Failure {
     pub coordinate: f64,
     /// What is missing, where and by how much.
     pub message: String,
+    /// The key of the scene that is at fault, step by step, where there is one.
+    #[serde(skip)]
+    pub key: Option<Vec<String>>,
 }
 
 /// Reactions over the cycle, geometry of the contacts, plans of the requested positions. Sections that don't apply are

@@ -113,10 +113,16 @@ pub fn unique(names: impl IntoIterator<Item = String>) -> Vec<String> {
     names.into_iter().map(unique).collect()
 }
 
+/// What begins a formula in a spreadsheet: some take the signs of full and small width for the common ones.
+const FORMULA: [char; 16] = [
+    '=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}', '\u{fe66}',
+    '\u{fe62}', '\u{fe63}', '\u{fe6b}', '\u{2212}',
+];
+
 /// A text that no spreadsheet takes for a formula.
 fn harmless(text: &str, ascii: bool) -> Cow<'_, str> {
     let text = if ascii { to_ascii(text) } else { Cow::Borrowed(text) };
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("_{text}").into() } else { text }
+    if text.starts_with(FORMULA) { format!("_{text}").into() } else { text }
 }
 
 /// The header row; columns of one name are distinguished by numbers.

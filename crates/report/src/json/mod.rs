@@ -1,12 +1,12 @@
 //! JSON: one object, numbers with all their digits.
 
 pub mod analysis;
+mod finite;
 mod rows;
 
 use std::io::{self, Write};
 
 use serde::Serialize;
-use serde_json::Value;
 use serde_json::ser::{Formatter, Serializer};
 
 /// A result can't be written as JSON.
@@ -34,39 +34,18 @@ pub struct NotFinite {
 ///
 /// [`NotFinite`] with the first number that is not.
 pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
-    let strict = result.serialize(&mut Serializer::with_formatter(io::sink(), Strict { ascii: false }));
-    let place = || serde_json::to_value(result).ok().and_then(|value| null(&value));
-    match strict.is_err().then(place).flatten() {
-        Some(place) => Err(NotFinite { place: place.trim_start_matches('.').to_owned() }),
+    match finite::place(result) {
+        Some(place) => Err(NotFinite { place }),
         None => Ok(result),
     }
 }
 
-/// The place of the first `null`, which is written for a number that is not finite; results contain no others.
-fn null(value: &Value) -> Option<String> {
-    match value {
-        Value::Null => Some(String::new()),
-        Value::Array(values) => {
-            values.iter().enumerate().find_map(|(i, value)| Some(format!("[{i}]{}", null(value)?)))
-        }
-        Value::Object(values) => {
-            values.iter().find_map(|(key, value)| Some(format!(".{key}{}", null(value)?)))
-        }
-        _ => None,
-    }
-}
-
-/// Compact JSON in which a number that is not finite is a fault, not a `null`.
-struct Strict {
+/// Compact JSON; `ascii`: other characters are escaped.
+struct Compact {
     ascii: bool,
 }
 
-impl Formatter for Strict {
-    /// Results contain no empty options, so this is only called for NaN and infinity.
-    fn write_null<W: ?Sized + Write>(&mut self, _writer: &mut W) -> io::Result<()> {
-        Err(io::Error::new(io::ErrorKind::InvalidData, "a number is not finite"))
-    }
-
+impl Formatter for Compact {
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
         if !self.ascii || fragment.is_ascii() {
             return writer.write_all(fragment.as_bytes());
@@ -84,9 +63,10 @@ impl Formatter for Strict {
     }
 }
 
+/// A result whose numbers are [`finite`].
 fn serialized<T: Serialize + ?Sized>(value: &T, ascii: bool) -> Result<Vec<u8>, serde_json::Error> {
     let mut bytes = Vec::new();
-    value.serialize(&mut Serializer::with_formatter(&mut bytes, Strict { ascii }))?;
+    value.serialize(&mut Serializer::with_formatter(&mut bytes, Compact { ascii }))?;
     Ok(bytes)
 }
 

@@ -29,6 +29,7 @@ use layout::Page;
 pub use layout::columns;
 pub(crate) use layout::wrap;
 pub use measured::geometry;
+use number::scientific;
 pub use plans::plans;
 pub use shaking::shaking;
 pub use summary::{Finding, summary};
@@ -148,10 +149,10 @@ fn thousands(number: usize) -> String {
 }
 
 fn verdict(check: &Check) -> &'static str {
-    match (check.failed(), check.judged) {
-        (true, _) => "FAILED",
-        (false, true) => "ok",
-        (false, false) => "not judged",
+    match check.verdict() {
+        Some(false) => "FAILED",
+        Some(true) => "ok",
+        None => "not judged",
     }
 }
 
@@ -169,7 +170,7 @@ pub fn not_judged(checks: &[Check]) -> Vec<String> {
         let positions = if count == 1 { "position" } else { "positions" };
         format!("not judged in {count} {positions}: {}: {why}", names.join(", "))
     };
-    let alone = checks.iter().filter(|check| !check.judged && check.left_out == 0);
+    let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
     let alone = alone.map(|check| format!("not judged: {}: {}", check.name, check.why_left_out));
     kinds.into_iter().map(sentence).chain(alone).collect()
 }
@@ -177,10 +178,6 @@ pub fn not_judged(checks: &[Check]) -> Vec<String> {
 /// Broken into lines of the report's width; all but the first are indented by `indent` columns.
 pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
     wrap(&if ascii { crate::to_ascii(words) } else { words.into() }, 0, indent)
-}
-
-fn scientific(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.2e}") }
 }
 
 #[cfg(test)]

@@ -1,5 +1,9 @@
 //! Numbers as a column shows them.
 
+/// What stands for a value that is not determined. No text shows a number that is not finite: every number of it passes
+/// through [`beside`] or [`scientific`].
+const NONE: &str = "-";
+
 /// Significant digits of the largest value of a column.
 const DIGITS: i32 = 6;
 
@@ -11,8 +15,9 @@ const ROUNDING: f64 = 1e-13;
 pub(super) fn column(values: &[Option<f64>], kind: f64) -> Vec<String> {
     let clean = |value: f64| if is_rounding(value, kind) { 0.0 } else { value };
     let values: Vec<_> = values.iter().map(|value| value.map(clean)).collect();
-    let largest = values.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-    values.iter().map(|value| value.map_or_else(|| "-".to_owned(), |value| beside(value, largest))).collect()
+    let finite = values.iter().flatten().filter(|value| value.is_finite());
+    let largest = finite.fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    values.iter().map(|value| value.map_or_else(|| NONE.to_owned(), |value| beside(value, largest))).collect()
 }
 
 /// Whether a number is rounding compared with the greatest of its kind.
@@ -34,7 +39,19 @@ pub(super) fn short(value: f64) -> String {
     text
 }
 
+/// One value with three significant digits and an exponent.
+pub(super) fn scientific(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        value if value.is_finite() => format!("{value:.2e}"),
+        _ => NONE.to_owned(),
+    }
+}
+
 fn beside(value: f64, largest: f64) -> String {
+    if !value.is_finite() {
+        return NONE.to_owned();
+    }
     if largest == 0.0 {
         return "0".to_owned();
     }

@@ -1,6 +1,6 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
-use assur_analysis::results::{Analysis, Check, Column, Dynamics, Owner, Quantity};
+use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
 use assur_geometry::output_strokes;
 use assur_kinematics::Linkage;
 use assur_mechanism::Range;
@@ -33,7 +33,8 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Finding> {
     if let Some(dynamics) = &analysis.dynamics {
         list.dynamics(dynamics);
     }
-    list.checks(&analysis.checks);
+    list.lost(analysis);
+    list.checks(analysis);
     list.findings
 }
 
@@ -155,15 +156,29 @@ impl List {
         }
     }
 
-    fn checks(&mut self, checks: &[Check]) {
+    /// What has no solution, so that nothing after it speaks of everything.
+    fn lost(&mut self, analysis: &Analysis) {
+        let lost = analysis.survey.failures;
+        if lost > 0 {
+            self.add("positions without a solution", lost.to_string(), "", &[]);
+        }
+        if analysis.no_motion.is_some() {
+            self.add("motion that the scene asks for", "not found".to_owned(), "", &[]);
+        }
+    }
+
+    fn checks(&mut self, analysis: &Analysis) {
+        let checks = &analysis.checks;
         if checks.is_empty() {
             return;
         }
         let failed: Vec<&str> =
             checks.iter().filter(|check| check.failed()).map(|check| check.name).collect();
-        let judged = checks.iter().filter(|check| check.judged).count();
+        let judged = checks.iter().filter(|check| check.verdict().is_some()).count();
         if failed.is_empty() {
-            self.add("checks that hold", format!("{judged} / {}", checks.len()), "", &[]);
+            let whole = analysis.survey.failures == 0 && analysis.no_motion.is_none();
+            let what = if whole { "checks that hold" } else { "checks that hold for what there is" };
+            self.add(what, format!("{judged} / {}", checks.len()), "", &[]);
         } else {
             self.add("checks that FAIL", failed.join(", "), "", &[]);
         }

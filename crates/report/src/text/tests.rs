@@ -4,6 +4,7 @@ use super::layout::{columns, wrap};
 use super::number::{column, short, single};
 use super::plans::plans;
 use assur_all as _;
+use assur_analysis::results::Check;
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_diagram::{Plan, PlanVector, Sheet, VectorKind};
 
@@ -45,8 +46,8 @@ fn words_break_at_the_width_and_are_never_lost() {
     assert_eq!(text.split_whitespace().count(), 60);
 }
 
-fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> assur_analysis::results::Check {
-    assur_analysis::results::Check {
+fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> Check {
+    Check {
         name,
         residual: 1e-12,
         limit: 1e-9,
@@ -81,8 +82,40 @@ fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
 }
 
 #[test]
+fn a_check_in_json_is_ok_failed_or_null_with_the_reason() {
+    let json =
+        |row| serde_json::from_str::<serde_json::Value>(&crate::json::to_json(&row, false).unwrap()).unwrap();
+    for (judged, ok, wanted, why) in [
+        (true, true, serde_json::json!(true), serde_json::Value::Null),
+        (true, false, serde_json::json!(false), serde_json::Value::Null),
+        (false, false, serde_json::Value::Null, serde_json::json!("too close")),
+    ] {
+        let row = json(check("PF2", 2, judged, ok));
+        assert_eq!((&row["ok"], &row["why"]), (&wanted, &why), "{row}");
+        assert_eq!((&row["place"], &row["left_out"]), (&"link rod".into(), &2.into()), "{row}");
+    }
+}
+
+#[test]
+fn a_number_that_is_not_finite_is_found_behind_an_empty_one_and_never_printed() {
+    let bad = Check { residual: f64::NAN, ..check("PF2", 1, false, false) };
+    let rows = vec![check("PF1", 1, false, false), bad];
+    assert_eq!(crate::json::finite(&rows).unwrap_err().place, "[1].residual");
+    let nested = std::collections::BTreeMap::from([("a", Some((1, [0.0, f64::INFINITY])))]);
+    assert_eq!(crate::json::finite(&nested).unwrap_err().place, "a[1][1]");
+    let text = super::checks(&rows, false);
+    let residual = text.lines().nth(3).and_then(|line| line.split_whitespace().nth(1));
+    assert!(!text.contains("NaN") && residual == Some("-"), "{text}");
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let column = column(&[Some(value), Some(2.5), None], 1.0);
+        assert_eq!(column, ["-", "2.50000", "-"]);
+        assert_eq!([single(value), short(value)], ["-", "-"]);
+    }
+}
+
+#[test]
 fn a_sample_of_the_positions_is_named() {
-    let sampled = |name, sample| assur_analysis::results::Check { sample, ..check(name, 0, true, true) };
+    let sampled = |name, sample| Check { sample, ..check(name, 0, true, true) };
     let rows = [
         sampled("closure", Some([360, 1_000_000])),
         sampled("PF1", Some([360, 1_000_000])),

@@ -10,8 +10,39 @@ use crate::text::nearest;
 /// Greatest number of names that a message lists.
 const MOST: usize = 24;
 
-/// The value of a key, or an error about the key.
-pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, String> {
+/// The values of a key, one or more, or an error about the key.
+pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<Place>, String> {
+    let several = steps.iter().enumerate().find_map(|(depth, step)| match step {
+        Step::Range(first, last) => Some((depth, *first, *last)),
+        _ => None,
+    });
+    let Some((depth, first, last)) = several else { return one(document, steps).map(|place| vec![place]) };
+    let last = match last {
+        Some(last) => last,
+        None => length(document, &steps[..depth])?.saturating_sub(1),
+    };
+    let mut all = Vec::new();
+    for index in first..=last {
+        let mut single = steps.to_vec();
+        single[depth] = Step::Index(index);
+        all.extend(find(document, &single)?);
+    }
+    Ok(all)
+}
+
+/// Number of elements of a list.
+fn length(document: &DeTable<'_>, steps: &[Step]) -> Result<usize, String> {
+    match within(document, steps)?.get_ref() {
+        DeValue::Array(array) => Ok(array.len()),
+        _ => Err(format!("`{}` is no list", shown(steps))),
+    }
+}
+
+fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, String> {
+    leaf(within(document, steps)?, steps)
+}
+
+fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, String> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {
@@ -20,7 +51,7 @@ pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, Stri
             _ => return Err(format!("`{}` is a single value without parts", shown(&steps[..depth]))),
         };
     }
-    leaf(at, steps)
+    Ok(at)
 }
 
 fn in_table<'a, 'b>(
@@ -42,7 +73,6 @@ fn in_array<'a, 'b>(
     depth: usize,
 ) -> Result<&'a Spanned<DeValue<'b>>, String> {
     let owner = owner(&steps[..depth]);
-    let names: Vec<String> = array.iter().filter_map(|item| element_name(item.get_ref())).collect();
     match &steps[depth] {
         Step::Index(index) => array.get(*index).ok_or_else(|| {
             let last = array.len().checked_sub(1).map(|last| format!(", from [0] to [{last}]"));
@@ -52,6 +82,8 @@ fn in_array<'a, 'b>(
             let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
             let found = array.iter().find(same);
             found.ok_or_else(|| {
+                let names: Vec<String> =
+                    array.iter().filter_map(|item| element_name(item.get_ref())).collect();
                 let by_index =
                     format!("name an element by its number, such as `{}[0]`", shown(&steps[..depth]));
                 if names.is_empty() {
@@ -61,6 +93,7 @@ fn in_array<'a, 'b>(
                 }
             })
         }
+        Step::Range(..) => Err(format!("`{}` names several values", shown(steps))),
     }
 }
 

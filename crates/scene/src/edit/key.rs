@@ -7,10 +7,14 @@ pub(super) enum Step {
     Name(String),
     /// An element of a list, from 0.
     Index(usize),
+    /// Several elements of a list: from the first number to the last one, or to the end of the list.
+    Range(usize, Option<usize>),
 }
 
 /// Path to a value in a scene: `link.crank.points.A[0]`. A name that contains a point or bracket is quoted. An
-/// element of a list is given by its number, from 0, or by its `name`; a slide also by `<link>/<on>`.
+/// element of a list is given by its number, from 0, or by its `name`; a slide also by `<link>/<on>`. Several elements are
+/// given by two numbers, or by `*`, so that a key names a column of a table: `force.cutting.value.forward[1..2][1]`,
+/// `moment.brake.value.table[*][1]`.
 ///
 /// # Examples
 ///
@@ -19,7 +23,8 @@ pub(super) enum Step {
 ///
 /// let key = Key::parse("force.cutting.value").unwrap();
 /// assert_eq!(key.to_string(), "force.cutting.value");
-/// assert_eq!(Key::parse("link[x]").unwrap_err(), "`[x]` is no element: write a whole number from 0");
+/// assert_eq!(Key::parse("moment.brake.value.table[*][1]").unwrap().to_string(), "moment.brake.value.table[*][1]");
+/// assert!(Key::parse("link[x]").unwrap_err().starts_with("`[x]` is no element: write a whole number from 0"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key(pub(super) Vec<Step>);
@@ -50,8 +55,7 @@ fn parse(text: &str) -> Result<Vec<Step>, String> {
         rest = after;
         while let Some(inside) = rest.strip_prefix('[') {
             let (index, after) = inside.split_once(']').ok_or("a `[` is not closed")?;
-            let index = index.trim().parse().map_err(|_| wrong_index(index))?;
-            steps.push(Step::Index(index));
+            steps.push(element(index.trim()).ok_or_else(|| wrong_index(index))?);
             rest = after;
         }
         if rest.is_empty() {
@@ -62,8 +66,20 @@ fn parse(text: &str) -> Result<Vec<Step>, String> {
     }
 }
 
+/// Reads what stands in brackets: `3`, `1..2`, `*`.
+fn element(text: &str) -> Option<Step> {
+    if text == "*" {
+        return Some(Step::Range(0, None));
+    }
+    let Some((first, last)) = text.split_once("..") else { return text.parse().ok().map(Step::Index) };
+    let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
+    (first <= last).then_some(Step::Range(first, Some(last)))
+}
+
 fn wrong_index(index: &str) -> String {
-    format!("`[{index}]` is no element: write a whole number from 0")
+    format!(
+        "`[{index}]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all"
+    )
 }
 
 /// The name at the beginning, and the text after it.
@@ -88,6 +104,10 @@ pub(super) fn shown(steps: &[Step]) -> String {
     for step in steps {
         match step {
             Step::Index(index) => text.extend(["[", &index.to_string(), "]"]),
+            Step::Range(first, Some(last)) => {
+                text.extend(["[", &first.to_string(), "..", &last.to_string(), "]"]);
+            }
+            Step::Range(..) => text.push_str("[*]"),
             Step::Name(name) => {
                 if !text.is_empty() {
                     text.push('.');

@@ -63,9 +63,33 @@ fn every_key_of_the_list_finds_its_value() {
         assert!(values.len() > 5, "{name}");
         for value in values {
             let found = document.find(&Key::parse(&value.key).unwrap()).unwrap();
-            assert_eq!(found.span, value.span, "{name}: {}", value.key);
+            assert_eq!(found.len(), 1, "{name}: {}", value.key);
+            assert_eq!(found[0].span, value.span, "{name}: {}", value.key);
             assert_eq!(text[value.span.clone()], value.written, "{name}: {}", value.key);
         }
+    }
+}
+
+#[test]
+fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
+    let document = Document::of(SCENE);
+    let written = |key: &str| -> Result<Vec<&str>, String> {
+        let found = document.find(&Key::parse(key)?)?;
+        Ok(found.into_iter().map(|place| &SCENE[place.span]).collect())
+    };
+    assert_eq!(written("force.load.value.table[1][1]").unwrap(), ["40"]);
+    assert_eq!(written("force.load.value.table[*][1]").unwrap(), ["0", "40"]);
+    assert_eq!(written("force.load.value.table[*][0]").unwrap(), ["0", "\"180 deg\""]);
+    assert_eq!(written("force.load.value.table[1..1][0]").unwrap(), ["\"180 deg\""]);
+    assert_eq!(written("force.load.value.table[1][*]").unwrap(), ["\"180 deg\"", "40"]);
+    assert_eq!(written("force[0].value.table[*][*]").unwrap().len(), 4);
+    for (key, problem) in [
+        ("force.load.value.table[0..9][1]", "`force.load.value.table` has 2 elements, from [0] to [1]"),
+        ("force.load.value.table[1..0][1]", "`[1..0]` is no element"),
+        ("link.crank[*].mass", "`link.crank` is no list"),
+    ] {
+        let found = written(key).unwrap_err();
+        assert!(found.starts_with(problem), "{key}: {found}");
     }
 }
 

@@ -232,6 +232,39 @@ fn a_sliding_input_is_measured_in_meters() {
 }
 
 #[test]
+fn scale_is_a_factor_on_the_size_of_every_sort_of_load() {
+    let loads = |scale: &str| {
+        let text = BASE.to_owned()
+            + &format!(
+                "[[force]]\nlink = \"rod\"\nat = \"B\"\nangle = 0\nvalue = \"2 kN\"\n{scale}\n\
+                 [[force]]\nlink = \"rod\"\nat = \"B\"\nangle = 0\n{scale}\nvalue = {{ over = \"stroke\", axis = 0, forward = [[0, 1], [1, 3]], back = 5 }}\n\
+                 [[moment]]\nlink = \"rod\"\n{scale}\nvalue = {{ formula = \"q\", unit = \"kN*m\" }}\n\
+                 [[brake]]\nlink = \"crank\"\n{scale}\nradius = 0.1\nfriction = 0.2\nforce = {{ over = \"time\", table = [[0, 10], [1, 20]] }}\n\
+                 [[contact]]\nlink = \"rod\"\n{scale}\ncenter = \"B\"\nradius = 0.1\nangle = 0.5\nforce = 40\n"
+            );
+        let scene = good(&text);
+        let (forces, moments) = (scene.forces.len(), scene.moments.len());
+        let values = [
+            scene.forces[forces - 2].value.clone(),
+            scene.forces[forces - 1].value.clone(),
+            scene.moments[moments - 2].value.clone(),
+            scene.moments[moments - 1].value.clone(),
+            scene.contacts.last().unwrap().force.clone(),
+        ];
+        assert_eq!(scene.contacts.last().unwrap().angle, Value::Constant(0.5), "an angle is no size");
+        values.map(|value| value.sizes().collect::<Vec<f64>>())
+    };
+    let plain = [vec![2000.0], vec![1.0, 3.0, 5.0], vec![1000.0], vec![10.0, 20.0], vec![40.0]];
+    assert_eq!(loads(""), plain);
+    assert_eq!(loads("scale = 1"), plain);
+    let halves = [vec![-1000.0], vec![-0.5, -1.5, -2.5], vec![-500.0], vec![-5.0, -10.0], vec![-20.0]];
+    assert_eq!(loads("scale = -0.5"), halves);
+    let text = BASE.to_owned() + "[[moment]]\nlink = \"rod\"\nvalue = 1e12\nscale = 1e12\n";
+    let errors = read("scene.toml", &text).unwrap_err();
+    assert!(errors.to_string().contains("`scale` makes the size of the load"), "{errors}");
+}
+
+#[test]
 fn wishes_and_the_other_drives() {
     let text = steady()
         + "[balance]\nlink = \"piston\"\nat = [0, \"10 mm\"]\nangle = \"90 deg\"\n"

@@ -43,6 +43,7 @@ impl<'a> Loaded<'a> {
         for (position, q) in positions.iter_mut().zip(&work.coordinates) {
             work.linkage.solve(*q, Order::Second, position)?;
             let state = state(mechanism, position.coordinate);
+            loads.finite(mechanism, &state, &position.bodies)?;
             wrenches.push(loads.total(&state, &position.bodies));
         }
         let mut loaded = Self {

@@ -54,7 +54,10 @@ fn a_parameter_that_is_written_otherwise_is_told() {
         ("link.crank.mass=1..2:0", "N is `0`: write a whole number from 1"),
         ("link.crank.mass=1..2:-1", "N is `-1`: write a whole number from 1"),
         ("link..mass=1..2:3", "a key consists of names joined by dots, such as link.crank.mass"),
-        ("link[x].mass=1..2:3", "`[x]` is no element: write a whole number from 0"),
+        (
+            "link[x].mass=1..2:3",
+            "`[x]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all",
+        ),
         ("link[0.mass=1..2:3", "a `[` is not closed"),
         ("link[0]mass=1..2:3", "a key continues with `.` or `[`, not `mass`"),
         ("link.'crank=1..2:3", "a quote is not closed"),

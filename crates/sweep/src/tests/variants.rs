@@ -39,10 +39,11 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
         }
     }
     assert!(set > 1000, "{set}");
-    // Read as text: counts, tables, ends of ranges and of intervals, pairs of speeds; and the efficiency, because more
-    // than 1 is refused.
+    // Read as text: counts, tables and the scale that is multiplied into them, ends of ranges and of intervals, pairs of
+    // speeds; and the efficiency, because more than 1 is refused.
     let allowed = [
         ".table[",
+        ".scale",
         ".forward",
         ".back",
         "input.positions",

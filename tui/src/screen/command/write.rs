@@ -3,7 +3,9 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use assur_analysis::results::Check;
 use assur_figure::{Figure, Frame, Item, png, svg};
+use assur_report::csv::{self, Cell};
 use crossterm::event::KeyCode;
 
 use crate::files;
@@ -105,15 +107,8 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
             None => table(scene, 0..scene.column_count()),
         },
         (View::Checks, _, Some(found)) => {
-            let mut writer = csv::Writer::from_writer(Vec::new());
-            writer.write_record(["check", "residual", "limit", "where", "position", "ok"])?;
-            for check in &found.analysis.checks {
-                let at = check.at.map(|at| at.to_string()).unwrap_or_default();
-                let [residual, limit] = [check.residual, check.limit].map(|value| value.to_string());
-                let ok = (!check.failed()).to_string();
-                writer.write_record([check.name, &residual, &limit, check.place.as_str(), &at, &ok])?;
-            }
-            Ok(writer.into_inner()?)
+            let header = ["check", "residual", "limit", "where", "position", "ok"];
+            Ok(csv::write(&header, found.analysis.checks.iter().map(row), false)?.into_bytes())
         }
         (View::Working, ..) => Err("the working is a text; name a file that ends in .txt".into()),
         (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
@@ -128,39 +123,51 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
     }
 }
 
+/// A check as a row; the last cell is empty where the check is not conclusive.
+fn row(check: &Check) -> [Cell<'_>; 6] {
+    let ok = check.verdict().map_or(Cell::Empty, |ok| Cell::Text(if ok { "true" } else { "false" }));
+    let at = check.at.map_or(Cell::Empty, |at| Cell::Number(at as f64));
+    let [residual, limit] = [check.residual, check.limit].map(number);
+    [Cell::Text(check.name), residual, limit, Cell::Text(&check.place), at, ok]
+}
+
+/// A number; an empty cell where it is not determined.
+fn number(value: f64) -> Cell<'static> {
+    if value.is_finite() { Cell::Number(value) } else { Cell::Empty }
+}
+
 /// The points of every line and arrow of panels, a row each.
 fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Box<dyn Error>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["panel", "axes", "line", "x", "y"])?;
-    for (number, panel) in panels.iter().enumerate() {
+    let mut rows = Vec::new();
+    for (index, panel) in panels.iter().enumerate() {
         let axes = match &panel.frame {
             Frame::Plane { unit, .. } => unit.clone(),
             Frame::Axes { x, y, .. } => format!("{}; {}", x.label, y.label),
         };
-        let name = if panel.title.is_empty() { number.to_string() } else { panel.title.clone() };
+        let name = if panel.title.is_empty() { index.to_string() } else { panel.title.clone() };
         let lines = panel.items.iter().filter(|item| matches!(item, Item::Line { .. } | Item::Arrow { .. }));
         for (line, item) in lines.enumerate() {
             for at in item.points().iter().filter(|at| at[0].is_finite() && at[1].is_finite()) {
-                let [x, y] = at.map(|value| value.to_string());
-                writer.write_record([&name, &axes, &line.to_string(), &x, &y])?;
+                rows.push((name.clone(), axes.clone(), line, *at));
             }
         }
     }
-    Ok(writer.into_inner()?)
+    let rows = rows.iter().map(|(name, axes, line, [x, y])| {
+        [Cell::Text(name), Cell::Text(axes), number(*line as f64), number(*x), number(*y)]
+    });
+    Ok(csv::write(&["panel", "axes", "line", "x", "y"], rows, false)?.into_bytes())
 }
 
 /// The position and these columns as CSV, each column with its unit in the name; a missing number is an empty field.
 fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>, Box<dyn Error>> {
     let columns: Vec<_> = columns.filter_map(|column| scene.column(column)).collect();
-    let mut writer = csv::Writer::from_writer(Vec::new());
     let names = columns.iter().map(|series| format!("{}_{}", series.short, series.unit));
-    writer.write_record(std::iter::once("position".to_owned()).chain(names))?;
-    for position in 0..scene.positions() {
-        let values = columns.iter().map(|series| series.at(position));
-        let values = values.map(|value| if value.is_finite() { value.to_string() } else { String::new() });
-        writer.write_record(std::iter::once(position.to_string()).chain(values))?;
-    }
-    Ok(writer.into_inner()?)
+    let header: Vec<String> = std::iter::once("position".to_owned()).chain(names).collect();
+    let row = |position: usize| {
+        let values = columns.iter().map(move |series| number(series.at(position)));
+        std::iter::once(Cell::Number(position as f64)).chain(values)
+    };
+    Ok(csv::write(&header, (0..scene.positions()).map(row), false)?.into_bytes())
 }
 
 /// Writes a file and the numbers beside it, or asks if one exists already.

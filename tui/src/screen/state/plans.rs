@@ -53,6 +53,11 @@ impl Planner {
         Self { calculation, kept: RefCell::default() }
     }
 
+    /// The calculation whose positions they are, of the whole mechanism.
+    pub(crate) fn calculation(&self) -> &Calculation {
+        &self.calculation
+    }
+
     /// The plans of a position.
     pub(crate) fn at(&self, position: usize) -> Arc<Plans> {
         let mut kept = self.kept.borrow_mut();

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use assur_analysis::MOST_KEPT;
 use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
-use assur_kinematics::{CompileError, Linkage, Position, PositionError};
+use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::Range;
 use assur_scene::edit::{Document, SceneValue};
 
@@ -103,10 +103,7 @@ impl Scene {
             ));
         }
         let linkage = Linkage::compile(mechanism).map_err(|error| {
-            let located = match &error {
-                CompileError::Structure(error) => crate::files::located(&name, text, error),
-                _ => None,
-            };
+            let located = crate::files::located(&name, text, &error);
             located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
         })?;
         Ok(Self::of(source, text, linkage))

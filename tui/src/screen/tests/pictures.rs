@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{View, opened, press};
 use crate::screen::draw::cells;
-use crate::screen::state::Zoom;
+use crate::screen::state::{State, Zoom};
 use crate::screen::still::{self, Request, StillError, views};
 use crate::screen::view;
 
@@ -12,9 +12,13 @@ fn request(view: &str) -> Request {
     Request { view: view.to_owned(), part: None, show: None, position: 5, size: None, animate: false }
 }
 
+fn analyzed(name: &str, request: &Request) -> State {
+    let scene = still::open(assur_fixtures::path(&format!("{name}.toml"))).unwrap();
+    still::analyzed(scene, [None, None], request.shows_checks())
+}
+
 fn picture(request: &Request, output: &str) -> Result<String, StillError> {
-    let scene = assur_fixtures::path("shaper-drive.toml");
-    still::draw(scene, [None, None], request, Path::new(output))
+    still::draw(analyzed("shaper-drive", request), request, Path::new(output))
         .map(|bytes| String::from_utf8(bytes).unwrap())
 }
 
@@ -46,8 +50,8 @@ fn a_request_without_a_meaning_is_refused_in_words() {
 fn a_view_without_a_figure_says_what_the_scene_lacks() {
     for (name, view, why) in [("brake", "forces", "initial state"), ("four-bar", "drive", "no steady regime")]
     {
-        let scene = assur_fixtures::path(&format!("{name}.toml"));
-        match still::draw(scene, [None, None], &request(view), Path::new("x.svg")) {
+        let request = request(view);
+        match still::draw(analyzed(name, &request), &request, Path::new("x.svg")) {
             Err(StillError::Nothing(text)) => assert!(text.contains(why), "{text}"),
             other => panic!("{other:?}"),
         }

@@ -69,10 +69,10 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
     for (text, (column, width)) in cells.into_iter().zip(columns) {
         put(buffer, area, column, 0, &cut(text, usize::from(width - 1)), style);
     }
-    let (word, role) = match (check.failed(), check.judged) {
-        (true, _) => ("FAILED", Role::Bad),
-        (false, true) => ("ok", Role::Good),
-        (false, false) => ("unknown", Role::Dim),
+    let (word, role) = match check.verdict() {
+        Some(false) => ("FAILED", Role::Bad),
+        Some(true) => ("ok", Role::Good),
+        None => ("unknown", Role::Dim),
     };
     put(buffer, area, columns[5].0, 0, word, theme.style(role));
 }
