@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::Input;
+use assur_mechanism::{Input, MOST_LOADS};
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
+use crate::limits;
 use crate::linkage::Linkage;
 use crate::text::shown;
 use crate::units::Dimension;
@@ -78,8 +79,10 @@ pub(crate) struct Sort<T> {
 impl<T> Sort<T> {
     /// All loads of this sort.
     pub(crate) fn read(&self, root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<T> {
-        let sections = root.get(self.key).map(|entry| entry.sections(self.what, self.keys));
-        let each = sections.iter().flatten().enumerate();
+        let entry = root.get(self.key);
+        let mut sections = entry.map(|entry| entry.sections(self.what, self.keys)).unwrap_or_default();
+        limits::keep_rest(&mut sections, names.0.len(), MOST_LOADS, "loads");
+        let each = sections.iter().enumerate();
         each.filter_map(|(index, section)| (self.one)(section, index, context, names)).collect()
     }
 }

@@ -10,6 +10,7 @@ pub mod edit;
 mod error;
 mod input;
 mod joints;
+mod limits;
 mod linkage;
 mod links;
 mod loads;

@@ -1,6 +1,6 @@
 //! The links, points and slides of a scene by name.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
 
@@ -17,17 +17,36 @@ pub(crate) struct Linkage {
     pub(crate) slides: Vec<Slide>,
     /// Points by name.
     names: HashMap<String, PointId>,
+    /// Links by name.
+    links_by_name: HashMap<String, LinkId>,
+    /// Names of the slides.
+    slide_names: HashSet<String>,
+    /// Places of points on links.
+    pub(crate) places: usize,
 }
 
 impl Linkage {
     /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
         let name = entry.text("the name of a link")?;
-        let found = self.links.iter().position(|link| link.name == name);
+        let found = self.links_by_name.get(name).copied();
         if found.is_none() {
             Self::unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
         }
         found
+    }
+
+    /// Adds a link; of two with one name the first is found.
+    pub(crate) fn add_link(&mut self, link: Link) -> LinkId {
+        let id = self.links.len();
+        self.links_by_name.entry(link.name.clone()).or_insert(id);
+        self.links.push(link);
+        id
+    }
+
+    /// Adds the name of a slide; whether no other slide has it.
+    pub(crate) fn add_slide_name(&mut self, name: &str) -> bool {
+        self.slide_names.insert(name.to_owned())
     }
 
     /// The moving link named by an entry.
@@ -57,6 +76,7 @@ impl Linkage {
 
     /// Adds a point of a link; the point may be new or a pin.
     pub(crate) fn add_place(&mut self, name: &str, place: Place) {
+        self.places += 1;
         if let Some(known) = self.point_named(name) {
             self.points[known].places.push(place);
         } else {
@@ -99,8 +119,9 @@ impl Linkage {
         let Some(name) = entry.value.as_str() else {
             return coordinates(entry);
         };
-        if let Some((_, at)) = self.points_of(link).find(|point| point.0 == name) {
-            return Some(at);
+        let places = self.point_named(name).map(|point| &self.points[point].places);
+        if let Some(place) = places.into_iter().flatten().find(|place| place.link == link) {
+            return Some(place.at);
         }
         // As in `points`, a text that begins with a digit is a length on the x axis.
         if name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '\u{2212}')) {

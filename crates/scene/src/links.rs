@@ -1,8 +1,11 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Link, LinkId, Place, Point, Slide, links_of_length_zero};
+use assur_mechanism::{
+    GROUND, Link, LinkId, MOST_LINKS, MOST_PLACES, MOST_SLIDES, Place, Point, Slide, links_of_length_zero,
+};
 
 use crate::error::Fault;
+use crate::limits;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
 use crate::text::{is_unprintable, row, shown};
@@ -15,7 +18,7 @@ const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
-    linkage.links.push(massless("ground"));
+    linkage.add_link(massless("ground"));
     let mut firsts = vec![[0.0; 2]];
     let ground = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
@@ -23,7 +26,8 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     }
     let entry = root.get("link");
     let links = entry.as_ref().map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"));
-    let links = links.unwrap_or_default();
+    let mut links = links.unwrap_or_default();
+    limits::keep(&mut links, MOST_LINKS, "links");
     if links.is_empty() && entry.is_none_or(|entry| entry.value.is_table()) {
         root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
     }
@@ -67,8 +71,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
         let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
         entry.faults.push(fault.label("results use it: choose another name"));
     }
-    let id = linkage.links.len();
-    linkage.links.push(massless(&entry.name));
+    let id = linkage.add_link(massless(&entry.name));
     firsts.push([0.0; 2]);
     let section = entry.section("a link", LINK_KEYS)?;
     if let Some(points) = section.need("points") {
@@ -80,7 +83,9 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
 /// Adds the points of a link; returns the first of them.
 fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
     let mut first = None;
-    for point in entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }") {
+    let mut points = entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }");
+    limits::keep_rest(&mut points, linkage.places, MOST_PLACES, "points on links");
+    for point in points {
         check_name(&point, "point");
         let at = coordinates(&point).unwrap_or_default();
         first = first.or(Some(at));
@@ -125,14 +130,17 @@ const KEYS: &[&str] = &["link", "on", "through", "angle", "point", "tilt", "name
 
 /// Reads the slides into the linkage.
 pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) {
-    for section in root.get("slide").iter().flat_map(|entry| entry.sections("a slide", KEYS)) {
+    let mut sections: Vec<_> =
+        root.get("slide").iter().flat_map(|entry| entry.sections("a slide", KEYS)).collect();
+    limits::keep(&mut sections, MOST_SLIDES, "slides");
+    for section in sections {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
         }
     }
 }
 
-fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
+fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
     let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
     let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
     let (link, on) = (section.need("link"), section.need("on"));
@@ -150,15 +158,16 @@ fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<
             "another link or \"ground\"",
         );
     }
-    let name = name(section, linkage, &format!("{}/{}", linkage.links[link].name, linkage.links[on].name));
+    let default = format!("{}/{}", linkage.links[link].name, linkage.links[on].name);
+    let name = name(section, linkage, &default);
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &Linkage, default: &str) -> String {
+fn name(section: &Section<'_>, linkage: &mut Linkage, default: &str) -> String {
     let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0);
-    let is_pin = linkage.points.iter().any(|point| point.name == name && point.is_pin());
-    if is_pin || linkage.slides.iter().any(|slide| slide.name == name) {
+    let is_pin = linkage.point_named(name).is_some_and(|point| linkage.points[point].is_pin());
+    if !linkage.add_slide_name(name) || is_pin {
         let what = if is_pin { "a pin and a slide" } else { "two slides" };
         let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
         let fault = Fault::new(span, format!("{what} have the name `{}`", shown(name)));

@@ -70,7 +70,9 @@ fn blocks_have_the_numbers_of_single_positions() {
     };
     let (many, few) = (scene(65_536), scene(64));
     let [found, wanted] = [&many, &few].map(|study| study.analyze(&mut unwatched).unwrap());
-    assert!(!found.is_complete() && found.positions.len() <= crate::MOST_KEPT && wanted.is_complete());
+    assert!(
+        !found.is_complete() && found.positions.len() <= assur_mechanism::MOST_KEPT && wanted.is_complete()
+    );
     let (mut rows, mut compared) = (0, 0);
     let is_force = |column: &Column| column.quantity == Quantity::Force && column.part == Part::X;
     let forces = found.positions.schema().select(is_force);

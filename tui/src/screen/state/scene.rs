@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use assur_analysis::MOST_KEPT;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
 use assur_mechanism::Range;
@@ -95,9 +94,10 @@ impl Scene {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
         let positions = mechanism.input.positions;
-        if positions > MOST_KEPT {
+        let most = mechanism.most_kept();
+        if positions > most {
             return Err(format!(
-                "error: the scene has {positions} positions, and the terminal UI shows at most {MOST_KEPT}; take fewer \
+                "error: the scene has {positions} positions, and the terminal UI shows at most {most} of this one; take fewer \
                  `positions` in [input], or write them all: assur analyze {name} -o positions.parquet\n"
             ));
         }
