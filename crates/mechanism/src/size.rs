@@ -13,6 +13,8 @@ pub const MOST_PLACES: usize = 10_000;
 pub const MOST_SLIDES: usize = 200_000;
 /// Most loads: forces, moments, brakes, springs and contacts together.
 pub const MOST_LOADS: usize = 10_000;
+/// Most characters of a name or title: tables pad every row to the longest name.
+pub const LONGEST_NAME: usize = 200;
 /// Most samples of a motion.
 pub const MOST_SAMPLES: usize = 1_000_000;
 

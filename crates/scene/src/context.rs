@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Input, MOST_LOADS};
+use assur_mechanism::Input;
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
@@ -79,10 +79,8 @@ pub(crate) struct Sort<T> {
 impl<T> Sort<T> {
     /// All loads of this sort.
     pub(crate) fn read(&self, root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<T> {
-        let entry = root.get(self.key);
-        let mut sections = entry.map(|entry| entry.sections(self.what, self.keys)).unwrap_or_default();
-        limits::keep_rest(&mut sections, names.0.len(), MOST_LOADS, "loads");
-        let each = sections.iter().enumerate();
+        let sections = root.get(self.key).map(|entry| entry.sections(self.what, self.keys));
+        let each = sections.iter().flatten().enumerate();
         each.filter_map(|(index, section)| (self.one)(section, index, context, names)).collect()
     }
 }
@@ -93,6 +91,9 @@ impl LoadNames {
         let entry = section.get("name");
         let given = entry.as_ref().and_then(|entry| entry.text("a name"));
         let name = given.map_or_else(default, str::to_owned);
+        if let Some(entry) = &entry {
+            limits::check_name(entry, &entry.span, &name);
+        }
         if !self.0.insert(name.clone()) {
             let span = entry.map_or(section.span.clone(), |entry| entry.span);
             let fault = Fault::new(span, format!("two loads have the name `{}`", shown(&name)));

@@ -98,7 +98,15 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Op
 
 /// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
 fn scene(root: &Section<'_>) -> Mechanism {
-    let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
+    if limits::exceeded(root) {
+        return nothing();
+    }
+    let title = root.get("title").and_then(|entry| {
+        let title = entry.line()?;
+        limits::check_name(&entry, &entry.span, &title);
+        Some(title)
+    });
+    let title = title.unwrap_or_default();
     let (mut linkage, firsts) = links::read(root);
     links::read_slides(root, &mut linkage, &firsts);
     // A point with a fault is at the origin until then.

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
 
+use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::Dimension;
@@ -21,8 +22,6 @@ pub(crate) struct Linkage {
     links_by_name: HashMap<String, LinkId>,
     /// Names of the slides.
     slide_names: HashSet<String>,
-    /// Places of points on links.
-    pub(crate) places: usize,
 }
 
 impl Linkage {
@@ -76,7 +75,6 @@ impl Linkage {
 
     /// Adds a point of a link; the point may be new or a pin.
     pub(crate) fn add_place(&mut self, name: &str, place: Place) {
-        self.places += 1;
         if let Some(known) = self.point_named(name) {
             self.points[known].places.push(place);
         } else {
@@ -92,13 +90,17 @@ impl Linkage {
         name: &str,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
-        let near = nearest(name, known.clone());
-        let label = match (near, known.clone().next()) {
-            (Some(_), _) => did_you_mean(near),
-            (None, None) => format!("the scene has no {what}s"),
-            (None, Some(_)) => format!("{what}s: {}", row(known)),
-        };
-        entry.fault(format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name)), label);
+        // Made only while faults are kept: the search for the nearest name takes time.
+        entry.faults.note(|| {
+            let near = nearest(name, known.clone());
+            let label = match (near, known.clone().next()) {
+                (Some(_), _) => did_you_mean(near),
+                (None, None) => format!("the scene has no {what}s"),
+                (None, Some(_)) => format!("{what}s: {}", row(known)),
+            };
+            let message = format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name));
+            Fault::new(entry.span.clone(), message).label(label)
+        });
     }
 
     /// Names and coordinates of the points of a link.
@@ -128,11 +130,15 @@ impl Linkage {
             return coordinates(entry);
         }
         entry.text("a point or [x, y]")?;
-        self.not_on(entry, name, link);
+        entry.faults.note(|| {
+            let (message, label) = self.not_on(entry, name, link);
+            Fault::new(entry.span.clone(), message).label(label)
+        });
         None
     }
 
-    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) {
+    /// What is said where a link has no point of a name: message and correction.
+    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) -> (String, String) {
         let on = &self.links[link].name;
         let Some(point) = self.point_named(name) else {
             let known = self.points_of(link).map(|point| point.0);
@@ -140,7 +146,7 @@ impl Linkage {
             let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
             let message =
                 format!("`{}`: link `{}` has no point `{}`", shown(&entry.name), shown(on), shown(name));
-            return entry.fault(message, label);
+            return (message, label);
         };
         let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());
         let message = format!(
@@ -150,7 +156,7 @@ impl Linkage {
             shown(on),
             row(holders)
         );
-        entry.fault(message, self.listed(link));
+        (message, self.listed(link))
     }
 
     fn listed(&self, link: LinkId) -> String {

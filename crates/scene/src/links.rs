@@ -1,8 +1,6 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{
-    GROUND, Link, LinkId, MOST_LINKS, MOST_PLACES, MOST_SLIDES, Place, Point, Slide, links_of_length_zero,
-};
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point, Slide, links_of_length_zero};
 
 use crate::error::Fault;
 use crate::limits;
@@ -26,8 +24,7 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     }
     let entry = root.get("link");
     let links = entry.as_ref().map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"));
-    let mut links = links.unwrap_or_default();
-    limits::keep(&mut links, MOST_LINKS, "links");
+    let links = links.unwrap_or_default();
     if links.is_empty() && entry.is_none_or(|entry| entry.value.is_table()) {
         root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
     }
@@ -83,9 +80,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
 /// Adds the points of a link; returns the first of them.
 fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
     let mut first = None;
-    let mut points = entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }");
-    limits::keep_rest(&mut points, linkage.places, MOST_PLACES, "points on links");
-    for point in points {
+    for point in entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }") {
         check_name(&point, "point");
         let at = coordinates(&point).unwrap_or_default();
         first = first.or(Some(at));
@@ -101,6 +96,7 @@ fn check_name(entry: &Entry<'_>, what: &str) {
         let fault = Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
         entry.faults.push(fault.label("a name must not be empty or contain a dot or invisible characters"));
     }
+    limits::check_name(entry, &entry.key, name);
 }
 
 fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
@@ -130,10 +126,7 @@ const KEYS: &[&str] = &["link", "on", "through", "angle", "point", "tilt", "name
 
 /// Reads the slides into the linkage.
 pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) {
-    let mut sections: Vec<_> =
-        root.get("slide").iter().flat_map(|entry| entry.sections("a slide", KEYS)).collect();
-    limits::keep(&mut sections, MOST_SLIDES, "slides");
-    for section in sections {
+    for section in root.get("slide").iter().flat_map(|entry| entry.sections("a slide", KEYS)) {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
         }
@@ -166,6 +159,9 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
 fn name(section: &Section<'_>, linkage: &mut Linkage, default: &str) -> String {
     let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0);
+    if let Some((name, entry)) = &given {
+        limits::check_name(entry, &entry.span, name);
+    }
     let is_pin = linkage.point_named(name).is_some_and(|point| linkage.points[point].is_pin());
     if !linkage.add_slide_name(name) || is_pin {
         let what = if is_pin { "a pin and a slide" } else { "two slides" };

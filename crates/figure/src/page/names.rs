@@ -38,9 +38,9 @@ pub(super) fn fitted(text: &str, width: f64) -> String {
     kept + "…"
 }
 
-/// Most comparisons of a place with what is covered, after which only the names that are needed find places: a second of
-/// work, and a hundred times that of the largest fixture.
-const MOST_COMPARED: usize = 300_000_000;
+/// Most comparisons of a place with what is covered, after which only the names that are needed find places: half a second
+/// of work, and some ten times that of the largest fixture.
+const MOST_COMPARED: usize = 100_000_000;
 
 /// What is covered so far.
 #[derive(Debug)]

@@ -14,7 +14,7 @@ use crate::files;
 
 pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fault> {
     let unfinished = Unfinished::of(path, resume, job.style)?;
-    let folder = Folder { unfinished: &unfinished, rows: parquet::rows_of_part(job.points.len()) };
+    let folder = Folder { unfinished: &unfinished, rows: job.sweep.rows_of_part(job.points.len()) };
     folder.create()?;
     let mut all = folder.found(job)?;
     let mut parts = all.points.div_ceil(folder.rows);
