@@ -162,3 +162,12 @@ fn samples_and_kept_steps_are_as_many_as_memory_holds() {
     let errors = read("rest.toml", &scene(&format!("until = \"rest\"\nmax_steps = {steps}"))).unwrap_err();
     assert!(errors.errors[0].message.contains(&format!("from 1 to {MOST_STEPS_KEPT}")), "{errors}");
 }
+
+#[test]
+fn of_a_large_text_that_is_no_toml_the_first_fault_is_named() {
+    for text in ["=".repeat(document::MOST_BYTES), "\"\n".repeat(document::MOST_BYTES / 2)] {
+        let errors = read("none.toml", &text).unwrap_err();
+        let lines: Vec<_> = errors.errors.iter().map(|error| error.line).collect();
+        assert_eq!((lines, errors.more), (vec![1], 0));
+    }
+}
