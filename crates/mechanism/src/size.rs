@@ -23,15 +23,17 @@ pub const MOST_SAMPLES: usize = 1_000_000;
 pub const MOST_PARTS_SAMPLED: usize = 1_600_000;
 /// Most steps of a motion that are kept, because its end is not known before: some 200 bytes each.
 pub const MOST_STEPS_KEPT: usize = 1_000_000;
+/// Most [`Mechanism::parts`] of a mechanism that is drawn: each has curves, names and rows in many figures.
+pub const MOST_PARTS_DRAWN: usize = 1_000;
 /// Most positions that are kept; of more, every so many.
 pub const MOST_KEPT: usize = 4096;
 /// Most positions that are kept times [`Mechanism::parts`]: [`MOST_KEPT`] of a mechanism of 65 four-bars.
 pub const MOST_PARTS_KEPT: usize = 200 * MOST_KEPT;
 
 impl Mechanism {
-    /// What has numbers in a position: links, points and slides.
+    /// What has numbers in a position: links, points, slides and loads.
     pub fn parts(&self) -> usize {
-        self.links.len() + self.points.len() + self.slides.len()
+        self.links.len() + self.points.len() + self.slides.len() + self.loads()
     }
 
     /// How many loads there are.

@@ -114,7 +114,12 @@ fn scene(root: &Section<'_>) -> Mechanism {
         links::refuse_points(root, &linkage);
     }
     let input = input::read(root, &linkage);
-    let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
+    let context = Context {
+        linkage: &linkage,
+        input: input.as_ref(),
+        loads: limits::loads(root),
+        moves: root.get("motion").is_some(),
+    };
     let names = &mut LoadNames::default();
     let motion = motion::read(root, &context);
     wishes::read(root, input.as_ref().map(|input| input.positions));

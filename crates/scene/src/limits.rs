@@ -28,6 +28,11 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
     too_many.contains(&true)
 }
 
+/// How many loads the scene has.
+pub(crate) fn loads(root: &Section<'_>) -> usize {
+    LOADS.iter().filter_map(|key| root.get(key)).map(|entry| parts(entry.value).len()).sum()
+}
+
 /// Notes a name or title that is too long; `span`: where it stands.
 pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
     let count = name.chars().count();

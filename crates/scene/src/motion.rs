@@ -112,13 +112,13 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
 /// Reads the number of samples, which are kept in memory: the more a mechanism has, the fewer.
 fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
     let linkage = context.linkage;
-    let parts = linkage.links.len() + linkage.points.len() + linkage.slides.len();
+    let parts = linkage.links.len() + linkage.points.len() + linkage.slides.len() + context.loads;
     let entry = section.get("samples")?;
     let samples = entry.count(1, MOST_SAMPLES)?;
     let most = (MOST_PARTS_SAMPLED / parts.max(1)).max(1);
     if samples > most {
         let message =
-            format!("`samples` may be at most {most} in a scene of {parts} links, points and slides");
+            format!("`samples` may be at most {most} in a scene of {parts} links, points, slides and loads");
         entry.fault(message, "their numbers are kept in memory");
     }
     Some(samples)

@@ -154,7 +154,7 @@ fn samples_and_kept_steps_are_as_many_as_memory_holds() {
     let most = MOST_PARTS_SAMPLED / 3;
     assert!(read("most.toml", &scene(&format!("until = 1\nsamples = {most}"))).is_ok());
     let errors = read("more.toml", &scene(&format!("until = 1\nsamples = {}", most + 1))).unwrap_err();
-    let message = format!("`samples` may be at most {most} in a scene of 3 links, points and slides");
+    let message = format!("`samples` may be at most {most} in a scene of 3 links, points, slides and loads");
     assert_eq!((errors.errors[0].message.as_str(), errors.errors[0].line), (message.as_str(), 12));
     // Only where the instants of the samples are known from the start are other steps dropped.
     let steps = MOST_STEPS_KEPT + 1;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use assur_group::{GroupError, Order};
 use assur_kinematics::{CompileError, Linkage, Position, PositionError};
-use assur_mechanism::Range;
+use assur_mechanism::{MOST_PARTS_DRAWN, Range};
 use assur_scene::edit::{Document, SceneValue};
 
 use super::found::Found;
@@ -94,6 +94,13 @@ impl Scene {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
         let positions = mechanism.input.positions;
+        let parts = mechanism.parts();
+        if parts > MOST_PARTS_DRAWN {
+            return Err(format!(
+                "error: the scene has {parts} links, points, slides and loads, and drawings, the note and the terminal UI show at \
+                 most {MOST_PARTS_DRAWN}; `assur analyze {name}` has no such bound\n"
+            ));
+        }
         let most = mechanism.most_kept();
         if positions > most {
             return Err(format!(
