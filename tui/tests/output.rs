@@ -260,5 +260,12 @@ fn what_is_too_large_to_be_drawn_is_refused() {
             err(&output)
         );
     }
+    fs::write(path.join("crank.toml"), scene(96).replace("positions = 4", "positions = 1001")).unwrap();
+    let note = assur(path, &["report", "crank.toml", "-o", "b.html"]);
+    assert!(
+        code(&note) == 2 && err(&note).contains("at most 1000 positions of a scene of 100 "),
+        "{}",
+        err(&note)
+    );
     assert_eq!(names(path), ["a.svg", "crank.toml", "short.toml"]);
 }
