@@ -1,5 +1,7 @@
 //! Files of the user: errors of reading name the place; writing is complete or not done at all.
 
+mod lock;
+mod stream;
 mod write;
 
 use std::fs;
@@ -10,9 +12,10 @@ use assur_kinematics::CompileError;
 use assur_mechanism::{Mechanism, Motion};
 use assur_scene::{SceneErrors, document};
 
+pub(crate) use lock::{Lock, create_own, open_own};
+pub(crate) use stream::{is_stream, open_stream};
 pub(crate) use write::{
-    is_same, is_stream, open_stream, put, remove_on_signals, remove_temporaries, write, write_by,
-    write_folder,
+    behind_links, is_same, put, remove_on_signals, remove_temporaries, write, write_by, write_folder,
 };
 
 /// Why a file is not read or written.

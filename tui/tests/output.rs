@@ -238,3 +238,34 @@ fn words_of_the_command_line_are_told_without_control_characters() {
         assert!(escaped, "{arguments:?}: {}", err(&output));
     }
 }
+
+#[test]
+fn what_is_too_large_to_be_drawn_is_refused() {
+    let folder = folder();
+    let path = folder.path();
+    let large = assur(path, &["draw", "crank.toml", "-o", "a.png", "--size", "1000x1000"]);
+    assert_eq!(code(&large), 2);
+    assert!(err(&large).contains("a png has at most 64 million, such as 800 x 800 mm"), "{}", err(&large));
+    assert_eq!(code(&assur(path, &["draw", "crank.toml", "-o", "a.svg", "--size", "1000x1000"])), 0);
+    // Ground, crank and their joint beside the points.
+    let points = |count: usize| (0..count).map(|i| format!(", P{i} = 0.1")).collect::<String>();
+    let scene = |count| CRANK.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{}", points(count)));
+    fs::write(path.join("crank.toml"), scene(997)).unwrap();
+    for arguments in [&["draw", "crank.toml", "-o", "b.svg"][..], &["report", "crank.toml", "-o", "b.html"]] {
+        let output = assur(path, arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(
+            err(&output).contains("the scene has 1001 links, points, slides and loads"),
+            "{}",
+            err(&output)
+        );
+    }
+    fs::write(path.join("crank.toml"), scene(96).replace("positions = 4", "positions = 1001")).unwrap();
+    let note = assur(path, &["report", "crank.toml", "-o", "b.html"]);
+    assert!(
+        code(&note) == 2 && err(&note).contains("at most 1000 positions of a scene of 100 "),
+        "{}",
+        err(&note)
+    );
+    assert_eq!(names(path), ["a.svg", "crank.toml", "short.toml"]);
+}

@@ -144,7 +144,7 @@ fn causes_of_more_positions_than_are_kept_are_refused() {
     let output = assur(&["analyze", scene.to_str().unwrap(), "--by-cause"]);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
     let words = String::from_utf8(output.stderr).unwrap();
-    assert!(words.contains("at most 4096 positions, and the scene has 4097"), "{words}");
+    assert!(words.contains("at most 4096 positions of this scene, which has 4097"), "{words}");
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub use assur_check::Coverage;
 pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};
-pub use positions::{MOST_FAILURES, MOST_KEPT, lost_positions};
+pub use positions::{MOST_FAILURES, lost_positions};
 pub use progress::{Progress, Stopped, Watch, unwatched};
 
 #[cfg(test)]

@@ -13,8 +13,6 @@ use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Survey, Table};
 use crate::{Calculation, Progress};
 
-/// Most positions that an [`Analysis`] keeps; of more, every so many.
-pub const MOST_KEPT: usize = 4096;
 /// Most failures that are kept in full.
 pub const MOST_FAILURES: usize = 1000;
 
@@ -50,19 +48,19 @@ impl Calculation {
     /// Calculates the results of the scene, without [`checks`](Self::checks). A position without a solution is among
     /// the failures; one without forces too, and keeps the other results.
     ///
-    /// Of more than [`MOST_KEPT`] positions only every so many are kept; [`each_block`](Self::each_block) gives all.
+    /// Of more than [`Mechanism::most_kept`](assur_mechanism::Mechanism::most_kept) positions only every so many are kept; [`each_block`](Self::each_block) gives all.
     ///
     /// # Errors
     ///
     /// [`Stopped`] where `watch` breaks.
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
-        let positions = self.positions(mechanism.input.positions.div_ceil(MOST_KEPT), watch)?;
+        let positions = self.positions(mechanism.input.positions.div_ceil(mechanism.most_kept()), watch)?;
         let samples = self.trajectory(watch)?;
         self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
         let mut notes = self.notes(&positions.at_change_points, &samples.without);
         // A load may act in a position that is not kept.
-        if mechanism.input.positions <= MOST_KEPT {
+        if mechanism.input.positions <= mechanism.most_kept() {
             notes.extend(self.idle_loads(&positions.kept));
         }
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {

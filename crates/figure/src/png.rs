@@ -16,14 +16,14 @@ const FAMILY: &str = "DejaVu Sans";
 pub const PIXELS: f64 = 10.0;
 pub use crate::page::EM;
 
-/// Greatest side of a picture, pixels.
-const MOST: f64 = 20_000.0;
+/// Most pixels of a picture: one takes some eight bytes while it is painted and compressed, all together half a gigabyte.
+pub const MOST: f64 = 64e6;
 
 /// Why a figure has no PNG.
 #[derive(Debug, thiserror::Error)]
 pub enum PngError {
     /// The picture would be empty, or larger than memory should be taken for.
-    #[error("a picture of {0:.0} x {1:.0} pixels can't be painted; take a size from 1 x 1 to {max} x {max} mm", max = MOST / PIXELS)]
+    #[error("a picture of {0:.0} x {1:.0} pixels can't be painted; a png has at most {max:.0} million, such as {side:.0} x {side:.0} mm; an svg may be larger", max = MOST / 1e6, side = MOST.sqrt() / PIXELS)]
     Size(f64, f64),
     /// The painter refuses the SVG of the figure.
     #[error("the figure can't be painted: {0}")]
@@ -40,8 +40,7 @@ pub enum PngError {
 /// If the page is empty or too large.
 pub fn write(figure: &Figure, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
     let [width, height] = size.map(|side| (side * PIXELS).round());
-    let fits = |side: f64| (1.0..=MOST).contains(&side);
-    if !(fits(width) && fits(height)) {
+    if !(width >= 1.0 && height >= 1.0 && width * height <= MOST) {
         return Err(PngError::Size(width, height));
     }
     let mut fonts = fontdb::Database::new();

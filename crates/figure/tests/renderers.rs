@@ -109,6 +109,12 @@ fn a_picture_has_ten_pixels_a_millimeter_and_is_not_empty() {
     assert_eq!([side(16), side(20)], [500, 400]);
     let blank = png::write(&chart("", &[f64::NAN], 0.0), [50.0, 40.0]).unwrap();
     assert!(bytes.len() > blank.len() + 500, "{} and {}", bytes.len(), blank.len());
+    // 64 million pixels are 800 mm square; as wide as an svg may be, a picture is flat.
+    let error = png::write(&figure, [800.1, 800.1]).unwrap_err().to_string();
+    assert!(
+        error.ends_with("a png has at most 64 million, such as 800 x 800 mm; an svg may be larger"),
+        "{error}"
+    );
     assert!(png::write(&figure, [0.0, 40.0]).is_err() && png::write(&figure, [f64::NAN, 40.0]).is_err());
 }
 

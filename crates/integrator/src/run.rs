@@ -9,6 +9,9 @@ use crate::{
 /// The reason where the speed only decays, so that the requested end is never reached.
 pub(crate) const CREEPS: &str = "creeps to rest without end";
 
+/// Most events of a motion, which are all kept.
+const MOST_EVENTS: usize = 1_000_000;
+
 /// The motion so far. `C` is how the method describes the motion inside a segment.
 #[derive(Debug)]
 pub struct Run<'a, C> {
@@ -71,6 +74,9 @@ impl<'a, C: Curve> Run<'a, C> {
     ///
     /// Those of [`enter`].
     pub fn enter(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
+        if self.events.len() > MOST_EVENTS {
+            return Err(self.not_reached("has a million jumps, reversals and stops, and does not end"));
+        }
         let entered = enter(&mut self.equation, &self.node.state, at_speed_bound)?;
         if let Some((piece, acceleration)) = entered {
             self.piece = piece;

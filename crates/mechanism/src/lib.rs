@@ -6,11 +6,16 @@
 mod drive;
 mod load;
 mod numbers;
+mod size;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
 pub use drive::{Motion, StepLength, Until, passage};
 pub use load::{Balance, Brake, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
 pub use numbers::links_of_length_zero;
+pub use size::{
+    LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
+    MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,
+};
 
 /// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.
 pub type LinkId = usize;

@@ -6,6 +6,7 @@ use assur_mechanism::Input;
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
+use crate::limits;
 use crate::linkage::Linkage;
 use crate::text::shown;
 use crate::units::Dimension;
@@ -17,6 +18,8 @@ pub(crate) struct Context<'s> {
     pub(crate) linkage: &'s Linkage,
     /// `None` if the input is faulty.
     pub(crate) input: Option<&'s Input>,
+    /// How many loads there are.
+    pub(crate) loads: usize,
     /// Whether there is a `[motion]`.
     pub(crate) moves: bool,
 }
@@ -90,6 +93,9 @@ impl LoadNames {
         let entry = section.get("name");
         let given = entry.as_ref().and_then(|entry| entry.text("a name"));
         let name = given.map_or_else(default, str::to_owned);
+        if let Some(entry) = &entry {
+            limits::check_name(entry, &entry.span, &name);
+        }
         if !self.0.insert(name.clone()) {
             let span = entry.map_or(section.span.clone(), |entry| entry.span);
             let fault = Fault::new(span, format!("two loads have the name `{}`", shown(&name)));

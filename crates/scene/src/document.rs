@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use toml::Spanned;
 use toml::de::DeTable;
 
 pub use crate::error::Fault;
@@ -14,6 +15,9 @@ use crate::text::shown;
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
 /// megabytes.
 pub const MOST_BYTES: usize = 8 << 20;
+
+/// The greatest text of which all faults of the syntax are collected, in bytes.
+const MOST_RECOVERED: usize = 1 << 20;
 
 /// Number of syntax faults that are reported; later ones are often only consequences of the first.
 const SYNTAX_FAULTS: usize = 3;
@@ -53,8 +57,8 @@ pub fn read<T>(
         faults.push(Fault::new(0..0, message).label("is it the right file?"));
         return Err(faults.into_errors(file_name, ""));
     }
-    let (document, syntax) = DeTable::parse_recoverable(text);
-    let value = if syntax.is_empty() {
+    let (document, syntax) = parsed(text);
+    let value = if let Some(document) = document.filter(|_| syntax.is_empty()) {
         Some(make(&Section::root(document.get_ref(), what, known, &faults)))
     } else {
         let errors = syntax.iter().map(|error| (error.span().unwrap_or(0..0), error.message()));
@@ -66,6 +70,19 @@ pub fn read<T>(
     match value.filter(|_| faults.is_empty()) {
         Some(value) => Ok(value),
         None => Err(faults.into_errors(file_name, text)),
+    }
+}
+
+/// The tables of a text, and the faults of its syntax: of a large text the first fault only, since a text may have one in each
+/// of its bytes, and each takes far more than a byte.
+pub(crate) fn parsed(text: &str) -> (Option<Spanned<DeTable<'_>>>, Vec<toml::de::Error>) {
+    match DeTable::parse(text) {
+        Ok(document) => (Some(document), Vec::new()),
+        Err(first) if text.len() > MOST_RECOVERED => (None, vec![first]),
+        Err(_) => {
+            let (document, errors) = DeTable::parse_recoverable(text);
+            (Some(document), errors)
+        }
     }
 }
 

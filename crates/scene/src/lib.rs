@@ -10,6 +10,7 @@ pub mod edit;
 mod error;
 mod input;
 mod joints;
+mod limits;
 mod linkage;
 mod links;
 mod loads;
@@ -99,7 +100,15 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Op
 
 /// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
 fn scene(root: &Section<'_>) -> Mechanism {
-    let title = root.get("title").and_then(|entry| entry.line()).unwrap_or_default();
+    if limits::exceeded(root) {
+        return nothing();
+    }
+    let title = root.get("title").and_then(|entry| {
+        let title = entry.line()?;
+        limits::check_name(&entry, &entry.span, &title);
+        Some(title)
+    });
+    let title = title.unwrap_or_default();
     let (mut linkage, firsts) = links::read(root);
     links::read_slides(root, &mut linkage, &firsts);
     // A point with a fault is at the origin until then.
@@ -107,7 +116,12 @@ fn scene(root: &Section<'_>) -> Mechanism {
         links::refuse_points(root, &linkage);
     }
     let input = input::read(root, &linkage);
-    let context = Context { linkage: &linkage, input: input.as_ref(), moves: root.get("motion").is_some() };
+    let context = Context {
+        linkage: &linkage,
+        input: input.as_ref(),
+        loads: limits::loads(root),
+        moves: root.get("motion").is_some(),
+    };
     let names = &mut LoadNames::default();
     let motion = motion::read(root, &context);
     wishes::read(root, input.as_ref().map(|input| input.positions));

@@ -1,9 +1,10 @@
 //! The links, points and slides of a scene by name.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
 
+use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::Dimension;
@@ -17,17 +18,34 @@ pub(crate) struct Linkage {
     pub(crate) slides: Vec<Slide>,
     /// Points by name.
     names: HashMap<String, PointId>,
+    /// Links by name.
+    links_by_name: HashMap<String, LinkId>,
+    /// Names of the slides.
+    slide_names: HashSet<String>,
 }
 
 impl Linkage {
     /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
         let name = entry.text("the name of a link")?;
-        let found = self.links.iter().position(|link| link.name == name);
+        let found = self.links_by_name.get(name).copied();
         if found.is_none() {
             Self::unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
         }
         found
+    }
+
+    /// Adds a link; of two with one name the first is found.
+    pub(crate) fn add_link(&mut self, link: Link) -> LinkId {
+        let id = self.links.len();
+        self.links_by_name.entry(link.name.clone()).or_insert(id);
+        self.links.push(link);
+        id
+    }
+
+    /// Adds the name of a slide; whether no other slide has it.
+    pub(crate) fn add_slide_name(&mut self, name: &str) -> bool {
+        self.slide_names.insert(name.to_owned())
     }
 
     /// The moving link named by an entry.
@@ -72,13 +90,17 @@ impl Linkage {
         name: &str,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
-        let near = nearest(name, known.clone());
-        let label = match (near, known.clone().next()) {
-            (Some(_), _) => did_you_mean(near),
-            (None, None) => format!("the scene has no {what}s"),
-            (None, Some(_)) => format!("{what}s: {}", row(known)),
-        };
-        entry.fault(format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name)), label);
+        // Made only while faults are kept: the search for the nearest name takes time.
+        entry.faults.note(|| {
+            let near = nearest(name, known.clone());
+            let label = match (near, known.clone().next()) {
+                (Some(_), _) => did_you_mean(near),
+                (None, None) => format!("the scene has no {what}s"),
+                (None, Some(_)) => format!("{what}s: {}", row(known)),
+            };
+            let message = format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name));
+            Fault::new(entry.span.clone(), message).label(label)
+        });
     }
 
     /// Names and coordinates of the points of a link.
@@ -99,19 +121,24 @@ impl Linkage {
         let Some(name) = entry.value.as_str() else {
             return coordinates(entry);
         };
-        if let Some((_, at)) = self.points_of(link).find(|point| point.0 == name) {
-            return Some(at);
+        let places = self.point_named(name).map(|point| &self.points[point].places);
+        if let Some(place) = places.into_iter().flatten().find(|place| place.link == link) {
+            return Some(place.at);
         }
         // As in `points`, a text that begins with a digit is a length on the x axis.
         if name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '\u{2212}')) {
             return coordinates(entry);
         }
         entry.text("a point or [x, y]")?;
-        self.not_on(entry, name, link);
+        entry.faults.note(|| {
+            let (message, label) = self.not_on(entry, name, link);
+            Fault::new(entry.span.clone(), message).label(label)
+        });
         None
     }
 
-    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) {
+    /// What is said where a link has no point of a name: message and correction.
+    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) -> (String, String) {
         let on = &self.links[link].name;
         let Some(point) = self.point_named(name) else {
             let known = self.points_of(link).map(|point| point.0);
@@ -119,7 +146,7 @@ impl Linkage {
             let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
             let message =
                 format!("`{}`: link `{}` has no point `{}`", shown(&entry.name), shown(on), shown(name));
-            return entry.fault(message, label);
+            return (message, label);
         };
         let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());
         let message = format!(
@@ -129,7 +156,7 @@ impl Linkage {
             shown(on),
             row(holders)
         );
-        entry.fault(message, self.listed(link));
+        (message, self.listed(link))
     }
 
     fn listed(&self, link: LinkId) -> String {

@@ -3,6 +3,7 @@
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, Slide, links_of_length_zero};
 
 use crate::error::Fault;
+use crate::limits;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
 use crate::text::{is_unprintable, row, shown};
@@ -15,7 +16,7 @@ const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
-    linkage.links.push(massless("ground"));
+    linkage.add_link(massless("ground"));
     let mut firsts = vec![[0.0; 2]];
     let ground = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
@@ -67,8 +68,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
         let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
         entry.faults.push(fault.label("results use it: choose another name"));
     }
-    let id = linkage.links.len();
-    linkage.links.push(massless(&entry.name));
+    let id = linkage.add_link(massless(&entry.name));
     firsts.push([0.0; 2]);
     let section = entry.section("a link", LINK_KEYS)?;
     if let Some(points) = section.need("points") {
@@ -96,6 +96,7 @@ fn check_name(entry: &Entry<'_>, what: &str) {
         let fault = Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
         entry.faults.push(fault.label("a name must not be empty or contain a dot or invisible characters"));
     }
+    limits::check_name(entry, &entry.key, name);
 }
 
 fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
@@ -132,7 +133,7 @@ pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[
     }
 }
 
-fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
+fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
     let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
     let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
     let (link, on) = (section.need("link"), section.need("on"));
@@ -150,15 +151,19 @@ fn one(section: &Section<'_>, linkage: &Linkage, firsts: &[[f64; 2]]) -> Option<
             "another link or \"ground\"",
         );
     }
-    let name = name(section, linkage, &format!("{}/{}", linkage.links[link].name, linkage.links[on].name));
+    let default = format!("{}/{}", linkage.links[link].name, linkage.links[on].name);
+    let name = name(section, linkage, &default);
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &Linkage, default: &str) -> String {
+fn name(section: &Section<'_>, linkage: &mut Linkage, default: &str) -> String {
     let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0);
-    let is_pin = linkage.points.iter().any(|point| point.name == name && point.is_pin());
-    if is_pin || linkage.slides.iter().any(|slide| slide.name == name) {
+    if let Some((name, entry)) = &given {
+        limits::check_name(entry, &entry.span, name);
+    }
+    let is_pin = linkage.point_named(name).is_some_and(|point| linkage.points[point].is_pin());
+    if !linkage.add_slide_name(name) || is_pin {
         let what = if is_pin { "a pin and a slide" } else { "two slides" };
         let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
         let fault = Fault::new(span, format!("{what} have the name `{}`", shown(name)));

@@ -1,6 +1,6 @@
 //! `[motion]`: how the input moves.
 
-use assur_mechanism::{Motion, Solve, StepLength, Until};
+use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
 use crate::context::Context;
 use crate::numbers::Bound;
@@ -8,8 +8,6 @@ use crate::text::{brief, shown};
 use crate::units::{Dimension, UnitError, is_bare, quantity};
 use crate::walk::{Entry, Section};
 
-/// Samples of a motion are kept in memory; the limit keeps a typing error from filling it.
-const MOST_SAMPLES: usize = 1_000_000;
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
 const ALL_KEYS: &[&str] = &[
@@ -91,7 +89,7 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
-    let samples = section.get("samples").and_then(|entry| entry.count(1, MOST_SAMPLES)).unwrap_or(100);
+    let samples = samples(section, context).unwrap_or(100);
     let integrator = section.get("integrator").and_then(|entry| entry.text("the name of an integrator"));
     let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
@@ -104,9 +102,26 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let integrator = integrator.unwrap_or("auto").to_owned();
     let step = section.get("step").and_then(|entry| time_or_way(&entry, context, ""));
     let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
-    let max_steps = section.get("max_steps").and_then(|entry| entry.count(1, MOST_STEPS));
+    // Steps that no sample needs are dropped where the instants of the samples are known.
+    let most_steps = if matches!(until, Until::Time(_)) { MOST_STEPS } else { MOST_STEPS_KEPT };
+    let max_steps = section.get("max_steps").and_then(|entry| entry.count(1, most_steps));
     let speed = context.sign() * speed;
     Some(Motion::Transient { speed, until, samples, integrator, tolerance, step, max_steps })
+}
+
+/// Reads the number of samples, which are kept in memory: the more a mechanism has, the fewer.
+fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
+    let linkage = context.linkage;
+    let parts = linkage.links.len() + linkage.points.len() + linkage.slides.len() + context.loads;
+    let entry = section.get("samples")?;
+    let samples = entry.count(1, MOST_SAMPLES)?;
+    let most = (MOST_PARTS_SAMPLED / parts.max(1)).max(1);
+    if samples > most {
+        let message =
+            format!("`samples` may be at most {most} in a scene of {parts} links, points, slides and loads");
+        entry.fault(message, "their numbers are kept in memory");
+    }
+    Some(samples)
 }
 
 /// Reads "rest", "turn", a time, or a displacement of the input.

@@ -1,8 +1,11 @@
 //! Turns the matched system of equations into groups with their pairs, kinds and structural formula.
 
+use std::collections::{HashMap, HashSet, VecDeque};
+
 use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
 
+use crate::error::some;
 use crate::frame::{Incidence, frame_of, input_pair, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{Counted, Group, Mobility, NamedPair, Structure, StructureError, name_of, roman};
@@ -97,13 +100,9 @@ fn refuse_other_mobility(
         links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.clone()).collect()
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
-        let mut pairs: Vec<String> = Vec::new();
-        for block in blocks {
-            let name = name_of(mechanism, graph.blocks[block].source).to_owned();
-            if !pairs.contains(&name) {
-                pairs.push(name);
-            }
-        }
+        let mut seen = HashSet::new();
+        let names = blocks.into_iter().map(|block| name_of(mechanism, graph.blocks[block].source));
+        let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(str::to_owned).collect();
         (pairs, link_names(&nodes))
     });
     let loose = link_names(&graph.loose());
@@ -118,7 +117,7 @@ fn refuse_other_mobility(
         }
         (surplus, false) => {
             let also = surplus.map_or(String::new(), |(pairs, _)| {
-                format!(" (while the pairs {} have one constraint too many)", pairs.join(", "))
+                format!(" (while the pairs {} have one constraint too many)", some(&pairs, str::to_owned))
             });
             Err(StructureError::Loose { counted, links: loose, also })
         }
@@ -195,29 +194,32 @@ fn class_and_order(frame: &GroupFrame) -> (u8, u8) {
 /// Number of links in the longest contour, where each inner pair counts with its shortest closed chain; 0 if there is
 /// none.
 fn longest_contour(frame: &GroupFrame) -> usize {
-    let mut longest = 0;
-    for (skipped, pair) in frame.inner.iter().enumerate() {
-        longest = longest.max(path_without(frame, skipped, pair.a, pair.b).unwrap_or(0));
+    let mut joined: HashMap<LinkId, Vec<usize>> = HashMap::new();
+    for (index, pair) in frame.inner.iter().enumerate() {
+        for link in [pair.a, pair.b] {
+            joined.entry(link).or_default().push(index);
+        }
     }
-    longest
+    let contours = (0..frame.inner.len()).filter_map(|skipped| path_without(frame, &joined, skipped));
+    contours.max().unwrap_or(0)
 }
 
-/// Number of links on the shortest path between two links over inner pairs, without the given pair.
-fn path_without(frame: &GroupFrame, skipped: usize, from: usize, to: usize) -> Option<usize> {
-    let mut distance = vec![(from, 1)];
-    let mut next = 0;
-    while next < distance.len() {
-        let (link, steps) = distance[next];
+/// Number of links on the shortest path between the two links of an inner pair, without this pair; `joined`: the inner
+/// pairs of each link.
+fn path_without(frame: &GroupFrame, joined: &HashMap<LinkId, Vec<usize>>, skipped: usize) -> Option<usize> {
+    let Pair { a: from, b: to, .. } = frame.inner[skipped];
+    let mut seen = HashSet::from([from]);
+    let mut next = VecDeque::from([(from, 1)]);
+    while let Some((link, steps)) = next.pop_front() {
         if link == to {
             return Some(steps);
         }
-        for (i, pair) in frame.inner.iter().enumerate() {
-            if i != skipped && pair.joins(link) && !distance.iter().any(|(seen, _)| *seen == pair.other(link))
-            {
-                distance.push((pair.other(link), steps + 1));
+        for &index in joined.get(&link).into_iter().flatten().filter(|index| **index != skipped) {
+            let other = frame.inner[index].other(link);
+            if seen.insert(other) {
+                next.push_back((other, steps + 1));
             }
         }
-        next += 1;
     }
     None
 }

@@ -84,9 +84,23 @@ impl StructureError {
     }
 }
 
+/// Most names that a message lists.
+const MOST_NAMES: usize = 24;
+
 fn listed(one: &str, many: &str, names: &[String]) -> String {
-    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-    format!("{} {}", if names.len() == 1 { one } else { many }, quoted.join(", "))
+    let noun = if names.len() == 1 { one } else { many };
+    format!("{noun} {}", some(names, |name| format!("`{name}`")))
+}
+
+/// The first of some names, and how many there are.
+pub(crate) fn some(names: &[String], shown: impl Fn(&str) -> String) -> String {
+    let first: Vec<_> = names.iter().take(MOST_NAMES).map(|name| shown(name)).collect();
+    let more = if names.len() > MOST_NAMES {
+        format!(" ... ({MOST_NAMES} of {} shown)", names.len())
+    } else {
+        String::new()
+    };
+    first.join(", ") + &more
 }
 
 fn surplus(pairs: &[String]) -> String {

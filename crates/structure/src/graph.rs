@@ -49,20 +49,37 @@ pub(crate) struct Graph {
 /// came from.
 struct Search {
     met: Vec<usize>,
+    /// Whether a search that reached the node has failed: no path from there leads to a free node, now or later.
+    closed: Vec<bool>,
     from: Vec<usize>,
     queue: VecDeque<usize>,
+    /// The nodes that this search has visited.
+    reached: Vec<usize>,
+}
+
+impl Search {
+    fn new(nodes: usize) -> Self {
+        Self {
+            met: vec![0; nodes],
+            closed: vec![false; nodes],
+            from: vec![0; nodes],
+            queue: VecDeque::new(),
+            reached: Vec::new(),
+        }
+    }
 }
 
 impl Graph {
     /// Matches as many equations as possible to unknowns, each equation by the shortest augmenting path.
     ///
     /// Earlier equations are preferred: an equation that can't be matched remains so. Most equations find a free
-    /// unknown of their own, so the paths are short and the time is nearly linear for a scene in any order.
+    /// unknown of their own, so the paths are short and the time is nearly linear for a scene in any order. What a failed
+    /// search has reached is not searched again, so that any number of surplus equations takes linear time too.
     pub(crate) fn matched(nodes: Vec<Node>, blocks: Vec<Block>) -> Self {
         let (equations, count) = (2 * blocks.len(), nodes.len());
         let held = vec![Vec::with_capacity(3); count];
         let mut graph = Self { nodes, blocks, matched: vec![None; equations], held };
-        let mut search = Search { met: vec![0; count], from: vec![0; count], queue: VecDeque::new() };
+        let mut search = Search::new(count);
         for equation in 0..equations {
             graph.augment(equation, &mut search);
         }
@@ -77,11 +94,12 @@ impl Graph {
     fn augment(&mut self, equation: usize, search: &mut Search) {
         let stamp = equation + 1;
         search.queue.clear();
+        search.reached.clear();
         search.queue.push_back(equation);
         while let Some(next) = search.queue.pop_front() {
             for k in 0..self.blocks[next / 2].nodes.len() {
                 let node = self.blocks[next / 2].nodes[k];
-                if search.met[node] == stamp {
+                if search.met[node] == stamp || search.closed[node] {
                     continue;
                 }
                 (search.met[node], search.from[node]) = (stamp, next);
@@ -89,8 +107,12 @@ impl Graph {
                     self.shift(node, &search.from);
                     return;
                 }
+                search.reached.push(node);
                 search.queue.extend(&self.held[node]);
             }
+        }
+        for node in search.reached.drain(..) {
+            search.closed[node] = true;
         }
     }
 

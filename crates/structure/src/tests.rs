@@ -172,3 +172,30 @@ fn the_typical_length_is_the_greatest_distance_of_two_points() {
         assert!((scale(&points) - longest).abs() <= 1e-15 * longest, "{longest}");
     }
 }
+
+#[test]
+fn any_number_of_surplus_pairs_is_refused_and_some_are_named() {
+    let slide = |link: &str, i: usize| {
+        format!("[[slide]]\nlink = \"{link}\"\non = \"ground\"\nname = \"{link}{i}\"\n")
+    };
+    // In the order of the scene. The rocker is fixed by its pins already: with each slide the part that can't move grows over the whole four-bar.
+    let slides: String = (0..100_000).map(|i| slide("rocker", i)).collect();
+    let Err(StructureError::Surplus { pairs, links, .. }) = structure(&format!("{FOUR_BAR}{slides}")) else {
+        panic!("surplus")
+    };
+    assert_eq!(
+        (pairs, links),
+        (
+            ["C", "A", "B", "rocker0"].map(str::to_owned).to_vec(),
+            ["coupler", "rocker"].map(str::to_owned).to_vec()
+        )
+    );
+    // A loose arm beside them: their list is part of the message, and shortened.
+    let many = (0..50).map(|i| format!(", P{i} = [0.{i:02}, 0]")).collect::<String>();
+    let doubled = FOUR_BAR
+        .replace(", C = [0.5, 0]", &format!(", C = [0.5, 0]{many}"))
+        .replace("points = { C = 0, B = 0.3 }", &format!("points = {{ C = 0, B = 0.3{many} }}"));
+    let arms: String = (0..30).map(|i| format!("[link.arm{i}]\npoints = {{ E = 0, F{i} = 1 }}\n")).collect();
+    let error = structure(&format!("{doubled}{arms}")).unwrap_err();
+    assert!(error.to_string().contains("`arm23` ... (24 of 30 shown) can still move"), "{error}");
+}

@@ -18,12 +18,15 @@ const MOST_ROWS: usize = 65_536;
 /// A sweep has so many groups, so that little is lost if it is ended; but groups have at least so many rows.
 const GROUPS: usize = 64;
 
+/// Most numbers of one group: 64 MB, of which some copies are in memory.
+pub(crate) const NUMBERS: usize = 1 << 23;
+
 /// Keys of a part's own data.
 const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
 
-/// Rows of each part of a sweep of so many points, except the last one.
-pub fn rows_of_part(points: usize) -> usize {
+/// Rows of each part of a sweep of so many points, except the last one, if they have few columns.
+pub(crate) fn rows_of_part(points: usize) -> usize {
     points.div_ceil(GROUPS).clamp(GROUPS, MOST_ROWS)
 }
 

@@ -15,13 +15,16 @@ use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, SweepError, Vary};
+use crate::{Points, SweepError, Vary, parquet};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
 
-/// Points that a thread calculates before it hands on their rows.
+/// Most points that a thread calculates before it hands on their rows.
 const BLOCK: usize = 64;
+
+/// Most numbers of these rows: with all that threads are [`AHEAD`], some megabytes for each of them.
+const NUMBERS: usize = 1 << 15;
 
 /// Blocks that a thread may be ahead of the writer: with a thread that does not get its turn for some milliseconds the others
 /// need not wait.
@@ -95,6 +98,11 @@ impl Sweep {
         self.count
     }
 
+    /// Rows of each part of a Parquet file of so many points, except the last one: few enough to keep in memory.
+    pub fn rows_of_part(&self, points: usize) -> usize {
+        parquet::rows_of_part(points).min(parquet::NUMBERS / self.columns.names().len().max(1)).max(1)
+    }
+
     /// The points of part `part` of `parts` (from 1), in which the points are divided in their order.
     pub fn part(&self, part: usize, parts: usize) -> Range<usize> {
         let parts = parts.max(1);
@@ -116,7 +124,8 @@ impl Sweep {
         encode: impl Fn(Rows) -> T + Sync,
         mut accept: impl FnMut(T) -> Result<(), E>,
     ) -> Result<(), E> {
-        let blocks = points.len().div_ceil(BLOCK);
+        let together = BLOCK.min(NUMBERS / self.columns.names().len().max(1)).max(1);
+        let blocks = points.len().div_ceil(together);
         // A thread takes the next block when it is free, notes that it has taken it, and has a channel of its own: the order
         // needs no sorting.
         let threads = threads.get().min(blocks);
@@ -133,8 +142,8 @@ impl Sweep {
                 let work = move || {
                     let mut worker = Worker::new(self);
                     while let Some(block) = take(thread) {
-                        let start = points.start + block * BLOCK;
-                        let rows = worker.rows(start..points.end.min(start + BLOCK));
+                        let start = points.start + block * together;
+                        let rows = worker.rows(start..points.end.min(start + together));
                         // The caller has ended the run.
                         if sender.send(encode(rows)).is_err() {
                             return;

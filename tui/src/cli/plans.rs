@@ -2,8 +2,9 @@
 
 use std::ops::RangeInclusive;
 
+use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
-use assur_analysis::{Calculation, MOST_KEPT};
+use assur_mechanism::MOST_PARTS_KEPT;
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -74,9 +75,13 @@ impl PlanArgs {
             return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
         }
         let count = study.linkage.mechanism.input.positions;
-        if self.by_cause && count > MOST_KEPT {
+        let mechanism = &study.linkage.mechanism;
+        // Each load has a share in the reactions of each part, beside weight and inertia.
+        let shares = mechanism.parts() * (mechanism.loads() + 2);
+        let most = mechanism.most_kept().min(10 * MOST_PARTS_KEPT / shares);
+        if self.by_cause && count > most {
             return Err(Fault::other(format!(
-                "--by-cause splits the reactions of at most {MOST_KEPT} positions, and the scene has {count}; lower \
+                "--by-cause splits the reactions of at most {most} positions of this scene, which has {count}; lower \
                  `positions` in `[input]`"
             )));
         }

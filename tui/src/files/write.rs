@@ -1,7 +1,7 @@
 //! Writing files: new content is first written completely to a temporary file next to the target, which then replaces
 //! it.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -11,9 +11,11 @@ use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
 
 use super::FileError;
+use super::lock::Lock;
+use super::stream::open_stream;
 
-/// Most symbolic links that are followed; a longer chain is taken for a loop.
-const MOST_LINKS: usize = 40;
+/// Lock of a folder while its files are replaced.
+const LOCK: &str = ".assur.lock";
 
 /// Temporary files next to their targets.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -45,22 +47,15 @@ pub(crate) fn write_by(
     replacement.and_then(Replacement::put).map_err(fault)
 }
 
-/// A device, a pipe or an open stream, to be written to as it is; `None` where a path means a file.
-pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write + Send>>> {
-    let special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
-    if !special && !is_stream(path) {
-        return None;
-    }
-    if is_standard_output(path) {
-        return Some(Ok(Box::new(io::stdout())));
-    }
-    Some(OpenOptions::new().append(true).open(path).map(|file| Box::new(file) as Box<dyn Write + Send>))
+/// Puts a complete file in the place of another one, or where none is, with the care of [`write`]. A link at `path`
+/// itself is replaced: [`behind_links`] finds what it leads to.
+pub(crate) fn put(complete: &Path, path: &Path) -> Result<(), FileError> {
+    take_place(complete, path).map_err(|error| FileError::write(path, error))
 }
 
-/// Puts a complete file in the place of another one, or where none is, with the care of [`write`].
-pub(crate) fn put(complete: &Path, path: &Path) -> Result<(), FileError> {
-    let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    take_place(complete, &real).map_err(|error| FileError::write(path, error))
+/// The file that a path leads to through links; the path itself where there is none.
+pub(crate) fn behind_links(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// Writes some files into a folder by a function: all of them, or none. Files of `all` that an earlier run left and this
@@ -84,6 +79,8 @@ pub(crate) fn write_folder(
             let _ = fs::remove_dir(folder);
         }
     })?;
+    // Of two runs at once, the files are those of one.
+    let _lock = Lock::wait(&folder.join(LOCK), folder)?;
     for replacement in ready {
         let path = replacement.path.clone();
         replacement.put().map_err(|error| FileError::write(&path, error))?;
@@ -127,31 +124,6 @@ pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// Whether a path means an open stream, such as `/dev/stdout`, even if the stream is a regular file.
-pub(crate) fn is_stream(path: &Path) -> bool {
-    stream_of(path).is_some()
-}
-
-/// The open stream that a path means, also through links.
-fn stream_of(path: &Path) -> Option<PathBuf> {
-    let mut path = std::path::absolute(path).ok()?;
-    for _ in 0..MOST_LINKS {
-        let is_open =
-            path.starts_with("/dev/fd") || (path.starts_with("/proc") && path.parent()?.ends_with("fd"));
-        if is_open || ["/dev/stdout", "/dev/stderr", "/dev/stdin"].iter().any(|name| path == Path::new(name))
-        {
-            return Some(path);
-        }
-        path = path.parent()?.join(fs::read_link(&path).ok()?);
-    }
-    None
-}
-
-fn is_standard_output(path: &Path) -> bool {
-    let names = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
-    stream_of(path).is_some_and(|stream| names.contains(&stream.as_path()))
-}
-
 /// New content next to its target; removed unless it replaces the target.
 struct Replacement {
     content: NamedTempFile,
@@ -161,11 +133,9 @@ struct Replacement {
 impl Replacement {
     /// An empty temporary file next to the target; a symbolic link stays, and its target is replaced.
     fn of(path: &Path) -> io::Result<Self> {
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let path = behind_links(path);
         if let Ok(old) = fs::metadata(&path) {
-            if !old.is_file() {
-                return Err(io::Error::new(io::ErrorKind::AlreadyExists, "what is there is not a file"));
-            }
+            refuse_special(&old)?;
             if old.permissions().readonly() {
                 let problem = "the file that is there is read-only";
                 return Err(io::Error::new(io::ErrorKind::PermissionDenied, problem));
@@ -208,7 +178,11 @@ impl Replacement {
 fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
     match fs::metadata(path) {
         Ok(old) if is_bound(&old, &fs::metadata(complete)?) => {
+            refuse_special(&old)?;
             let mut target = OpenOptions::new().write(true).open(path)?;
+            if let Err(TryLockError::WouldBlock) = target.try_lock() {
+                return Err(io::Error::other("another process is writing it now"));
+            }
             let length = io::copy(&mut File::open(complete)?, &mut target)?;
             target.set_len(length)?;
             target.sync_all()?;
@@ -216,11 +190,20 @@ fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
         }
         old => {
             if let Ok(old) = old {
+                refuse_special(&old)?;
                 fs::set_permissions(complete, old.permissions())?;
             }
             fs::rename(complete, path)
         }
     }
+}
+
+/// Refuses to replace what is not a file, such as a device.
+fn refuse_special(old: &fs::Metadata) -> io::Result<()> {
+    if old.is_file() {
+        return Ok(());
+    }
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, "what is there is not a file"))
 }
 
 /// Whether an old file has other names, or an owner that a new file would not have.

@@ -27,6 +27,10 @@ use document::{Block, Cover};
 use crate::screen::state::{State, View};
 use crate::words::Words;
 
+/// Most positions times parts of the mechanism in a note, whose figures and texts are all in memory: with eight times as many
+/// they took 4 GB.
+const MOST_PARTS: usize = 100_000;
+
 /// The form of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
@@ -90,10 +94,19 @@ impl Context<'_> {
 ///
 /// # Errors
 ///
-/// Why a position has no working; in words.
+/// Why a position has no working, or that there are too many; in words.
 pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, String> {
     let words = Words::of(note.language);
     let Some(scene) = &state.scene else { return Err("there is no scene".to_owned()) };
+    let parts = scene.linkage.mechanism.parts();
+    if scene.positions() * parts > MOST_PARTS {
+        return Err(format!(
+            "a note shows at most {} positions of a scene of {parts} links, points, slides and loads, and this one has {}; \
+             lower `positions` in [input]",
+            MOST_PARTS / parts,
+            scene.positions()
+        ));
+    }
     let cover = Cover::of(&scene.linkage.mechanism.title, note);
     let exists = |position: &usize| scene.poses.get(*position).is_some_and(Option::is_some);
     let count = scene.positions();

@@ -70,7 +70,9 @@ fn blocks_have_the_numbers_of_single_positions() {
     };
     let (many, few) = (scene(65_536), scene(64));
     let [found, wanted] = [&many, &few].map(|study| study.analyze(&mut unwatched).unwrap());
-    assert!(!found.is_complete() && found.positions.len() <= crate::MOST_KEPT && wanted.is_complete());
+    assert!(
+        !found.is_complete() && found.positions.len() <= assur_mechanism::MOST_KEPT && wanted.is_complete()
+    );
     let (mut rows, mut compared) = (0, 0);
     let is_force = |column: &Column| column.quantity == Quantity::Force && column.part == Part::X;
     let forces = found.positions.schema().select(is_force);
@@ -128,4 +130,18 @@ fn a_motion_and_a_regime_are_stopped() {
         assert_eq!(error, AnalysisError::Stopped(Stopped), "{name}");
         assert!(calls < 500, "{name}: {calls} more calls");
     }
+}
+
+#[test]
+fn of_a_large_mechanism_fewer_positions_are_kept() {
+    let points: String = (0..400).map(|i| format!(", P{i} = [0.1, 0.{i:03}]")).collect();
+    let scene = format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0{points} }}\n[input]\nlink = \"crank\"\npositions = 4096\n"
+    );
+    let large = study(&scene).unwrap();
+    let found = large.analyze(&mut unwatched).unwrap();
+    // Ground, crank and 401 points in 4096 positions are twice of what is kept.
+    assert!(!found.is_complete());
+    assert_eq!(found.positions.len(), 4096_usize.div_ceil(3));
+    assert!(found.positions.len() * large.linkage.mechanism.parts() <= assur_mechanism::MOST_PARTS_KEPT);
 }

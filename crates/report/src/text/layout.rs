@@ -16,6 +16,11 @@ const WIDTH: usize = 100;
 /// Blanks between the columns of a table.
 const GAP: usize = 2;
 
+/// Rows of a list that are shown.
+const MOST_ROWS: usize = 4096;
+/// Lines of a table of numbers that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
+const MOST_LINES: usize = 16 * MOST_ROWS;
+
 /// One column of a table of numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
@@ -152,7 +157,8 @@ impl Page {
 
     /// Rows of words in aligned columns below their heads.
     pub(super) fn rows(&mut self, head: &[&str], rows: &[Vec<String>]) {
-        self.text += &columns(head, rows, self.ascii);
+        self.text += &columns(head, &rows[..rows.len().min(MOST_ROWS)], self.ascii);
+        self.shortened(MOST_ROWS, rows.len(), "rows");
     }
 
     /// A table of numbers in blocks of the page's width, each with the key columns in front; nothing without groups.
@@ -174,8 +180,21 @@ impl Page {
                 None => blocks.push(group),
             }
         }
-        let blocks: Vec<_> = blocks.iter().map(|block| block_text(&keys, block)).collect();
+        let rows = keys.iter().map(|key| key.cells.len()).max().unwrap_or(0);
+        let most = (MOST_LINES / rows.max(1)).max(1);
+        let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
+        let (all, shown) = (count(&blocks), count(&blocks[..blocks.len().min(most)]));
+        let blocks: Vec<_> = blocks.iter().take(most).map(|block| block_text(&keys, block)).collect();
         self.text += &blocks.join("\n");
+        self.shortened(shown, all, "columns");
+    }
+
+    /// Says how many of all rows or columns are shown, where not all are.
+    fn shortened(&mut self, shown: usize, all: usize, what: &str) {
+        if shown < all {
+            self.text +=
+                &format!("... {shown} of {all} {what} shown; all are in the other forms (`--format`)\n");
+        }
     }
 }
 

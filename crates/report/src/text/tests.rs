@@ -1,8 +1,9 @@
 //! Digits and columns.
 
-use super::layout::{columns, wrap};
+use super::layout::{Column, Page, columns, wrap};
 use super::number::{column, short, single};
 use super::plans::plans;
+use super::units::JOULE;
 use assur_all as _;
 use assur_analysis::results::Check;
 use assur_analysis::{Calculation, Options, unwatched};
@@ -175,4 +176,25 @@ fn the_plans_of_a_position_have_every_table() {
     ] {
         assert!(text.contains(title), "{title}\n{text}");
     }
+}
+
+#[test]
+fn long_lists_and_wide_tables_are_shortened_and_say_so() {
+    let mut page = Page::new(false);
+    page.rows(&["pair"], &vec![vec!["A".to_owned()]; 5000]);
+    let text = page.finish();
+    assert!(text.ends_with("\nA\n... 4096 of 5000 rows shown; all are in the other forms (`--format`)\n"));
+    assert_eq!(text.lines().count(), 2 + 4096 + 1);
+    // Each block of 100 characters has seven columns of these, and a table sixteen blocks.
+    let mut page = Page::new(false);
+    let rows = 4096;
+    let key = Column::texts("No.", vec!["1".to_owned(); rows]);
+    let wide = Column::numbers("a long head", JOULE, vec![Some(1.0); rows]);
+    page.table("", &[key], vec![vec![wide]; 200]);
+    let text = page.finish();
+    assert!(
+        text.ends_with("... 112 of 200 columns shown; all are in the other forms (`--format`)\n"),
+        "{}",
+        &text[text.len() - 200..]
+    );
 }

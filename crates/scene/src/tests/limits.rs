@@ -2,6 +2,10 @@
 
 use std::fmt::Write as _;
 
+use assur_mechanism::{
+    LONGEST_NAME, MOST_LINKS, MOST_LOADS, MOST_PARTS_SAMPLED, MOST_PLACES, MOST_SLIDES, MOST_STEPS_KEPT,
+};
+
 use super::BASE;
 use crate::{document, read};
 
@@ -58,4 +62,112 @@ fn pins_at_one_place_are_refused_where_nothing_else_turns_the_link() {
     assert_eq!((errors.errors[0].line, errors.errors[0].column), (3, 7));
     // The crank turns a guide: its angle matters.
     assert!(read("two.toml", &scene("[[slide]]\nlink = \"stone\"\non = \"crank\"\n")).is_ok());
+}
+
+/// A crank with these points beside its joint, after which come other parts of the scene.
+fn crank(points: &str, more: &str) -> String {
+    format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0{points} }}\n[input]\nlink = \"crank\"\n{more}"
+    )
+}
+
+/// Lines that are made from numbers.
+fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
+    (0..count).map(line).collect()
+}
+
+#[test]
+fn the_first_that_is_too_many_is_named_with_its_line() {
+    let slides = |count| crank("", &lines(count, |_| "[[slide]]\n".to_owned()));
+    let links = |count| crank("", &lines(count - 1, |i| format!("[link.k{i}]\n")));
+    // Two of the points are there already.
+    let points = |count| crank(&lines(count - 2, |i| format!(", P{i} = 1")), "");
+    let loads = |count: usize| {
+        let half = count / 2;
+        crank(
+            "",
+            &(lines(half, |_| "[[force]]\n".to_owned())
+                + &lines(count - half, |_| "[[spring]]\n".to_owned())),
+        )
+    };
+    let all: [(&dyn Fn(usize) -> String, usize, &str, usize); 4] = [
+        (&slides, MOST_SLIDES, "slides", 7 + MOST_SLIDES),
+        (&links, MOST_LINKS, "links", 6 + MOST_LINKS),
+        (&points, MOST_PLACES, "points on its links", 4),
+        (&loads, MOST_LOADS, "loads", 7 + MOST_LOADS),
+    ];
+    for (scene, most, what, line) in all {
+        let errors = read("many.toml", &scene(most + 1)).unwrap_err();
+        let message = format!("a scene has at most {most} {what}, this one has {}", most + 1);
+        let found: Vec<_> = errors.errors.iter().map(|error| (error.message.as_str(), error.line)).collect();
+        assert_eq!(found, [(message.as_str(), line)]);
+        let said =
+            |errors: crate::SceneErrors| errors.errors.iter().any(|error| error.message.contains("at most"));
+        assert!(!read("most.toml", &scene(most)).err().is_some_and(said), "{what}");
+    }
+}
+
+#[test]
+fn a_name_has_a_greatest_length() {
+    let scene = |name: &str| {
+        [
+            format!("title = \"{name}\"\n{}", crank("", "")),
+            crank(&format!(", {name} = 1"), ""),
+            crank(
+                "",
+                &format!(
+                    "[link.{name}]\npoints = {{ S = 0 }}\n[[slide]]\nlink = \"{name}\"\non = \"crank\"\n"
+                ),
+            ),
+            crank(
+                "",
+                &format!(
+                    "[link.k]\npoints = {{ S = 0 }}\n[[slide]]\nlink = \"k\"\non = \"crank\"\nname = \"{name}\"\n"
+                ),
+            ),
+            crank("", &format!("[[moment]]\nname = \"{name}\"\nlink = \"crank\"\nvalue = 1\n")),
+        ]
+    };
+    for text in scene(&"n".repeat(LONGEST_NAME)) {
+        assert!(read("long.toml", &text).is_ok(), "{text}");
+    }
+    for text in scene(&"n".repeat(LONGEST_NAME + 1)) {
+        let errors = read("longer.toml", &text).unwrap_err();
+        let message = format!(
+            "`{}...` has {} characters, at most {LONGEST_NAME} are read",
+            "n".repeat(40),
+            LONGEST_NAME + 1
+        );
+        assert_eq!(errors.errors[0].message, message);
+    }
+}
+
+#[test]
+fn samples_and_kept_steps_are_as_many_as_memory_holds() {
+    let scene = |keys: &str| {
+        let motion = format!(
+            "mass = 1\ncenter = \"O\"\ninertia = 1\n[motion]\nkind = \"transient\"\nspeed = 1\n{keys}\n"
+        );
+        crank("", "").replace("[input]", &format!("{motion}[input]"))
+    };
+    // Ground, crank and their joint.
+    let most = MOST_PARTS_SAMPLED / 3;
+    assert!(read("most.toml", &scene(&format!("until = 1\nsamples = {most}"))).is_ok());
+    let errors = read("more.toml", &scene(&format!("until = 1\nsamples = {}", most + 1))).unwrap_err();
+    let message = format!("`samples` may be at most {most} in a scene of 3 links, points, slides and loads");
+    assert_eq!((errors.errors[0].message.as_str(), errors.errors[0].line), (message.as_str(), 12));
+    // Only where the instants of the samples are known from the start are other steps dropped.
+    let steps = MOST_STEPS_KEPT + 1;
+    assert!(read("time.toml", &scene(&format!("until = 1\nmax_steps = {steps}"))).is_ok());
+    let errors = read("rest.toml", &scene(&format!("until = \"rest\"\nmax_steps = {steps}"))).unwrap_err();
+    assert!(errors.errors[0].message.contains(&format!("from 1 to {MOST_STEPS_KEPT}")), "{errors}");
+}
+
+#[test]
+fn of_a_large_text_that_is_no_toml_the_first_fault_is_named() {
+    for text in ["=".repeat(document::MOST_BYTES), "\"\n".repeat(document::MOST_BYTES / 2)] {
+        let errors = read("none.toml", &text).unwrap_err();
+        let lines: Vec<_> = errors.errors.iter().map(|error| error.line).collect();
+        assert_eq!((lines, errors.more), (vec![1], 0));
+    }
 }

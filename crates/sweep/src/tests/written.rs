@@ -96,3 +96,22 @@ fn the_writer_can_end_a_run() {
     let ended = grid.run(&(0..grid.points()), NonZeroUsize::new(2).unwrap(), |rows| rows, accept);
     assert_eq!((ended, blocks), (Err(SweepError::Nothing), 3));
 }
+
+#[test]
+fn the_more_columns_the_fewer_rows_are_in_memory() {
+    let points: String = (0..200).map(|i| format!(", P{i} = [0.1, 0.{i:03}]")).collect();
+    let scene = SLIDER.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{points}"));
+    let (wide, narrow) = (sweep(&scene, &GRID).unwrap(), sweep(SLIDER, &GRID).unwrap());
+    let columns = wide.columns.names().len();
+    assert!(columns > 800, "blocks have fewer than 64 points: {columns}");
+    let most = 1_usize << 23;
+    assert!(
+        wide.rows_of_part(1_000_000_000) * columns <= most
+            && (wide.rows_of_part(1_000_000_000) + 1) * columns > most
+    );
+    assert_eq!(narrow.rows_of_part(1_000_000_000), 65_536);
+    // The rows are those of the points one by one.
+    let table = run(&scene, &GRID, 3);
+    let single: String = (0..35).map(|point| wide.row(point).to_csv(false).unwrap()).collect();
+    assert_eq!(table.to_csv(false).unwrap(), single);
+}

@@ -1,7 +1,7 @@
 //! Rows as lines of CSV: to standard output, to a device, or to a file.
 
-use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use assur_sweep::Tally;
@@ -15,6 +15,9 @@ use crate::files;
 /// written.
 const HELD: usize = 1 << 20;
 
+/// Longest line that is read back; a row has some tens of bytes for each of at most some million columns.
+const LONGEST: u64 = 1 << 28;
+
 pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<Status, Fault> {
     match path.map(|path| (path, files::open_stream(path))) {
         None => stream(job, &mut io::stdout().lock()),
@@ -22,7 +25,7 @@ pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<St
             let mut out = opened.map_err(|error| files::FileError::write(path, error))?;
             stream(job, &mut out)
         }
-        Some((path, None)) => file(job, &Unfinished::of(path, resume)?),
+        Some((path, None)) => file(job, &Unfinished::of(path, resume, job.style)?),
     }
 }
 
@@ -66,8 +69,7 @@ fn stream(job: &Job<'_>, out: &mut impl Write) -> Result<Status, Fault> {
 fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
     let fault = |error: io::Error| unfinished.fault(error);
     let path = &unfinished.path;
-    let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
-    let mut out = open.map_err(fault)?;
+    let mut out = files::open_own(path).map_err(fault)?;
     let (mut all, length) = found(job, &out, unfinished)?;
     out.set_len(length).and_then(|()| out.seek(SeekFrom::End(0))).map_err(fault)?;
     if length == 0 {
@@ -93,32 +95,39 @@ fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
 fn found(job: &Job<'_>, file: &File, unfinished: &Unfinished<'_>) -> Result<(Tally, u64), Fault> {
     let mut lines = BufReader::new(file);
     let (mut all, mut length) = (Tally::default(), 0);
-    let (mut line, mut last) = (String::new(), String::new());
-    let mut header = header(job)?;
+    // Bytes, since the end may be within a character.
+    let (mut line, mut last) = (Vec::new(), Vec::new());
+    let header = header(job)?;
     loop {
         line.clear();
-        let read = lines.read_line(&mut line).map_err(|_| unfinished.foreign(all.points))?;
-        if !line.ends_with('\n') {
+        let read = lines.by_ref().take(LONGEST).read_until(b'\n', &mut line);
+        let read = read.map_err(|error| unfinished.fault(error))?;
+        if !line.ends_with(b"\n") {
             break;
         }
-        length += read as u64;
-        if !header.is_empty() {
-            if line != header {
+        if length == 0 && !header.is_empty() {
+            if line != header.as_bytes() {
                 return Err(unfinished.foreign(0));
             }
-            header.clear();
-            continue;
+        } else {
+            let point = job.points.start + all.points;
+            let text = str::from_utf8(&line).ok().filter(|_| point < job.points.end);
+            let status = text.and_then(|text| job.sweep.status_in_csv(text));
+            all.add(point, status.ok_or_else(|| unfinished.foreign(all.points + 1))?);
+            std::mem::swap(&mut line, &mut last);
         }
-        let point = job.points.start + all.points;
-        let status = job.sweep.status_in_csv(&line).filter(|_| point < job.points.end);
-        all.add(point, status.ok_or_else(|| unfinished.foreign(all.points + 1))?);
-        std::mem::swap(&mut line, &mut last);
+        length += read as u64;
     }
-    if all.points > 0 {
-        let row = job.sweep.row(job.points.start + all.points - 1);
-        if row.to_csv(job.style.ascii_data).map_err(Fault::other)? != last {
-            return Err(unfinished.foreign(all.points));
-        }
-    }
-    Ok((all, length))
+    let row = |point| job.sweep.row(point).to_csv(job.style.ascii_data).map_err(Fault::other);
+    let is_ours = if all.points > 0 {
+        row(job.points.start + all.points - 1)?.as_bytes() == last
+    } else if length > 0 || line.is_empty() {
+        true
+    } else if job.is_first {
+        // Nothing whole is here, so what is here must be what the sweep begins with.
+        header.as_bytes().starts_with(&line)
+    } else {
+        !job.points.is_empty() && row(job.points.start)?.as_bytes().starts_with(&line)
+    };
+    if is_ours { Ok((all, length)) } else { Err(unfinished.foreign(all.points)) }
 }

@@ -1,7 +1,7 @@
 //! Rows as Parquet: in parts in a folder beside the file, which are joined when all are there.
 
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use assur_sweep::parquet::{self, Part};
@@ -10,11 +10,12 @@ use assur_sweep::{Rows, Tally};
 use super::Job;
 use super::target::Unfinished;
 use crate::cli::fault::{Fault, Status};
+use crate::files;
 
 pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fault> {
-    let unfinished = Unfinished::of(path, resume)?;
-    let folder = Folder { unfinished: &unfinished, rows: parquet::rows_of_part(job.points.len()) };
-    fs::create_dir_all(&unfinished.path).map_err(|error| unfinished.fault(error))?;
+    let unfinished = Unfinished::of(path, resume, job.style)?;
+    let folder = Folder { unfinished: &unfinished, rows: job.sweep.rows_of_part(job.points.len()) };
+    folder.create()?;
     let mut all = folder.found(job)?;
     let mut parts = all.points.div_ceil(folder.rows);
     let mut collected: Option<Rows> = None;
@@ -70,10 +71,23 @@ impl Folder<'_> {
         self.unfinished.fault(problem)
     }
 
+    /// Makes the folder, unless an earlier run has; a link to another folder is not followed.
+    fn create(&self) -> Result<(), Fault> {
+        let path = &self.unfinished.path;
+        match fs::create_dir(path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::symlink_metadata(path) {
+                Ok(found) if found.is_dir() => Ok(()),
+                _ => Err(self.fault("it is no folder with the parts of a sweep: remove it")),
+            },
+            created => created.map_err(|error| self.fault(error)),
+        }
+    }
+
     /// Writes a part; it has its name only when it is complete.
     fn write(&self, index: usize, rows: &Rows) -> Result<(), Fault> {
         let bytes = parquet::part(rows).map_err(|error| self.fault(error))?;
-        let put = fs::write(self.next(), bytes).and_then(|()| fs::rename(self.next(), self.part(index)));
+        let written = files::create_own(&self.next()).and_then(|mut next| next.write_all(&bytes));
+        let put = written.and_then(|()| fs::rename(self.next(), self.part(index)));
         put.map_err(|error| self.fault(error))
     }
 
@@ -99,7 +113,7 @@ impl Folder<'_> {
 
     /// All parts in one file.
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
-        let out = File::create(self.next()).map_err(|error| self.fault(error))?;
+        let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;
         let files = (0..parts).map(|index| File::open(self.part(index)));
         parquet::join(job.sweep, files, &out).map_err(|error| self.fault(error))?;
         out.sync_all().map_err(|error| self.fault(error))?;

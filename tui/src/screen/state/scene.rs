@@ -4,11 +4,10 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use assur_analysis::MOST_KEPT;
 use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Position, PositionError};
-use assur_mechanism::Range;
+use assur_mechanism::{MOST_PARTS_DRAWN, Range};
 use assur_scene::edit::{Document, SceneValue};
 
 use super::found::Found;
@@ -96,9 +95,17 @@ impl Scene {
         let name = source.name();
         let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
         let positions = mechanism.input.positions;
-        if positions > MOST_KEPT {
+        let parts = mechanism.parts();
+        if parts > MOST_PARTS_DRAWN {
             return Err(format!(
-                "error: the scene has {positions} positions, and the terminal UI shows at most {MOST_KEPT}; take fewer \
+                "error: the scene has {parts} links, points, slides and loads, and drawings, the note and the terminal UI show at \
+                 most {MOST_PARTS_DRAWN}; `assur analyze {name}` has no such bound\n"
+            ));
+        }
+        let most = mechanism.most_kept();
+        if positions > most {
+            return Err(format!(
+                "error: the scene has {positions} positions, and the terminal UI shows at most {most} of this one; take fewer \
                  `positions` in [input], or write them all: assur analyze {name} -o positions.parquet\n"
             ));
         }

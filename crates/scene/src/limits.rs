@@ -1,0 +1,75 @@
+//! What a scene has at most of anything that takes memory: counted before anything is read.
+
+use std::ops::Range;
+
+use assur_mechanism::{LONGEST_NAME, MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
+use toml::de::DeValue;
+
+use crate::error::Fault;
+use crate::text::shown;
+use crate::walk::{Entry, Section};
+
+/// The lists of loads.
+const LOADS: [&str; 5] = ["force", "moment", "brake", "spring", "contact"];
+
+/// Whether the scene has too many of anything; noted at the first that is too many.
+pub(crate) fn exceeded(root: &Section<'_>) -> bool {
+    let list = |key: &str| root.get(key).map_or_else(Vec::new, |entry| parts(entry.value));
+    let links = list("link");
+    let tables = links.iter().flat_map(|link| parts(link.value)).chain(list("ground"));
+    let points = tables.filter(|table| table.name == "points").flat_map(|table| parts(table.value));
+    let loads = LOADS.iter().flat_map(|key| list(key));
+    let too_many = [
+        refuse(root, points.collect(), MOST_PLACES, "points on its links"),
+        refuse(root, loads.collect(), MOST_LOADS, "loads"),
+        refuse(root, list("slide"), MOST_SLIDES, "slides"),
+        refuse(root, links, MOST_LINKS, "links"),
+    ];
+    too_many.contains(&true)
+}
+
+/// How many loads the scene has.
+pub(crate) fn loads(root: &Section<'_>) -> usize {
+    LOADS.iter().filter_map(|key| root.get(key)).map(|entry| parts(entry.value).len()).sum()
+}
+
+/// Notes a name or title that is too long; `span`: where it stands.
+pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
+    let count = name.chars().count();
+    if count > LONGEST_NAME {
+        let message = format!("`{}` has {count} characters, at most {LONGEST_NAME} are read", shown(name));
+        entry.note(Fault::new(span.clone(), message).label("take a shorter one"));
+    }
+}
+
+/// A part of a table or list.
+struct Part<'a> {
+    /// Empty in a list.
+    name: &'a str,
+    span: Range<usize>,
+    value: &'a DeValue<'a>,
+}
+
+fn parts<'a>(value: &'a DeValue<'a>) -> Vec<Part<'a>> {
+    match value {
+        DeValue::Table(table) => {
+            let all = table.iter();
+            all.map(|(key, value)| Part { name: key.get_ref(), span: key.span(), value: value.get_ref() })
+                .collect()
+        }
+        DeValue::Array(list) => {
+            list.iter().map(|item| Part { name: "", span: item.span(), value: item.get_ref() }).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn refuse(root: &Section<'_>, mut all: Vec<Part<'_>>, most: usize, what: &str) -> bool {
+    if all.len() <= most {
+        return false;
+    }
+    all.sort_unstable_by_key(|part| part.span.start);
+    let message = format!("a scene has at most {most} {what}, this one has {}", all.len());
+    root.faults.push(Fault::new(all[most].span.clone(), message).label("one too many"));
+    true
+}
