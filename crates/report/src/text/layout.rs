@@ -192,8 +192,8 @@ impl Page {
     /// Says how many of all rows or columns are shown, where not all are.
     fn shortened(&mut self, shown: usize, all: usize, what: &str) {
         if shown < all {
-            self.text +=
-                &format!("... {shown} of {all} {what} shown; all are in the other forms (`--format`)\n");
+            let line = format!("... {shown} of {all} {what} shown; all are in the other forms (`--format`)");
+            self.lines(&[&line]);
         }
     }
 }
