@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur_force::{Loads, State};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_group::{Body, Order, Wrench};
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, LinkId};
 
 use crate::ShakingError;
