@@ -42,3 +42,15 @@ fn of_equal_residuals_the_first_is_shown() {
     let check = failing.into_check().unwrap();
     assert_eq!((check.at, check.judged, check.ok), (Some(1), true, false));
 }
+
+#[test]
+fn what_could_be_checked_nowhere_is_neither_right_nor_wrong() {
+    let mut collector = Collector::new("name", "reason");
+    collector.leave_out(0, "left out");
+    let check = collector.into_check().unwrap();
+    assert_eq!((check.ok, check.judged, check.failed(), check.left_out), (false, false, false, 1));
+    let mut wide = Collector::new("name", "reason");
+    wide.offer(0, 0.1, 0.5, || "wide".to_owned());
+    let check = wide.into_check().unwrap();
+    assert_eq!((check.ok, check.judged, check.place.as_str()), (false, false, "wide"));
+}

@@ -77,3 +77,12 @@ fn rows_that_disagree_have_an_error_of_their_distance() {
     // The row of the smallest step is off by at most 4/3 of it, by 16/15, ...
     assert!((1e-3..2e-3).contains(&found.error), "{found:?}");
 }
+
+#[test]
+fn what_the_rounding_of_the_smallest_step_explains_is_no_disagreement() {
+    // Rounding of 1e-10 over steps of 1 down to a thousandth: the great steps know the slope to 1e-9.
+    let quotients: Vec<_> =
+        (0..6).map(|k| (0.25_f64.powi(k), if k == 5 { 1.0 + 1e-7 } else { 1.0 })).collect();
+    let found = extrapolated(&quotients, 1e-10);
+    assert!((found.value - 1.0).abs() < 1e-15 && found.error < 1e-9, "{found:?}");
+}

@@ -3,8 +3,8 @@
 use assur_force::Side;
 use assur_integrator::Sample;
 
-use super::compiled;
-use crate::{Method, equation, steady, transient};
+use super::{compiled, read};
+use crate::{Method, ReductionPoint, equation, section_margin, steady, transient};
 
 /// A disc on which nothing acts.
 #[test]
@@ -59,4 +59,34 @@ fn methods_for_a_flywheel_tell_their_distance_from_the_exact_one() {
         apart += usize::from(difference.abs() > 1e-3);
     }
     assert!(apart > 1, "{by:?}");
+}
+
+#[test]
+fn loads_are_reduced_to_the_farthest_point_of_the_crank() {
+    let scene = |points: &str| {
+        read(&format!(
+            "[ground]\npoints = {{ O = 0 }}\n[link.arm]\npoints = {{ {points} }}\n[input]\nlink = \"arm\"\n"
+        ))
+    };
+    let mechanism = scene("O = 0, A = 0.2, B = [0.3, -0.4], C = 0.3");
+    let found = ReductionPoint::farthest(&mechanism).unwrap();
+    assert_eq!(mechanism.points[found.point].name, "B");
+    assert!((found.radius - 0.5).abs() < 1e-15, "{found:?}");
+    // Of equal ones the first.
+    let mechanism = scene("O = 0, A = 0.2, B = [0, 0.2]");
+    assert_eq!(mechanism.points[ReductionPoint::farthest(&mechanism).unwrap().point].name, "A");
+    assert_eq!(ReductionPoint::farthest(&scene("O = 0")), None);
+}
+
+#[test]
+fn the_margin_of_a_section_is_a_part_of_the_section() {
+    let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
+    let found = steady(&linkage, &loads, None).unwrap();
+    let (figures, motor) = (&found.regime.figures, found.motor.unwrap().motor.characteristic);
+    let [low, high] = motor.stable_section();
+    // Where the least and the greatest speed of the motor lie on the section, from 0 to 1.
+    let part = |speed: f64| (figures.ratio.unwrap() * speed.abs() - low) / (high - low);
+    let wanted = part(figures.speed_min).min(1.0 - part(figures.speed_max));
+    let margin = section_margin(&found.regime, &motor);
+    assert!((margin - wanted).abs() < 1e-12 && margin < 0.5, "{margin} instead of {wanted}");
 }

@@ -224,3 +224,21 @@ fn a_brake_is_against_the_rotation_and_absent_at_rest() {
     near(found.coordinate[1], std::f64::consts::FRAC_PI_2, 1.0);
     assert!(found.speed[0].abs() <= 0.0, "the piece begins at rest: {:?}", found.speed);
 }
+
+#[test]
+fn a_brake_resists_a_motion_that_begins_and_none_that_rests() {
+    let motion = "[motion]\nkind = 'transient'\nspeed = 1\nuntil = '1 s'\n\
+                  [[brake]]\nlink = 'rod'\nradius = 0.2\nforce = 50\nfriction = 0.3";
+    let (linkage, loads) = compiled(&scene("0", motion));
+    let bodies = bodies(&linkage, 0.4);
+    let moment = |acceleration: f64, side: crate::Side| {
+        applied(&loads, &State { acceleration, side, ..at(0.4, 0.0) }, &bodies)[2].m
+    };
+    for acceleration in [2.0, -2.0] {
+        let against = -(bodies[2].w1 * acceleration).signum() * 0.3 * 0.2 * 50.0;
+        near(moment(acceleration, crate::Side::After), against, 10.0);
+        // A motion that ends there came from the other side.
+        near(moment(acceleration, crate::Side::Before), -against, 10.0);
+    }
+    near(moment(0.0, crate::Side::After), 0.0, 1.0);
+}

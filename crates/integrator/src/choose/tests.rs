@@ -95,3 +95,15 @@ fn the_reason_names_the_case_and_nothing_suitable_is_an_error() {
     let error = ranked(&[&CLOSED], equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
     assert_eq!(error, "no linked integrator can treat this equation (J(q), M(q, w))");
 }
+
+#[test]
+fn only_an_explicit_method_of_steps_may_turn_out_to_be_stiff() {
+    let if_stiff = |first: &'static IntegratorPlugin| {
+        let choice = ranked(&[first, &STIFF], equation(true, [false; 3]), 1e-9).unwrap();
+        assert_eq!(choice.first.integrator.name, first.name);
+        choice.if_stiff().map(|method| method.name)
+    };
+    assert_eq!((if_stiff(&HIGH), if_stiff(&CLOSED)), (Some("implicit"), None));
+    let alone = ranked(&[&STIFF], equation(true, [false; 3]), 1e-9).unwrap();
+    assert!(alone.if_stiff().is_none());
+}
