@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_dynamics::Transient;
 
-use super::{Balance, INTERVALS};
+use super::{Balance, INTERVALS, Worst};
 use crate::Calculation;
 
 /// An error that no limit allows for, of the largest energy, which it must not change.
@@ -16,7 +16,7 @@ pub(crate) fn twice_the_limit(calculation: &Calculation, found: &Transient) -> O
     let mut balance = Balance::of(&mut motion, &trajectory, false)?;
     let own = 2.0 * calculation.tolerance() * (trajectory.statistics.steps + 1) as f64;
     let check = |balance: &Balance| {
-        let (residual, limit) = balance.worst(own);
+        let Worst { residual, limit, .. } = balance.worst(own);
         Check::of("work", residual, limit, "", "")
     };
     let sound = check(&balance);
