@@ -30,6 +30,16 @@ impl Angles {
         Self { followed: followed.collect(), coordinate: schema.find(Column::COORDINATE), last: None }
     }
 
+    /// After the last row of a table.
+    pub(crate) fn after(table: &Table) -> Self {
+        let angles = Self::new(table.schema());
+        let last = table.len().checked_sub(1).zip(angles.coordinate).map(|(row, coordinate)| {
+            let of_links = angles.followed.iter().map(|(column, _)| table.values(*column)[row]);
+            (table.values(coordinate)[row], of_links.collect())
+        });
+        Self { last, ..angles }
+    }
+
     /// Makes the angles of a table continue those of the rows before it: in (-pi, pi] in the first row of all, then the
     /// equivalent angle that is nearest to the one before.
     ///

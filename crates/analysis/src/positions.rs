@@ -19,7 +19,6 @@ pub const MOST_FAILURES: usize = 1000;
 /// The positions of a scene.
 struct Positions {
     kept: Table,
-    ending: Table,
     starts: Starts,
     survey: Survey,
     failures: Vec<Failure>,
@@ -76,7 +75,6 @@ impl Calculation {
             structure: crate::results::structure::report(&self.linkage, !self.plan.is_partial()),
             cycle: self.cycle(&positions.survey),
             positions: positions.kept,
-            ending: positions.ending,
             starts: positions.starts,
             survey: positions.survey,
             failures: positions.failures,
@@ -107,7 +105,6 @@ impl Calculation {
         let mut angles = Angles::new(schema);
         let mut found = Positions {
             kept: Table::new(schema.clone()),
-            ending: Table::new(schema.clone()),
             starts: Starts::default(),
             survey: Survey::new(schema),
             failures: Vec::new(),
@@ -131,11 +128,16 @@ impl Calculation {
             let not_finite = block.table.not_finite();
             (block, not_finite)
         };
-        blocks.each(watch, progress, examined, add).map(|Ok(())| {
-            found.ending = blocks.ending();
-            angles.follow(&self.linkage, &mut found.ending);
-            found
-        })
+        blocks.each(watch, progress, examined, add).map(|Ok(())| found)
+    }
+
+    /// The end of the cycle as a row with the number that follows the last position: what the positions lead to, whether or not
+    /// that is where they began; angles continue those of the last row. Without a row where the positions are no cycle, or
+    /// the end has no solution. Drawings need it; no other result does.
+    pub fn ending(&self, positions: &Table) -> Table {
+        let mut ending = Blocks::new(self).ending();
+        Angles::after(positions).follow(&self.linkage, &mut ending);
+        ending
     }
 
     /// All positions of an analysis in their order: `work` makes something of each block of rows, on any thread, and

@@ -53,7 +53,6 @@ fn analysis(angle: f64) -> Analysis {
     let mut motion = Schema::new(&mechanism);
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
-        ending: Table::default(),
         title: "a \"title\", with Ж and 🦀".to_owned(),
         input: InputReport { link: "größe".to_owned(), angular: true, balancing_is_moment: true },
         structure: StructureReport {

@@ -93,6 +93,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
         Err(stopped) => return failed(stopped.to_string()),
     };
     let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
+    let ending = calculation.ending(&analysis.positions);
     // The whole mechanism is checked and has plans, whatever results the scene requests.
     let whole = mechanism.output.as_ref().and_then(|_| {
         let whole = Mechanism { output: None, ..mechanism.clone() };
@@ -100,7 +101,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
     });
     let whole = Arc::new(whole.unwrap_or(calculation));
     let planner = Planner::new(Arc::clone(&whole));
-    let found = Box::new(Found::of(analyzer, analysis, planner));
+    let found = Box::new(Found::of(analyzer, analysis, ending, planner));
     let report = Report::Analyzed { number, found: Ok(found) };
     if request.purpose == Purpose::Difference {
         return report;

@@ -22,9 +22,6 @@ pub struct Analysis {
     pub structure: StructureReport,
     /// Positions that exist, in order, each with its number: all, or of very many every so many.
     pub positions: Table,
-    /// The end of the cycle as a row with the number that follows the last position: what the positions lead to, whether or
-    /// not that is where they began. Without a row where the positions are no cycle, or the end has no solution.
-    pub ending: Table,
     /// What is known about all positions.
     pub survey: Survey,
     /// What lets single blocks of positions be calculated again.

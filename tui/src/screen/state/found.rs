@@ -15,6 +15,8 @@ pub(crate) struct Found {
     pub(crate) analyzer: String,
     /// Its checks are empty until they are done.
     pub(crate) analysis: Analysis,
+    /// The end of the cycle, to which the curves lead.
+    pub(crate) ending: Table,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
@@ -29,23 +31,22 @@ pub(crate) struct Found {
 
 impl Found {
     /// Gathers the series of an analysis.
-    pub(crate) fn of(analyzer: String, analysis: Analysis, plans: Planner) -> Self {
-        let (table, ending) = (&analysis.positions, &analysis.ending);
-        let mut gather = Gather { table, ending, series: Vec::new() };
+    pub(crate) fn of(analyzer: String, analysis: Analysis, ending: Table, plans: Planner) -> Self {
+        let mut gather = Gather { table: &analysis.positions, ending: &ending, series: Vec::new() };
         let motion = gather.motion();
         gather.rates();
         let reactions = gather.reactions();
         gather.others();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
-        Self { analyzer, analysis, series, reactions, plans, fastest, motion }
+        Self { analyzer, analysis, ending, series, reactions, plans, fastest, motion }
     }
 
     /// Adds the checks, and the residuals as series.
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
-        let (table, ending) = (&self.analysis.positions, &self.analysis.ending);
-        let mut gather = Gather { table, ending, series: std::mem::take(&mut self.series) };
+        let table = &self.analysis.positions;
+        let mut gather = Gather { table, ending: &self.ending, series: std::mem::take(&mut self.series) };
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
                 // Results count groups from 0, readers from 1.

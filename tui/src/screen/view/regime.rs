@@ -114,7 +114,7 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
 pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
-    let Analysis { positions, ending, .. } = &found.analysis;
+    let (positions, ending) = (&found.analysis.positions, &found.ending);
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
     // The sum of flywheel, rotor and the first `count` links in a row.
