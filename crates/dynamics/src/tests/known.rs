@@ -90,3 +90,45 @@ fn the_margin_of_a_section_is_a_part_of_the_section() {
     let margin = section_margin(&found.regime, &motor);
     assert!((margin - wanted).abs() < 1e-12 && margin < 0.5, "{margin} instead of {wanted}");
 }
+
+#[test]
+fn times_and_ways_of_a_cycle_add_up() {
+    let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
+    let regime = steady(&linkage, &loads, None).unwrap().regime;
+    let shares = regime.solution().weighted_speeds();
+    let time: f64 = shares.iter().map(|(_, time)| time).sum();
+    let way: f64 = shares.iter().map(|(speed, time)| speed * time).sum();
+    assert!((time / regime.cycle_time - 1.0).abs() < 1e-9, "{time} of {}", regime.cycle_time);
+    assert!((way / std::f64::consts::TAU - 1.0).abs() < 1e-12, "{way}");
+    // The first cycle begins at the mean speed, and the regime has one speed at one place.
+    let from = linkage.mechanism.input.from;
+    let first = regime.first_cycle_speed(from).unwrap();
+    assert!((first / regime.figures.mean_speed - 1.0).abs() < 1e-12, "{first}");
+    for x in [0.0, 1.0, 4.5] {
+        let [speed, wanted] = [regime.solution().speed_at(x), regime.state(from + x).speed];
+        assert!((speed - wanted).abs() < 1e-12 * wanted, "{x}: {speed} {wanted}");
+    }
+}
+
+#[test]
+fn a_flywheel_on_the_motor_counts_with_the_square_of_the_ratio() {
+    let text = assur_fixtures::scene("shaper-drive");
+    let methods = |place: &str| {
+        let mut mechanism = read(text);
+        mechanism.drive.as_mut().unwrap().flywheel_on = if place == "motor" {
+            assur_mechanism::FlywheelPlace::Motor
+        } else {
+            assur_mechanism::FlywheelPlace::Crank
+        };
+        let linkage = assur_kinematics::Linkage::compile(mechanism).unwrap();
+        let loads = assur_force::Loads::compile(&linkage).unwrap();
+        let regime = steady(&linkage, &loads, None).unwrap().regime;
+        (regime.figures.ratio.unwrap(), regime.flywheel_by_method)
+    };
+    let ((ratio, on_crank), (same, on_motor)) = (methods("crank"), methods("motor"));
+    assert!((ratio / same - 1.0).abs() < 1e-8, "{ratio} {same}");
+    for (crank, motor) in on_crank.iter().zip(&on_motor) {
+        let apart = (motor.flywheel * ratio * ratio / crank.flywheel - 1.0).abs();
+        assert!(apart < 1e-7, "{}: {apart:e}", crank.method);
+    }
+}
