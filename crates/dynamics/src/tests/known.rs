@@ -4,7 +4,9 @@ use assur_force::Side;
 use assur_integrator::Sample;
 
 use super::{compiled, read};
-use crate::{Method, ReductionPoint, equation, section_margin, steady, transient};
+use crate::{
+    CycleRequest, Machine, Method, ReductionPoint, RegimeSolver, equation, section_margin, steady, transient,
+};
 
 /// A disc on which nothing acts.
 #[test]
@@ -131,4 +133,20 @@ fn a_flywheel_on_the_motor_counts_with_the_square_of_the_ratio() {
         let apart = (motor.flywheel * ratio * ratio / crank.flywheel - 1.0).abs();
         assert!(apart < 1e-7, "{}: {apart:e}", crank.method);
     }
+}
+
+#[test]
+fn the_greatest_resistance_is_that_of_the_loads() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\ninertia = 0.5\n[input]\nlink = \"disc\"\n\
+        [[moment]]\nlink = \"disc\"\nvalue = { over = \"angle\", table = [[0, -5], [3, -15], [\"360 deg\", -5]] }\n";
+    let (linkage, loads) = compiled(scene);
+    let mut machine = Machine::new(&linkage, &loads);
+    let request =
+        CycleRequest { start: 0.0, length: std::f64::consts::TAU, mean_speed: 10.0, constant_inertia: 0.5 };
+    let solver = RegimeSolver::new(&mut machine, request).unwrap();
+    assert!((solver.greatest_resistance() - 15.0).abs() < 1e-12, "{}", solver.greatest_resistance());
+    // 10 N m on average, at 10 rad/s.
+    assert!(
+        (solver.mean_resistance() - 10.0).abs() < 1e-12 && (solver.required_power(0.8) - 125.0).abs() < 1e-9
+    );
 }
