@@ -229,3 +229,6 @@ fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Opt
     }
     Some(found)
 }
+
+#[cfg(test)]
+mod tests;

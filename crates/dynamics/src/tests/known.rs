@@ -4,7 +4,9 @@ use assur_force::Side;
 use assur_integrator::Sample;
 
 use super::{compiled, read};
-use crate::{Method, ReductionPoint, equation, section_margin, steady, transient};
+use crate::{
+    CycleRequest, Machine, Method, ReductionPoint, RegimeSolver, equation, section_margin, steady, transient,
+};
 
 /// A disc on which nothing acts.
 #[test]
@@ -89,4 +91,62 @@ fn the_margin_of_a_section_is_a_part_of_the_section() {
     let wanted = part(figures.speed_min).min(1.0 - part(figures.speed_max));
     let margin = section_margin(&found.regime, &motor);
     assert!((margin - wanted).abs() < 1e-12 && margin < 0.5, "{margin} instead of {wanted}");
+}
+
+#[test]
+fn times_and_ways_of_a_cycle_add_up() {
+    let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
+    let regime = steady(&linkage, &loads, None).unwrap().regime;
+    let shares = regime.solution().weighted_speeds();
+    let time: f64 = shares.iter().map(|(_, time)| time).sum();
+    let way: f64 = shares.iter().map(|(speed, time)| speed * time).sum();
+    assert!((time / regime.cycle_time - 1.0).abs() < 1e-9, "{time} of {}", regime.cycle_time);
+    assert!((way / std::f64::consts::TAU - 1.0).abs() < 1e-12, "{way}");
+    // The first cycle begins at the mean speed, and the regime has one speed at one place.
+    let from = linkage.mechanism.input.from;
+    let first = regime.first_cycle_speed(from).unwrap();
+    assert!((first / regime.figures.mean_speed - 1.0).abs() < 1e-12, "{first}");
+    for x in [0.0, 1.0, 4.5] {
+        let [speed, wanted] = [regime.solution().speed_at(x), regime.state(from + x).speed];
+        assert!((speed - wanted).abs() < 1e-12 * wanted, "{x}: {speed} {wanted}");
+    }
+}
+
+#[test]
+fn a_flywheel_on_the_motor_counts_with_the_square_of_the_ratio() {
+    let text = assur_fixtures::scene("shaper-drive");
+    let methods = |place: &str| {
+        let mut mechanism = read(text);
+        mechanism.drive.as_mut().unwrap().flywheel_on = if place == "motor" {
+            assur_mechanism::FlywheelPlace::Motor
+        } else {
+            assur_mechanism::FlywheelPlace::Crank
+        };
+        let linkage = assur_kinematics::Linkage::compile(mechanism).unwrap();
+        let loads = assur_force::Loads::compile(&linkage).unwrap();
+        let regime = steady(&linkage, &loads, None).unwrap().regime;
+        (regime.figures.ratio.unwrap(), regime.flywheel_by_method)
+    };
+    let ((ratio, on_crank), (same, on_motor)) = (methods("crank"), methods("motor"));
+    assert!((ratio / same - 1.0).abs() < 1e-8, "{ratio} {same}");
+    for (crank, motor) in on_crank.iter().zip(&on_motor) {
+        let apart = (motor.flywheel * ratio * ratio / crank.flywheel - 1.0).abs();
+        assert!(apart < 1e-7, "{}: {apart:e}", crank.method);
+    }
+}
+
+#[test]
+fn the_greatest_resistance_is_that_of_the_loads() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.disc]\npoints = { O = 0 }\ninertia = 0.5\n[input]\nlink = \"disc\"\n\
+        [[moment]]\nlink = \"disc\"\nvalue = { over = \"angle\", table = [[0, -5], [3, -15], [\"360 deg\", -5]] }\n";
+    let (linkage, loads) = compiled(scene);
+    let mut machine = Machine::new(&linkage, &loads);
+    let request =
+        CycleRequest { start: 0.0, length: std::f64::consts::TAU, mean_speed: 10.0, constant_inertia: 0.5 };
+    let solver = RegimeSolver::new(&mut machine, request).unwrap();
+    assert!((solver.greatest_resistance() - 15.0).abs() < 1e-12, "{}", solver.greatest_resistance());
+    // 10 N m on average, at 10 rad/s.
+    assert!(
+        (solver.mean_resistance() - 10.0).abs() < 1e-12 && (solver.required_power(0.8) - 125.0).abs() < 1e-9
+    );
 }

@@ -147,3 +147,18 @@ fn dependence_by_structure() {
     let andrews = Dependence { moment_on_coordinate: true, ..Dependence::default() };
     assert_eq!(of(&fixture("andrews")), andrews);
 }
+
+#[test]
+fn moments_on_other_links_and_contacts_depend_on_the_coordinate() {
+    let rod = "gravity = 0\n[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n\
+               [link.coupler]\npoints = { A = 0, B = 3 }\n[link.rocker]\npoints = { C = 0, B = 2 }\n\
+               [input]\nlink = \"crank\"\n[motion]\nspeed = 1\n";
+    let of = |load: &str| compiled(&format!("{rod}{load}")).1.dependence().moment_on_coordinate;
+    assert!(!of("[[moment]]\nlink = \"crank\"\nvalue = 2\n"));
+    assert!(of("[[moment]]\nlink = \"rocker\"\nvalue = 2\n"));
+    assert!(of("[[contact]]\nlink = \"crank\"\ncenter = \"A\"\nradius = 0.1\nangle = 1\nforce = 2\n"));
+    // A force that turns with the crank has the same arm everywhere.
+    let force =
+        |frame: &str| of(&format!("[[force]]\nlink = \"crank\"\nat = \"A\"\nangle = 1\nvalue = 2\n{frame}"));
+    assert!(!force("frame = \"link\"\n") && force(""));
+}

@@ -107,3 +107,10 @@ fn only_an_explicit_method_of_steps_may_turn_out_to_be_stiff() {
     let alone = ranked(&[&STIFF], equation(true, [false; 3]), 1e-9).unwrap();
     assert!(alone.if_stiff().is_none());
 }
+
+#[test]
+fn a_method_refuses_an_equation_that_it_does_not_suit() {
+    assert!(CLOSED.supports(&equation(true, [false; 3])).is_ok());
+    let error = CLOSED.supports(&equation(false, [false; 3])).unwrap_err();
+    assert!(matches!(error, IntegrationError::Unsupported { integrator: "closed", .. }), "{error}");
+}
