@@ -248,7 +248,7 @@ fn what_is_too_large_to_be_drawn_is_refused() {
     assert!(err(&large).contains("a png has at most 64 million, such as 800 x 800 mm"), "{}", err(&large));
     assert_eq!(code(&assur(path, &["draw", "crank.toml", "-o", "a.svg", "--size", "1000x1000"])), 0);
     // Ground, crank and their joint beside the points.
-    let points = |count: usize| (0..count).map(|i| format!(", P{i} = 0.1")).collect::<String>();
+    let points = |count: usize| (0..count).fold(String::new(), |text, i| text + &format!(", P{i} = 0.1"));
     let scene = |count| CRANK.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{}", points(count)));
     fs::write(path.join("crank.toml"), scene(997)).unwrap();
     for arguments in [&["draw", "crank.toml", "-o", "b.svg"][..], &["report", "crank.toml", "-o", "b.html"]] {

@@ -231,4 +231,4 @@ fn greatest_moment(linkage: &Linkage, regime: &Regime) -> f64 {
 }
 
 #[cfg(test)]
-mod twice;
+mod tests;

@@ -234,6 +234,4 @@ impl Balance {
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
-mod twice;
-#[cfg(test)]
-pub(crate) use twice::twice_the_limit;
+pub(crate) use tests::twice_the_limit;

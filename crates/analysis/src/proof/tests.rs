@@ -1,5 +1,9 @@
 //! The balance of energy accepts a motion that keeps it, and no other.
 
+mod twice;
+
+pub(crate) use twice::twice_the_limit;
+
 use super::{Balance, Between, Worst};
 
 const INTERVALS: usize = super::INTERVALS[1];

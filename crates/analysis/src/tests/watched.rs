@@ -134,7 +134,7 @@ fn a_motion_and_a_regime_are_stopped() {
 
 #[test]
 fn of_a_large_mechanism_fewer_positions_are_kept() {
-    let points: String = (0..400).map(|i| format!(", P{i} = [0.1, 0.{i:03}]")).collect();
+    let points = (0..400).fold(String::new(), |text, i| text + &format!(", P{i} = [0.1, 0.{i:03}]"));
     let scene = format!(
         "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0{points} }}\n[input]\nlink = \"crank\"\npositions = 4096\n"
     );

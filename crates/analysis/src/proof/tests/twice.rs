@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_dynamics::Transient;
 
-use super::{Balance, INTERVALS, Worst};
+use super::super::{Balance, INTERVALS, Worst};
 use crate::Calculation;
 
 /// An error that no limit allows for, of the largest energy, which it must not change.
