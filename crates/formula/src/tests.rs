@@ -260,7 +260,9 @@ fn a_range_of_zeros_is_passed_in_one_step() {
 /// times greater than the rounding of its terms.
 #[test]
 fn rounding_is_bounded() {
-    let pairs: [(&str, fn(f64) -> f64, f64); 9] = [
+    /// A formula, what it is in mathematics, and the size of its terms.
+    type Known = (&'static str, fn(f64) -> f64, f64);
+    let pairs: [Known; 9] = [
         ("(q + 1e8) - 1e8", |q| q, 1e8),
         ("sqrt(q^2)", f64::abs, 1.0),
         ("exp(ln(q + 9))", |q| q + 9.0, 20.0),

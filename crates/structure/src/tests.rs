@@ -191,11 +191,12 @@ fn any_number_of_surplus_pairs_is_refused_and_some_are_named() {
         )
     );
     // A loose arm beside them: their list is part of the message, and shortened.
-    let many = (0..50).map(|i| format!(", P{i} = [0.{i:02}, 0]")).collect::<String>();
+    let many = (0..50).fold(String::new(), |text, i| text + &format!(", P{i} = [0.{i:02}, 0]"));
     let doubled = FOUR_BAR
         .replace(", C = [0.5, 0]", &format!(", C = [0.5, 0]{many}"))
         .replace("points = { C = 0, B = 0.3 }", &format!("points = {{ C = 0, B = 0.3{many} }}"));
-    let arms: String = (0..30).map(|i| format!("[link.arm{i}]\npoints = {{ E = 0, F{i} = 1 }}\n")).collect();
+    let arm = |i: u32| format!("[link.arm{i}]\npoints = {{ E = 0, F{i} = 1 }}\n");
+    let arms = (0..30).fold(String::new(), |text, i| text + &arm(i));
     let error = structure(&format!("{doubled}{arms}")).unwrap_err();
     assert!(error.to_string().contains("`arm23` ... (24 of 30 shown) can still move"), "{error}");
 }

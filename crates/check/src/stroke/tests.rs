@@ -19,6 +19,7 @@ const PERIOD: f64 = 8.0;
 fn between(value: &Value, state: State, extremes: Option<Extremes>) -> [f64; 2] {
     let (point, pf1) = ([0.25, 0.0], [1.0, 0.0]);
     sizes(value, &At { state: &state, point, pf1, extremes, sense: 1.0, period: Some(PERIOD), scale: 2.0 })
+        .range
 }
 
 fn assert_between([low, high]: [f64; 2], middle: f64, half: f64) {

@@ -27,10 +27,10 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
     let nice = ((from / quarter).floor() + 1.0) * quarter;
     let place = mechanism.input.coordinate(rng.below(positions));
     let at = if mechanism.input.period().is_some() && rng.chance(0.6) { nice } else { place };
-    if seed % 5 == 4 {
-        if let Some(Motion::Prescribed { speed, .. }) = &mut mechanism.motion {
-            *speed = 0.0;
-        }
+    if seed % 5 == 4
+        && let Some(Motion::Prescribed { speed, .. }) = &mut mechanism.motion
+    {
+        *speed = 0.0;
     }
     let State { coordinate, speed, time, .. } = State::prescribed(&mechanism, at);
     let mut linkage = Linkage::compile(mechanism.clone()).ok()?;

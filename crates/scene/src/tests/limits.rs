@@ -78,6 +78,8 @@ fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
 
 #[test]
 fn the_first_that_is_too_many_is_named_with_its_line() {
+    /// A scene with so many of a kind, their greatest number, their name, and the line of the first that is too many.
+    type Limit<'a> = (&'a dyn Fn(usize) -> String, usize, &'static str, usize);
     let slides = |count| crank("", &lines(count, |_| "[[slide]]\n".to_owned()));
     let links = |count| crank("", &lines(count - 1, |i| format!("[link.k{i}]\n")));
     // Two of the points are there already.
@@ -90,7 +92,7 @@ fn the_first_that_is_too_many_is_named_with_its_line() {
                 + &lines(count - half, |_| "[[spring]]\n".to_owned())),
         )
     };
-    let all: [(&dyn Fn(usize) -> String, usize, &str, usize); 4] = [
+    let all: [Limit<'_>; 4] = [
         (&slides, MOST_SLIDES, "slides", 7 + MOST_SLIDES),
         (&links, MOST_LINKS, "links", 6 + MOST_LINKS),
         (&points, MOST_PLACES, "points on its links", 4),

@@ -99,7 +99,7 @@ fn the_writer_can_end_a_run() {
 
 #[test]
 fn the_more_columns_the_fewer_rows_are_in_memory() {
-    let points: String = (0..200).map(|i| format!(", P{i} = [0.1, 0.{i:03}]")).collect();
+    let points = (0..200).fold(String::new(), |text, i| text + &format!(", P{i} = [0.1, 0.{i:03}]"));
     let scene = SLIDER.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{points}"));
     let (wide, narrow) = (sweep(&scene, &GRID).unwrap(), sweep(SLIDER, &GRID).unwrap());
     let columns = wide.columns.names().len();
