@@ -170,3 +170,19 @@ fn work_that_is_missed_by_twice_the_limit_is_caught() {
     }
     panic!("only {caught} mechanisms");
 }
+
+/// The regime is right to 1e-11, and its least speed a hundredth of the greatest: what a step in time is off by counts for more
+/// there. Where the speed is nearly the same all over the cycle it counts once.
+#[test]
+fn a_cycle_in_time_is_judged_by_where_it_is_slow() {
+    let cycle = |text: &str| {
+        let mechanism = assur_scene::read("scene.toml", text).unwrap();
+        let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+        let InputMotion::Steady(found) = &calculation.motion else { panic!("no regime") };
+        calculation.cycle_check(found).unwrap()
+    };
+    let slow = cycle(include_str!("../tests/nearly-stalls.toml"));
+    assert!(slow.ok && slow.judged && slow.limit < 1e-4, "{slow:?}");
+    let even = cycle(assur_fixtures::scene("flywheel"));
+    assert!(even.ok && even.limit < 1.1e-9, "{even:?}");
+}
