@@ -1,0 +1,20 @@
+# What all texts share: numbers and units.
+decimal-sign = .
+unit-m = m
+unit-mm = mm
+unit-s = s
+unit-ms = ms
+unit-min = min
+unit-kg = kg
+unit-t = t
+unit-N = N
+unit-kN = kN
+unit-rad = rad
+unit-deg = deg
+unit-J = J
+unit-kJ = kJ
+unit-W = W
+unit-kW = kW
+unit-rpm = rpm
+unit-Hz = Hz
+unit-MB = MB

@@ -1,0 +1,20 @@
+# Общее для всех текстов: числа и единицы.
+decimal-sign = ,
+unit-m = м
+unit-mm = мм
+unit-s = с
+unit-ms = мс
+unit-min = мин
+unit-kg = кг
+unit-t = т
+unit-N = Н
+unit-kN = кН
+unit-rad = рад
+unit-deg = град
+unit-J = Дж
+unit-kJ = кДж
+unit-W = Вт
+unit-kW = кВт
+unit-rpm = об/мин
+unit-Hz = Гц
+unit-MB = МБ

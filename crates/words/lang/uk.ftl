@@ -1,0 +1,20 @@
+# Спільне для всіх текстів: числа й одиниці.
+decimal-sign = ,
+unit-m = м
+unit-mm = мм
+unit-s = с
+unit-ms = мс
+unit-min = хв
+unit-kg = кг
+unit-t = т
+unit-N = Н
+unit-kN = кН
+unit-rad = рад
+unit-deg = град
+unit-J = Дж
+unit-kJ = кДж
+unit-W = Вт
+unit-kW = кВт
+unit-rpm = об/хв
+unit-Hz = Гц
+unit-MB = МБ

@@ -1,0 +1,155 @@
+//! Texts in a language.
+
+use std::fmt;
+use std::sync::OnceLock;
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use unic_langid::LanguageIdentifier;
+
+use crate::text::Part;
+use crate::{Resource, Text};
+
+/// The codes of the languages, English first.
+pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
+
+/// A language with the texts of all crates that are linked.
+pub struct Language {
+    /// Its code: one of [`LANGUAGES`].
+    pub code: &'static str,
+    bundle: FluentBundle<FluentResource>,
+}
+
+impl fmt::Debug for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Language({})", self.code)
+    }
+}
+
+impl Language {
+    /// The language of a code; `None` for an unknown one.
+    pub fn find(code: &str) -> Option<&'static Self> {
+        static ALL: [OnceLock<Language>; 3] = [const { OnceLock::new() }; 3];
+        let number = LANGUAGES.iter().position(|known| *known == code)?;
+        Some(ALL[number].get_or_init(|| Self::read(LANGUAGES[number])))
+    }
+
+    /// English, in which every text is.
+    #[expect(clippy::missing_panics_doc, reason = "English is the first of the languages")]
+    pub fn english() -> &'static Self {
+        Self::find(LANGUAGES[0]).expect("English is the first of the languages")
+    }
+
+    /// Reads the texts; that they have no faults, and that no identity is there twice, is tested.
+    fn read(code: &'static str) -> Self {
+        let id: LanguageIdentifier = code.parse().unwrap_or_default();
+        let mut bundle = FluentBundle::new_concurrent(vec![id]);
+        bundle.set_use_isolating(false);
+        for resource in inventory::iter::<Resource>.into_iter().filter(|resource| resource.language == code) {
+            let read = FluentResource::try_new(resource.texts.to_owned());
+            bundle.add_resource_overriding(read.unwrap_or_else(|(read, _)| read));
+        }
+        Self { code, bundle }
+    }
+
+    fn is_english(&self) -> bool {
+        self.code == LANGUAGES[0]
+    }
+
+    /// A text in this language.
+    pub fn render(&self, text: &Text) -> String {
+        match &text.0 {
+            Part::Message { id, values } => self.message(id, values),
+            Part::Name(letters) => letters.clone().into_owned(),
+            Part::Number(digits) => self.number(digits),
+            Part::Unit(symbol) => self.unit(symbol),
+            Part::Count(number) => number.to_string(),
+            Part::Joined { between, parts } => {
+                parts.iter().map(|part| self.render(part)).collect::<Vec<_>>().join(between)
+            }
+        }
+    }
+
+    /// Whether there is a text of this identity, for one that is optional: `quantity-speed.also`.
+    pub fn has(&self, id: &str) -> bool {
+        self.formatted(id, &FluentArgs::new()).is_some()
+    }
+
+    /// Behind a point the identity names an attribute of a message.
+    fn formatted(&self, id: &str, values: &FluentArgs<'_>) -> Option<String> {
+        let (id, attribute) = id.split_once('.').map_or((id, None), |(id, attribute)| (id, Some(attribute)));
+        let message = self.bundle.get_message(id)?;
+        let pattern = match attribute {
+            None => message.value()?,
+            Some(name) => message.get_attribute(name)?.value(),
+        };
+        Some(self.bundle.format_pattern(pattern, Some(values), &mut Vec::new()).into_owned())
+    }
+
+    /// In English where this language lacks it; the identity where no language has it.
+    fn message(&self, id: &str, values: &[(&'static str, Text)]) -> String {
+        let mut given = FluentArgs::new();
+        for (name, value) in values {
+            let value: FluentValue<'_> = match value.0 {
+                Part::Count(number) => number.into(),
+                _ => self.render(value).into(),
+            };
+            given.set(*name, value);
+        }
+        self.formatted(id, &given).unwrap_or_else(|| {
+            if self.is_english() { id.to_owned() } else { Self::english().message(id, values) }
+        })
+    }
+
+    /// Digits with the signs of print of the language: minus, decimal sign, power of ten, no comma between thousands.
+    fn number(&self, digits: &str) -> String {
+        if self.is_english() {
+            return digits.to_owned();
+        }
+        let (mantissa, exponent) = digits.split_once('e').unwrap_or((digits, "0"));
+        let mantissa = mantissa.replace(',', "\u{a0}").replace('-', "−");
+        let mantissa = mantissa.replace('.', &self.message("decimal-sign", &[]));
+        if exponent.chars().all(|digit| digit == '0') {
+            return mantissa;
+        }
+        format!("{mantissa}·10{}", exponent.chars().map(raised).collect::<String>())
+    }
+
+    /// A unit with the signs of print, in the letters of the language: `m/s2` as м/с².
+    fn unit(&self, symbol: &str) -> String {
+        if self.is_english() {
+            return symbol.to_owned();
+        }
+        let factor = |factor: &str| {
+            let end = factor.find(|letter: char| !letter.is_ascii_alphabetic()).unwrap_or(factor.len());
+            let (base, power) = factor.split_at(end);
+            let power: String = power.trim_start_matches('^').chars().map(raised).collect();
+            let own = match base {
+                "" => String::new(),
+                base => {
+                    let id = format!("unit-{base}");
+                    if self.has(&id) { self.message(&id, &[]) } else { base.to_owned() }
+                }
+            };
+            own + &power
+        };
+        let parts = symbol.split('/');
+        let parts = parts.map(|part| part.split([' ', '·']).map(factor).collect::<Vec<_>>().join("·"));
+        match parts.collect::<Vec<_>>().as_slice() {
+            [above, below, unit] => format!("({above}/{below})/{unit}"),
+            parts => parts.join("/"),
+        }
+    }
+}
+
+/// A digit or sign of an exponent.
+fn raised(digit: char) -> char {
+    match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '0'..='9' => char::from_u32(u32::from(digit) - u32::from('0') + u32::from('⁰')).unwrap_or(digit),
+        other => other,
+    }
+}

@@ -1,0 +1,19 @@
+//! Texts that a person reads.
+//!
+//! A [`Text`] is an identity with values. It becomes words in a [`Language`] at the very end, from the resources that every
+//! crate brings along ([`resources!`]); a plugin adds its own in the same way. No sentence is read back, and none is
+//! translated by its English words.
+
+mod language;
+mod resource;
+mod text;
+
+pub use inventory;
+pub use language::{LANGUAGES, Language};
+pub use resource::Resource;
+pub use text::{Describe, Text, count, joined, list, name, number, quantity, unit};
+
+resources!();
+
+#[cfg(test)]
+mod tests;

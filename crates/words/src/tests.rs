@@ -1,0 +1,40 @@
+//! Numbers, units, counts and lists in each language.
+
+use fluent_bundle::FluentResource;
+
+use crate::{LANGUAGES, Language, Resource, Text, count, list, name, number, quantity, unit};
+
+fn in_all(text: &Text) -> [String; 3] {
+    LANGUAGES.map(|code| text.render(Language::find(code).unwrap()))
+}
+
+#[test]
+fn a_number_has_the_signs_of_its_language() {
+    assert_eq!(in_all(&number("-1.50e-15")), ["-1.50e-15", "−1,50·10⁻¹⁵", "−1,50·10⁻¹⁵"]);
+    assert_eq!(in_all(&number("0.00e0")), ["0.00e0", "0,00", "0,00"]);
+    assert_eq!(in_all(&number("1,000,000")), ["1,000,000", "1\u{a0}000\u{a0}000", "1\u{a0}000\u{a0}000"]);
+}
+
+#[test]
+fn a_unit_has_the_letters_of_its_language_and_a_name_stays() {
+    assert_eq!(in_all(&unit("kg m2/rad"))[1..], ["кг·м²/рад", "кг·м²/рад"]);
+    assert_eq!(in_all(&unit("m/s/mm"))[2], "(м/с)/мм");
+    assert_eq!(in_all(&quantity(-2, "rpm")), ["-2 rpm", "−2 об/хв", "−2 об/мин"]);
+    assert_eq!(in_all(&quantity(0.5, "")), ["0.5", "0,5", "0,5"]);
+    assert_eq!(in_all(&name("m")), ["m"; 3]);
+    assert_eq!(in_all(&list([count(2), name("rod")])), ["2, rod"; 3]);
+    assert!(list([Text::default(), number("")]).is_empty() && !count(0).is_empty());
+}
+
+#[test]
+fn an_identity_that_no_language_has_is_shown_itself() {
+    assert_eq!(in_all(&crate::text!("no-such-text", of = 2)), ["no-such-text"; 3]);
+    assert!(Language::find("tlh").is_none());
+}
+
+#[test]
+fn every_language_is_read_without_a_fault() {
+    for resource in inventory::iter::<Resource> {
+        assert!(FluentResource::try_new(resource.texts.to_owned()).is_ok(), "{resource:?}");
+    }
+}

@@ -1,0 +1,141 @@
+//! A text by its identity and values.
+
+use std::borrow::Cow;
+use std::fmt::{self, Display};
+
+use crate::Language;
+
+/// A text that a person reads, before it is put into a language.
+///
+/// Its [`Display`] is English: so JSON has it, which is never translated.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Text(pub(crate) Part);
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) enum Part {
+    /// A message of the resources; behind a point in the identity, one of its attributes.
+    Message { id: &'static str, values: Vec<(&'static str, Text)> },
+    /// The same letters in every language.
+    Name(Cow<'static, str>),
+    /// Digits as English prints them.
+    Number(String),
+    /// The symbol of a unit in English.
+    Unit(Cow<'static, str>),
+    /// How many there are of something: chooses the grammatical number.
+    Count(usize),
+    /// Several texts with the same letters between them.
+    Joined { between: &'static str, parts: Vec<Text> },
+}
+
+/// A text by its identity: `text!("group-past-end", group = name(group), gap = quantity(format_args!("{gap:.2}"), "mm"))`.
+/// Each value is a [`Text`], or a count.
+#[macro_export]
+macro_rules! text {
+    ($id:expr $(, $value:ident = $text:expr)* $(,)?) => {
+        $crate::Text::message($id, vec![$((stringify!($value), $crate::Text::from($text))),*])
+    };
+}
+
+impl Text {
+    /// The message of an identity with its values; [`text!`](crate::text!) is shorter.
+    pub fn message(id: &'static str, values: Vec<(&'static str, Self)>) -> Self {
+        Self(Part::Message { id, values })
+    }
+
+    /// Whether it has no letters in any language.
+    pub fn is_empty(&self) -> bool {
+        match &self.0 {
+            Part::Name(letters) | Part::Unit(letters) => letters.is_empty(),
+            Part::Number(digits) => digits.is_empty(),
+            Part::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+            Part::Message { .. } | Part::Count(_) => false,
+        }
+    }
+
+    /// The text in a language.
+    pub fn render(&self, language: &Language) -> String {
+        language.render(self)
+    }
+}
+
+impl Default for Text {
+    /// The empty text.
+    fn default() -> Self {
+        name("")
+    }
+}
+
+impl Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&Language::english().render(self))
+    }
+}
+
+impl From<&Self> for Text {
+    fn from(text: &Self) -> Self {
+        text.clone()
+    }
+}
+
+impl From<usize> for Text {
+    fn from(number: usize) -> Self {
+        count(number)
+    }
+}
+
+/// What has the same letters in every language: a name of the scene, a kind of group, a method, a key, a path, a symbol, a
+/// quoted line. No words.
+pub fn name(letters: impl Into<Cow<'static, str>>) -> Text {
+    Text(Part::Name(letters.into()))
+}
+
+/// A number by its digits as English prints them: `-1.5e-7`. A language has its own decimal sign, minus and powers of ten.
+pub fn number(digits: impl Display) -> Text {
+    Text(Part::Number(digits.to_string()))
+}
+
+/// A unit by its English symbol: `kg m2/rad`.
+pub fn unit(symbol: impl Into<Cow<'static, str>>) -> Text {
+    Text(Part::Unit(symbol.into()))
+}
+
+/// A number, as [`number`], with its unit; the number alone where the symbol is empty.
+pub fn quantity(digits: impl Display, symbol: impl Into<Cow<'static, str>>) -> Text {
+    let symbol = symbol.into();
+    if symbol.is_empty() { number(digits) } else { joined(" ", [number(digits), unit(symbol)]) }
+}
+
+/// How many there are of something: `{ $bodies -> [one] a body *[other] { $bodies } bodies }`.
+pub fn count(number: usize) -> Text {
+    Text(Part::Count(number))
+}
+
+/// Several texts with a comma between them.
+pub fn list(parts: impl IntoIterator<Item = Text>) -> Text {
+    joined(", ", parts)
+}
+
+/// Several texts with the same letters, not words, between them.
+pub fn joined(between: &'static str, parts: impl IntoIterator<Item = Text>) -> Text {
+    Text(Part::Joined { between, parts: parts.into_iter().collect() })
+}
+
+/// What says of itself what it is: a fault, a remark, a name.
+pub trait Describe {
+    /// The text that a person reads.
+    fn describe(&self) -> Text;
+}
+
+/// Makes types that [`Describe`] themselves errors, whose `Display` is the English text.
+#[macro_export]
+macro_rules! errors {
+    ($($error:ty),* $(,)?) => {
+        $(impl std::fmt::Display for $error {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                std::fmt::Display::fmt(&$crate::Describe::describe(self), f)
+            }
+        }
+
+        impl std::error::Error for $error {})*
+    };
+}
