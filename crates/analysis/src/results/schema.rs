@@ -133,41 +133,14 @@ impl Schema {
         &self.links[link]
     }
 
-    /// The SI unit of a column: `kg m2/rad`; empty for a plain number.
-    pub fn unit(&self, column: Column) -> String {
-        let (coordinate, moment, inertia) =
-            if self.angular { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
-        let place = match column.owner {
-            Owner::Link(_) => "rad",
-            Owner::Input => coordinate,
-            _ => "m",
-        };
-        let (base, per, times) = match column.quantity {
-            Quantity::Time => ("s", "", 0),
-            Quantity::Transfer(order) => (place, coordinate, order),
-            Quantity::Velocity => (place, "s", 1),
-            Quantity::Acceleration => (place, "s", 2),
-            Quantity::ReducedInertia => (inertia, "", 0),
-            Quantity::ReducedInertiaDerivative => (inertia, coordinate, 1),
-            Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => (moment, "", 0),
-            Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => ("N m", "", 0),
-            Quantity::DrivingWork | Quantity::ResistingWork | Quantity::KineticEnergy => ("J", "", 0),
-            Quantity::Offset => ("m", "", 0),
-            Quantity::Balancing if self.balances_by_moment => ("N m", "", 0),
-            Quantity::Balancing | Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => {
-                ("N", "", 0)
-            }
-            Quantity::Load => match column.owner {
-                Owner::Load(load) => (self.loads[load].1, "", 0),
-                _ => ("N", "", 0),
-            },
-            Quantity::Condition | Quantity::Residual(_) => ("", "", 0),
-        };
-        match times {
-            0 => base.to_owned(),
-            1 => format!("{base}/{per}"),
-            times => format!("{base}/{per}{times}"),
-        }
+    /// Whether the balancing load is a moment, otherwise a force.
+    pub fn balances_by_moment(&self) -> bool {
+        self.balances_by_moment
+    }
+
+    /// The SI unit of a load.
+    pub fn unit_of_load(&self, load: usize) -> &'static str {
+        self.loads[load].1
     }
 }
 
