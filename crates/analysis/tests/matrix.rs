@@ -126,9 +126,19 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         "contact" => {
             let force = over(Over::Coordinate, &[[0.0, 40.0], [2.0, 90.0]]);
-            let (center, radius, friction, during) = (at, 0.02, 0.15, Some([-2.0, 4.0]));
+            let (center, radius, friction, against_sliding, during) =
+                (at, 0.02, 0.15, true, Some([-2.0, 4.0]));
             let angle = Value::Constant(0.6);
-            mechanism.contacts.push(Contact { name, center, radius, angle, force, friction, during });
+            mechanism.contacts.push(Contact {
+                name,
+                center,
+                radius,
+                angle,
+                force,
+                friction,
+                against_sliding,
+                during,
+            });
         }
         "brake" => {
             let brake = Some(Brake { radius: 0.05, friction: 0.3 });
