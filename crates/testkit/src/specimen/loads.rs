@@ -148,7 +148,7 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
     let (low, high) = (mechanism.input.from - 0.313_7, mechanism.input.from + 0.271_9);
     let during = draft.rng.chance(0.5).then_some([low, high]);
     Contact {
-        name: "contact".to_owned(),
+        name: "contact".into(),
         center,
         radius: draft.rng.range(0.0, 1.0) * draft.size,
         angle: Value::Constant(draft.rng.signed(0.0, 0.5)),
