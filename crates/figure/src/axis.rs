@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::number::{plain, round_up};
+use crate::number::{round_up, stepped};
 
 /// What is told apart on an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,7 +93,7 @@ impl Axis {
             let at = number * step;
             ticks.push(match self.kind {
                 Kind::Logarithmic => (10.0_f64.powf(at), format!("1e{at}")),
-                _ => (at, plain(if at.abs() < SAME * step { 0.0 } else { at })),
+                _ => (at, stepped(if at.abs() < SAME * step { 0.0 } else { at }, step)),
             });
             number += 1.0;
         }

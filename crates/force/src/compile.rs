@@ -195,7 +195,7 @@ impl<'a> Compiler<'a> {
         };
         let span = match cycle.filter(repeats) {
             Some(span) => span,
-            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(contact.name.clone())),
+            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(contact.name.to_string())),
             None => self.positions(),
         };
         let (center, step) = (contact.center, 1e-3 * span.length / f64::from(span.cells));

@@ -22,7 +22,7 @@ fn points(source: &Source<'_>, page: &mut Page) {
     for (id, link) in source.mechanism.links.iter().enumerate() {
         for (point_id, point) in source.mechanism.points.iter().enumerate() {
             if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
-                rows.push(vec![link.name.clone(), point.name.clone(), mm(x), mm(y)]);
+                rows.push(vec![link.name.to_string(), point.name.to_string(), mm(x), mm(y)]);
             }
         }
     }
@@ -38,10 +38,10 @@ fn slides(source: &Source<'_>, page: &mut Page) {
     let mut rows = Vec::new();
     for slide in &source.mechanism.slides {
         rows.push(vec![
-            slide.name.clone(),
+            slide.name.to_string(),
             mm(slide.point[0]),
             mm(slide.point[1]),
-            source.mechanism.links.get(slide.on).map_or_else(String::new, |link| link.name.clone()),
+            source.mechanism.links.get(slide.on).map_or_else(String::new, |link| link.name.to_string()),
             mm(slide.through[0]),
             mm(slide.through[1]),
             short(slide.angle.to_degrees()),
@@ -58,7 +58,7 @@ fn masses(source: &Source<'_>, page: &mut Page) {
     let heavy = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
     let row = |link: &Link| {
         let [x, y] = link.center.map(mm);
-        vec![link.name.clone(), short(link.mass), x, y, short(link.inertia)]
+        vec![link.name.to_string(), short(link.mass), x, y, short(link.inertia)]
     };
     let rows: Vec<_> = source.mechanism.links.iter().skip(1).filter(heavy).map(row).collect();
     if rows.is_empty() {

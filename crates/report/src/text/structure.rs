@@ -39,11 +39,16 @@ fn pairs(source: &Source<'_>, page: &mut Page) {
     for pin in source.mechanism.points.iter().filter(|point| point.is_pin()) {
         let links: Vec<_> = pin.places.iter().map(|place| name(place.link)).collect();
         let sort = if links.len() > 2 { "R, multiple joint" } else { "R" };
-        rows.push(vec![pin.name.clone(), sort.to_owned(), links.join(", "), (links.len() - 1).to_string()]);
+        rows.push(vec![
+            pin.name.to_string(),
+            sort.to_owned(),
+            links.join(", "),
+            (links.len() - 1).to_string(),
+        ]);
     }
     for slide in &source.mechanism.slides {
         let links = format!("{}, {}", name(slide.link), name(slide.on));
-        rows.push(vec![slide.name.clone(), "P".to_owned(), links, "1".to_owned()]);
+        rows.push(vec![slide.name.to_string(), "P".to_owned(), links, "1".to_owned()]);
     }
     page.caption("Pairs (R: turning, P: sliding)");
     page.rows(&["pair", "sort", "links", "count"], &rows);
