@@ -4,6 +4,7 @@ use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_words::{Text, joined, name, text};
 
 use super::{axis, of};
+use crate::named;
 
 /// Several texts with a space between them, without the empty ones.
 fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
@@ -12,14 +13,14 @@ fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
 
 /// What a column belongs to: `point D`, `A on rod`, `load gas`; empty for the input.
 pub fn owner(schema: &Schema, column: Column) -> Text {
-    let own = || name(schema.name(column.owner).into_owned());
+    let own = || named(&schema.name(column.owner));
     match column.owner {
         Owner::Input => Text::default(),
         Owner::Link(_) => text!("owner-link", name = own()),
         Owner::Point(_) => text!("owner-point", name = own()),
         Owner::Slide(_) => text!("owner-slide", name = own()),
         Owner::PairOn(_, link) => {
-            text!("owner-pair-on", name = own(), link = name(schema.link(link).to_owned()))
+            text!("owner-pair-on", name = own(), link = named(schema.link(link)))
         }
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),
