@@ -76,16 +76,24 @@ fn is_zero(panel: &Panel) -> bool {
 }
 
 fn numbers(words: &Words, dynamics: &Dynamics) -> Vec<Vec<String>> {
+    // What is positive where the drive drives has another name, and the other sign, where the loads drive.
+    let loads_drive = dynamics.regime.loads_drive();
+    let one_of = |usual: &'static str, other: &'static str, value: f64| {
+        if loads_drive { (other, Some(-value)) } else { (usual, Some(value)) }
+    };
+    let (mean, mean_moment) = one_of("mean-resistance", "mean-driving", dynamics.regime.mean_resistance);
+    let (net, net_work) = one_of("resistance-work", "net-driving-work", dynamics.regime.resistance_work);
+    let (needed, power) = one_of("required-power", "power-taken", dynamics.figures.required_power);
     let all = [
         ("mean-speed", Some(dynamics.figures.mean_speed), "rad/s"),
         ("unevenness", Some(dynamics.figures.unevenness), ""),
         ("least-speed", Some(dynamics.figures.speed_min), "rad/s"),
         ("greatest-speed", Some(dynamics.figures.speed_max), "rad/s"),
         ("cycle-time", Some(dynamics.regime.cycle_time), "s"),
-        ("mean-resistance", Some(dynamics.regime.mean_resistance), "N m"),
-        ("resistance-work", Some(dynamics.regime.resistance_work), "J"),
+        (mean, mean_moment, "N m"),
+        (net, net_work, "J"),
         ("excess-work", Some(dynamics.figures.excess_work), "J"),
-        ("required-power", Some(dynamics.figures.required_power), "W"),
+        (needed, power, "W"),
         ("motor-power", dynamics.motor.as_ref().map(|motor| motor.rated.power), "W"),
         ("ratio", dynamics.figures.ratio, ""),
         ("flywheel", dynamics.flywheel, "kg m2"),

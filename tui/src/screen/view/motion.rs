@@ -109,6 +109,8 @@ pub(super) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)>
     let speed = speed_unit(angular);
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
+    let drives = if dynamics.regime.loads_drive() { -1.0 } else { 1.0 };
+    let of_drive = |[usual, other]: [&'static str; 2]| if drives < 0.0 { other } else { usual };
     let all: [(&str, Option<f64>, &str); 10] = [
         ("mean speed", Some(dynamics.figures.mean_speed), speed),
         ("unevenness", Some(dynamics.figures.unevenness), ""),
@@ -118,8 +120,12 @@ pub(super) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)>
         ("  at", Some(degrees(dynamics.figures.coordinate_at_max)), place),
         ("excess work", Some(dynamics.figures.excess_work), "J"),
         ("dynamic unevenness", dynamics.figures.dynamic_unevenness, ""),
-        ("torque", dynamics.figures.torque, "N m"),
-        ("required power", Some(dynamics.figures.required_power), "W"),
+        (
+            of_drive(["torque", "resisting torque"]),
+            dynamics.figures.torque.map(|torque| drives * torque),
+            "N m",
+        ),
+        (of_drive(["required power", "power taken up"]), Some(drives * dynamics.figures.required_power), "W"),
     ];
     all.into_iter()
         .filter_map(|(name, value, unit)| Some((Role::Plain, format!("{name} {} {unit}", digits(value?, 5)))))

@@ -48,13 +48,16 @@ fn axis(scene: &Scene) -> (Axis, f64) {
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
 pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Panel {
-    // The resistance is shown against the motion, as its mean is.
+    // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = scene.linkage.mechanism.input.sign();
-    let lines = vec![
-        ("motor", over(regime, |row| Some(sense * row.drive))),
-        ("resistance", over(regime, |row| Some(-sense * row.load))),
-        ("mean", over(regime, |_| Some(regime.mean_resistance))),
-    ];
+    let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
+    let load = |sign: f64| over(regime, |row| Some(sign * sense * row.load));
+    let mean = |sign: f64| over(regime, |_| Some(sign * regime.mean_resistance));
+    let lines = if regime.loads_drive() {
+        vec![("driving loads", load(1.0)), ("resistance", drive(-1.0)), ("mean", mean(-1.0))]
+    } else {
+        vec![("motor", drive(1.0)), ("resistance", load(-1.0)), ("mean", mean(1.0))]
+    };
     plots::curves("moments on the input, N m", lines, axis(scene), Some(cursor(state, scene)))
 }
 
