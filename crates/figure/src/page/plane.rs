@@ -26,7 +26,8 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
     let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
     elements.extend(drawn(&marks, plot));
-    if !symbol.is_empty() {
+    // What lies in one place has no scale.
+    if !symbol.is_empty() && bounds.size() != [0.0; 2] {
         let told = format!("μ_{{{symbol}}} = {} {unit}/mm", plain(scale));
         let corner = [room.left, room.top + room.height - 0.3 * LINE];
         elements.push(text(corner, &told, Ink::Dim, "start"));

@@ -62,7 +62,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
     let series = &scene.series[orders[order]];
-    let mut title = format!("PF{order}  {} {}", number(series.at(state.position)), series.unit);
+    let mut title = format!("PF{order}  {}", series.show(state.position));
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
         && let Some(other) = compared.series(series)
