@@ -86,6 +86,11 @@ impl Words {
         }
     }
 
+    /// The language of texts that have an identity.
+    pub(crate) fn spoken(&self) -> &'static assur_words::Language {
+        assur_words::Language::find(self.language).unwrap_or_else(assur_words::Language::english)
+    }
+
     /// The text of an identifier; the identifier where there is none.
     pub(crate) fn get(&self, id: &str) -> String {
         self.with(id, &[])

@@ -28,12 +28,12 @@ fn plan(plan: &Plan, ascii: bool) -> String {
         let size = sizes(item.size);
         let angle = if size == "0" { "-".to_owned() } else { degrees(vector) };
         let [x, y] = item.start.map(&places);
-        vec![item.name.clone(), size, item.unit.clone(), angle, x, y, item.note.clone()]
+        vec![item.name.to_string(), size, item.unit.clone(), angle, x, y, item.note.to_string()]
     });
     let vectors = ["vector", "size", "unit", "deg", "from x", "from y", "meaning"];
     let points = plan.points.iter().map(|point| {
         let [x, y] = point.at.map(&places);
-        vec![point.name.clone(), x, y]
+        vec![point.name.to_string(), x, y]
     });
     head + &table(&vectors, rows, ascii) + &table(&["point", "x", "y"], points, ascii)
 }
@@ -68,8 +68,8 @@ fn causes(split: &Split, ascii: bool) -> String {
     let rows = shares().flat_map(|share| {
         let dash = || "-".to_owned();
         let load = balancing(share.balancing);
-        let load = vec![share.cause.clone(), "balancing".to_owned(), dash(), dash(), dash(), load];
-        share.reactions.iter().map(|reaction| row(&share.cause, reaction)).chain([load])
+        let load = vec![share.cause.to_string(), "balancing".to_owned(), dash(), dash(), dash(), load];
+        share.reactions.iter().map(|reaction| row(&share.cause.to_string(), reaction)).chain([load])
     });
     let head = format!("Reactions by cause (N); the shares sum to the whole up to {:.1e}\n", split.residual);
     head + &table(&["cause", "joint", "on", "fx", "fy", "size"], rows, ascii)

@@ -3,6 +3,7 @@
 use assur_analysis::results::{Analysis, Checks, Column, Owner, Part, Quantity, Table};
 use assur_book::Course;
 use assur_mechanism::PointId;
+use assur_words::{Text, name, number, text};
 
 use super::gather::{Gather, RATES, Reaction};
 use super::plans::Planner;
@@ -50,11 +51,11 @@ impl Found {
         for column in table.schema().columns() {
             if let Quantity::Residual(of) = column.quantity {
                 // Results count groups from 0, readers from 1.
-                let name = match column.owner {
-                    Owner::Group(group) => format!("residual group {}", group + 1),
-                    owner => format!("residual {}", of.name(owner)),
+                let told = match column.owner {
+                    Owner::Group(group) => text!("series-residual-group", group = number(group + 1)),
+                    owner => text!("series-residual", of = name(of.name(owner))),
                 };
-                gather.add([name.clone(), name], "", *column);
+                gather.add([told.clone(), told], Text::default(), *column);
             }
         }
         self.series = gather.series;

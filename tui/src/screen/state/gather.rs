@@ -3,6 +3,7 @@
 use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
 use assur_book::Course;
 use assur_mechanism::{GROUND, LinkId, PairId};
+use assur_words::{Text, joined, name, number, text};
 
 use super::series::Series;
 
@@ -12,9 +13,6 @@ const ROUNDING: f64 = 1e-13;
 /// First and second derivative by time.
 pub(super) const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
 
-/// Name of the load on the input that keeps the motion.
-const BALANCING: &str = "balancing load";
-
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Reaction {
@@ -22,6 +20,8 @@ pub(crate) struct Reaction {
     pub(crate) pair: String,
     /// The link on which it acts.
     pub(crate) link: String,
+    /// `A on crank`, `balancing load`.
+    pub(crate) name: Text,
     /// Fx, Fy, modulus; for the balancing load its one series.
     pub(crate) series: Vec<usize>,
     /// Moment of a slide.
@@ -29,11 +29,6 @@ pub(crate) struct Reaction {
 }
 
 impl Reaction {
-    /// `A on crank`, `balancing load`.
-    pub(crate) fn name(&self) -> String {
-        if self.pair.is_empty() { BALANCING.to_owned() } else { format!("{} on {}", self.pair, self.link) }
-    }
-
     /// Whether it is the force of the same pair on the same link.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.pair == other.pair && self.link == other.link
@@ -50,36 +45,36 @@ pub(super) struct Gather<'a> {
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
-    pub(super) fn add(&mut self, names: [String; 2], kind: &'static str, column: Column) -> Option<usize> {
+    pub(super) fn add(&mut self, [of, head]: [Text; 2], kind: Text, column: Column) -> Option<usize> {
         let course = Course::of(self.table, Some(self.ending), Column::COORDINATE, column);
         if course.is_empty() {
             return None;
         }
-        let ([of, short], unit) = (names, self.table.schema().unit(column));
-        self.series.push(Series { column, of, short, kind, unit, factor: 1.0, course, floor: 0.0 });
+        let (short, unit) = (head.to_string(), self.table.schema().unit(column));
+        self.series.push(Series { column, of, head, short, kind, unit, factor: 1.0, course, floor: 0.0 });
         Some(self.series.len() - 1)
     }
 
     /// Adds both projections of a vector and its modulus; a letter follows the names.
-    fn add_vector(&mut self, [of, short]: [String; 2], kind: &'static str, vector: Column) -> Vec<usize> {
-        let names = |letter: &str| [&of, &short].map(|name| format!("{name}{letter}"));
-        let x = self.add(names("x"), kind, vector.part(Part::X));
-        let y = self.add(names("y"), kind, vector.part(Part::Y));
-        let modulus = self.add(names(""), kind, vector.part(Part::Modulus));
+    fn add_vector(&mut self, names: [Text; 2], kind: &Text, vector: Column) -> Vec<usize> {
+        let names = |letter| names.each_ref().map(|text| joined("", [text.clone(), name(letter)]));
+        let x = self.add(names("x"), kind.clone(), vector.part(Part::X));
+        let y = self.add(names("y"), kind.clone(), vector.part(Part::Y));
+        let modulus = self.add(names(""), kind.clone(), vector.part(Part::Modulus));
         [x, y, modulus].into_iter().flatten().collect()
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
     pub(super) fn motion(&mut self) -> Vec<usize> {
         let all = [
-            ("input speed", "w", Quantity::Velocity),
-            ("input acceleration", "e", Quantity::Acceleration),
-            ("reduced inertia J", "J", Quantity::ReducedInertia),
-            ("derivative J'", "J'", Quantity::ReducedInertiaDerivative),
-            ("reduced moment Q", "Q", Quantity::ReducedMoment),
+            ("series-input-speed", "w", Quantity::Velocity),
+            ("series-input-acceleration", "e", Quantity::Acceleration),
+            ("series-reduced-inertia", "J", Quantity::ReducedInertia),
+            ("series-reduced-inertia-derivative", "J'", Quantity::ReducedInertiaDerivative),
+            ("series-reduced-moment", "Q", Quantity::ReducedMoment),
         ];
-        let add = |(of, short, quantity): (&str, &str, Quantity)| {
-            self.add([of, short].map(str::to_owned), "", Column::of(quantity, Owner::Input))
+        let add = |(of, letter, quantity): (&'static str, &'static str, Quantity)| {
+            self.add([text!(of), name(letter)], Text::default(), Column::of(quantity, Owner::Input))
         };
         all.into_iter().filter_map(add).collect()
     }
@@ -89,15 +84,31 @@ impl Gather<'_> {
         let schema = self.table.schema();
         for (order, quantity) in RATES.into_iter().enumerate() {
             let ([linear, angular], kind) =
-                ([["v", "w"], ["a", "e"]][order], ["velocity", "acceleration"][order]);
+                ([["v", "w"], ["a", "e"]][order], ["series-velocity", "series-acceleration"][order]);
             for owner in schema.owners(quantity) {
-                let (name, column) = (schema.name(owner), Column::of(quantity, owner));
-                let names =
-                    |of: &str, letter: &str| [format!("{of} {name} {letter}"), format!("{name}.{letter}")];
+                let (own, column) = (name(schema.name(owner).into_owned()), Column::of(quantity, owner));
+                let named = |of: Text, letter| {
+                    [joined(" ", [of, name(letter)]), joined(".", [own.clone(), name(letter)])]
+                };
                 match owner {
-                    Owner::Point(_) => drop(self.add_vector(names("point", linear), kind, column)),
-                    Owner::Link(_) => drop(self.add(names("link", angular), kind, column)),
-                    Owner::Slide(_) => drop(self.add(names("slide", linear), kind, column)),
+                    Owner::Point(_) => {
+                        let names = named(text!("series-point", point = &own), linear);
+                        drop(self.add_vector(names, &text!(kind), column));
+                    }
+                    Owner::Link(_) => {
+                        drop(self.add(
+                            named(text!("series-link", link = &own), angular),
+                            text!(kind),
+                            column,
+                        ));
+                    }
+                    Owner::Slide(_) => {
+                        drop(self.add(
+                            named(text!("series-slide", slide = &own), linear),
+                            text!(kind),
+                            column,
+                        ));
+                    }
                     _ => {}
                 }
             }
@@ -110,19 +121,28 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
             let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
-            let names = |what: &str| [format!("{pair} on {link} {what}"), format!("{pair}>{link}.{what}")];
+            let told = text!("series-reaction", pair = name(pair.clone()), link = name(link.clone()));
+            let named =
+                |what| [joined(" ", [told.clone(), name(what)]), name(format!("{pair}>{link}.{what}"))];
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
-            let series = self.add_vector(names("F"), "force", force);
-            let moment = self.add(names("M"), "moment", Column::of(Quantity::Moment, Owner::Pair(id)));
+            let series = self.add_vector(named("F"), &text!("series-force"), force);
+            let moment = Column::of(Quantity::Moment, Owner::Pair(id));
+            let moment = self.add(named("M"), text!("series-moment"), moment);
             if series.len() == 3 {
-                found.push(Reaction { pair, link, series, moment });
+                found.push(Reaction { pair, link, name: told, series, moment });
             }
         }
         self.mark_rounding(&found);
-        let names = [BALANCING, "balancing"].map(str::to_owned);
-        if let Some(index) = self.add(names, "", Column::BALANCING) {
+        let names = [text!("series-balancing"), text!("series-balancing-short")];
+        if let Some(index) = self.add(names, Text::default(), Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
-            found.push(Reaction { pair, link, series: vec![index], moment: None });
+            found.push(Reaction {
+                pair,
+                link,
+                name: text!("series-balancing"),
+                series: vec![index],
+                moment: None,
+            });
         }
         found
     }
@@ -130,28 +150,35 @@ impl Gather<'_> {
     /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
     pub(super) fn others(&mut self) {
         let schema = self.table.schema();
-        for (quantity, before, after) in [
-            (Quantity::Load, "load ", ""),
-            (Quantity::InertiaForce, "", " inertia F"),
-            (Quantity::InertiaMoment, "", " inertia M"),
-            (Quantity::ShakingForce, "", "shaking F"),
-            (Quantity::ShakingMoment, "", "shaking M"),
-            (Quantity::Condition, "condition of group ", ""),
+        for (quantity, letter) in [
+            (Quantity::Load, ""),
+            (Quantity::InertiaForce, "F"),
+            (Quantity::InertiaMoment, "M"),
+            (Quantity::ShakingForce, "F"),
+            (Quantity::ShakingMoment, "M"),
+            (Quantity::Condition, ""),
         ] {
             for owner in schema.owners(quantity) {
-                // Results count groups from 0, readers from 1.
-                let name = match owner {
-                    Owner::Group(group) => (group + 1).to_string(),
-                    _ => schema.name(owner).into_owned(),
+                let own = name(schema.name(owner).into_owned());
+                let of = match (quantity, owner) {
+                    (Quantity::Load, _) => text!("series-load", load = own),
+                    (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
+                        text!("series-inertia", link = own)
+                    }
+                    // Results count groups from 0, readers from 1.
+                    (_, Owner::Group(group)) => text!("series-condition", group = number(group + 1)),
+                    _ => text!("series-shaking"),
                 };
-                let of = format!("{before}{name}{after}");
-                let names = [of.clone(), of];
-                let column = Column::of(quantity, owner);
+                let of = joined(
+                    " ",
+                    std::iter::once(of).chain([name(letter)].into_iter().filter(|_| !letter.is_empty())),
+                );
+                let (names, column) = ([of.clone(), of], Column::of(quantity, owner));
                 match quantity {
                     Quantity::InertiaForce | Quantity::ShakingForce => {
-                        drop(self.add_vector(names, "", column));
+                        drop(self.add_vector(names, &Text::default(), column));
                     }
-                    _ => drop(self.add(names, "", column)),
+                    _ => drop(self.add(names, Text::default(), column)),
                 }
             }
         }

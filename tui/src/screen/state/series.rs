@@ -2,6 +2,7 @@
 
 use assur_analysis::results::{Column, Owner};
 use assur_book::{Course, Extreme, Summary};
+use assur_words::{Text, joined, list, quantity, unit};
 
 use crate::number::number;
 
@@ -11,11 +12,13 @@ pub(crate) struct Series {
     /// What it is, by its identity in the results.
     pub(crate) column: Column,
     /// `point D x`, without the order.
-    pub(crate) of: String,
-    /// Column header: `D.x'`; no two quantities have the same.
+    pub(crate) of: Text,
+    /// Column header: `D.x'`.
+    pub(crate) head: Text,
+    /// The header in English, by which it is named in files; no two quantities have the same.
     pub(crate) short: String,
-    /// What it is, in words by which it is looked for: `velocity`, `PF1`.
-    pub(crate) kind: &'static str,
+    /// What it is, in words by which it is looked for: `velocity`, `PF1`; may be empty.
+    pub(crate) kind: Text,
     /// Unit of the values that are shown.
     pub(crate) unit: String,
     /// Number of these units in the SI unit.
@@ -33,8 +36,8 @@ impl Series {
     }
 
     /// Value and unit at a position.
-    pub(crate) fn show(&self, position: usize) -> String {
-        format!("{} {}", self.bare(position), self.unit)
+    pub(crate) fn show(&self, position: usize) -> Text {
+        quantity(self.bare(position), self.unit.clone())
     }
 
     /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.
@@ -67,10 +70,9 @@ impl Series {
     }
 
     /// Its name for a list: `point D x PF1, m/rad`.
-    pub(crate) fn title(&self) -> String {
-        let kind = if self.kind.is_empty() { String::new() } else { format!(" {}", self.kind) };
-        let unit = if self.unit.is_empty() { String::new() } else { format!(", {}", self.unit) };
-        format!("{}{kind}{unit}", self.of)
+    pub(crate) fn title(&self) -> Text {
+        let told = [&self.of, &self.kind].into_iter().filter(|text| !text.is_empty()).cloned();
+        list([joined(" ", told), unit(self.unit.clone())].into_iter().filter(|text| !text.is_empty()))
     }
 }
 
@@ -78,7 +80,7 @@ impl Series {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Transfer {
     /// `point D x`.
-    pub(crate) name: String,
+    pub(crate) name: Text,
     /// The link, point or slide to which it belongs.
     pub(crate) owner: Owner,
     /// PF0, PF1, PF2.

@@ -3,6 +3,7 @@
 use assur_analysis::results::{Column, Owner, Part, Quantity};
 use assur_book::{Course, Node};
 use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
+use assur_words::{Text, joined, name, text};
 
 use super::series::{Series, Transfer};
 
@@ -48,9 +49,9 @@ impl Gather<'_> {
         };
         let end = self.end.map(|(number, _)| node(number));
         let course = Course::from_nodes((0..self.poses.len()).map(node), end);
-        let [of, short, unit] = ["coordinate", "q", unit].map(str::to_owned);
-        let column = Column::COORDINATE;
-        self.series.push(Series { column, of, short, kind: "", unit, factor, course, floor: 0.0 });
+        let (of, head, unit) = (text!("series-coordinate"), name("q"), unit.to_owned());
+        let (column, kind, short) = (Column::COORDINATE, Text::default(), head.to_string());
+        self.series.push(Series { column, of, head, short, kind, unit, factor, course, floor: 0.0 });
     }
 
     fn points(&mut self) {
@@ -60,12 +61,17 @@ impl Gather<'_> {
                 continue;
             }
             for (axis, (letter, part)) in [("x", Part::X), ("y", Part::Y)].into_iter().enumerate() {
-                let (name, short) =
-                    (format!("point {} {letter}", point.name), format!("{}.{letter}", point.name));
-                self.add(name, &short, place(Owner::Point(id)).part(part), |position| {
-                    let motion = linkage.point_motion(id, position);
-                    [motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
-                });
+                let of = text!("series-point", point = &point.name);
+                let head = joined(".", [(&point.name).into(), name(letter)]);
+                self.add(
+                    joined(" ", [of, name(letter)]),
+                    &head,
+                    place(Owner::Point(id)).part(part),
+                    |position| {
+                        let motion = linkage.point_motion(id, position);
+                        [motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
+                    },
+                );
             }
         }
     }
@@ -74,39 +80,43 @@ impl Gather<'_> {
         let linkage = self.linkage;
         for (id, link) in linkage.mechanism.links.iter().enumerate().skip(1) {
             let mut before: Option<[f64; 2]> = None;
-            self.add(format!("link {}", link.name), &link.name, place(Owner::Link(id)), |position| {
-                let motion = linkage.link_motion(id, position);
-                let angle = before.map_or(first_angle(motion.pf0), |[at, angle]| {
-                    let mut near = angle;
-                    linkage.each_between([at, position.coordinate], |between| {
-                        near = continuous_angle(linkage.link_motion(id, between).pf0, near);
+            self.add(
+                text!("series-link", link = &link.name),
+                &(&link.name).into(),
+                place(Owner::Link(id)),
+                |position| {
+                    let motion = linkage.link_motion(id, position);
+                    let angle = before.map_or(first_angle(motion.pf0), |[at, angle]| {
+                        let mut near = angle;
+                        linkage.each_between([at, position.coordinate], |between| {
+                            near = continuous_angle(linkage.link_motion(id, between).pf0, near);
+                        });
+                        continuous_angle(motion.pf0, near)
                     });
-                    continuous_angle(motion.pf0, near)
-                });
-                before = Some([position.coordinate, angle]);
-                [angle, motion.pf1, motion.pf2]
-            });
+                    before = Some([position.coordinate, angle]);
+                    [angle, motion.pf1, motion.pf2]
+                },
+            );
         }
     }
 
     fn slides(&mut self) {
         let linkage = self.linkage;
         for (id, slide) in linkage.mechanism.slides.iter().enumerate() {
-            self.add(format!("slide {}", slide.name), &slide.name, place(Owner::Slide(id)), |position| {
-                let motion = linkage.slide_motion(id, position);
-                [motion.pf0, motion.pf1, motion.pf2]
-            });
+            self.add(
+                text!("series-slide", slide = &slide.name),
+                &(&slide.name).into(),
+                place(Owner::Slide(id)),
+                |position| {
+                    let motion = linkage.slide_motion(id, position);
+                    [motion.pf0, motion.pf1, motion.pf2]
+                },
+            );
         }
     }
 
     /// Adds PF0, PF1 and PF2 of a place, which `read` gives.
-    fn add(
-        &mut self,
-        name: String,
-        short: &str,
-        column: Column,
-        mut read: impl FnMut(&Position) -> [f64; 3],
-    ) {
+    fn add(&mut self, of: Text, head: &Text, column: Column, mut read: impl FnMut(&Position) -> [f64; 3]) {
         let mut nodes: [Vec<Node>; 3] = Default::default();
         let poses = self.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
         for (number, pose) in poses.chain(self.end) {
@@ -125,18 +135,24 @@ impl Gather<'_> {
         let first = self.series.len();
         for (order, ((unit, factor), mut nodes)) in (0_u8..).zip(units.into_iter().zip(nodes)) {
             let end = if self.end.is_some() { nodes.pop() } else { None };
+            let head = joined("", [head.clone(), name("'".repeat(order.into()))]);
             self.series.push(Series {
                 column: Column { quantity: Quantity::Transfer(order), ..column },
-                of: name.clone(),
-                short: format!("{short}{}", "'".repeat(order.into())),
-                kind: ["PF0", "PF1", "PF2"][usize::from(order)],
+                of: of.clone(),
+                short: head.to_string(),
+                head,
+                kind: name(["PF0", "PF1", "PF2"][usize::from(order)]),
                 unit,
                 factor,
                 course: Course::from_nodes(nodes, end),
                 floor: ROUNDING * size,
             });
         }
-        self.transfers.push(Transfer { name, owner: column.owner, orders: [first, first + 1, first + 2] });
+        self.transfers.push(Transfer {
+            name: of,
+            owner: column.owner,
+            orders: [first, first + 1, first + 2],
+        });
     }
 }
 
