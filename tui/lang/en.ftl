@@ -398,7 +398,6 @@ config-pixels = drawings as pixels: the terminal is asked at the start whether i
 config-panels = views beside the chosen one from 120 columns, as many as there is room for; [] means none
 
 
-# Quantities over the positions.
 series-coordinate = coordinate
 series-point = point { $point }
 series-link = link { $link }

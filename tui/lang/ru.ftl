@@ -376,7 +376,6 @@ no-forces-found = Сил нет, так как движение, которог�
 nothing-here = для этого вида у сцены ничего нет
 
 
-# Quantities over the positions.
 series-coordinate = координата
 series-point = точка { $point }
 series-link = звено { $link }

@@ -375,7 +375,6 @@ no-forces-found = Сил немає, бо руху, якого вимагає с
 nothing-here = для цього вигляду сцена не має нічого
 
 
-# Quantities over the positions.
 series-coordinate = координата
 series-point = точка { $point }
 series-link = ланка { $link }

@@ -23,7 +23,11 @@ fn the_extent_ignores_what_is_no_number() {
 }
 
 fn texts(kind: Kind, range: [f64; 2], most: usize) -> Vec<String> {
-    Axis { label: Text::default(), range, kind }.ticks(most).into_iter().map(|(_, text)| text).collect()
+    Axis { label: Text::default(), range, kind }
+        .ticks(most)
+        .into_iter()
+        .map(|(_, text)| text.to_string())
+        .collect()
 }
 
 #[test]

@@ -47,7 +47,7 @@ impl Draft {
         self.poses.push(Pose { x, y, angle });
         // One link in four is massless.
         let mass = if self.rng.chance(0.25) { 0.0 } else { self.rng.range(0.2, 8.0) };
-        let mut link = Link { name: format!("link{id}"), mass, center: [0.0; 2], inertia: 0.0 };
+        let mut link = Link { name: format!("link{id}").into(), mass, center: [0.0; 2], inertia: 0.0 };
         if mass > 0.0 {
             link.center = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
             if self.rng.chance(0.8) {

@@ -3,7 +3,6 @@
 use assur_analysis::results::{Analysis, Checks, Column, Owner, Part, Quantity, Table};
 use assur_book::Course;
 use assur_mechanism::PointId;
-use assur_words::{Text, name, number, text};
 
 use super::gather::{Gather, RATES, Reaction};
 use super::plans::Planner;
@@ -48,15 +47,10 @@ impl Found {
         self.analysis.add_checks(checks);
         let table = &self.analysis.positions;
         let mut gather = Gather { table, ending: &self.ending, series: std::mem::take(&mut self.series) };
-        for column in table.schema().columns() {
-            if let Quantity::Residual(of) = column.quantity {
-                // Results count groups from 0, readers from 1.
-                let told = match column.owner {
-                    Owner::Group(group) => text!("series-residual-group", group = number(group + 1)),
-                    owner => text!("series-residual", of = name(of.name(owner))),
-                };
-                gather.add([told.clone(), told], Text::default(), *column);
-            }
+        let all = table.schema().columns().iter();
+        let residuals = all.filter(|column| matches!(column.quantity, Quantity::Residual(_)));
+        for column in residuals {
+            gather.add(*column);
         }
         self.series = gather.series;
     }

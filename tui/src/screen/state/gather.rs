@@ -1,9 +1,9 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
-use assur_book::Course;
+use assur_book::{Course, catalogue};
 use assur_mechanism::{GROUND, LinkId, PairId};
-use assur_words::{Text, joined, name, number, text};
+use assur_words::Text;
 
 use super::series::Series;
 
@@ -45,74 +45,46 @@ pub(super) struct Gather<'a> {
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
-    pub(super) fn add(&mut self, [of, head]: [Text; 2], kind: Text, column: Column) -> Option<usize> {
+    pub(super) fn add(&mut self, column: Column) -> Option<usize> {
         let course = Course::of(self.table, Some(self.ending), Column::COORDINATE, column);
         if course.is_empty() {
             return None;
         }
-        let (short, unit) = (head.to_string(), self.table.schema().unit(column));
-        self.series.push(Series { column, of, head, short, kind, unit, factor: 1.0, course, floor: 0.0 });
+        self.series.push(Series::of(self.table.schema(), column, course, 0.0));
         Some(self.series.len() - 1)
     }
 
-    /// Adds both projections of a vector and its modulus; a letter follows the names.
-    fn add_vector(&mut self, names: [Text; 2], kind: &Text, vector: Column) -> Vec<usize> {
-        let names = |letter| names.each_ref().map(|text| joined("", [text.clone(), name(letter)]));
-        let x = self.add(names("x"), kind.clone(), vector.part(Part::X));
-        let y = self.add(names("y"), kind.clone(), vector.part(Part::Y));
-        let modulus = self.add(names(""), kind.clone(), vector.part(Part::Modulus));
-        [x, y, modulus].into_iter().flatten().collect()
+    /// Adds a whole quantity, or both projections of a vector and its modulus.
+    fn add_all(&mut self, whole: Column) -> Vec<usize> {
+        let is_vector = self.table.schema().find(whole.part(Part::X)).is_some();
+        let parts: &[Part] = if is_vector { &[Part::X, Part::Y, Part::Modulus] } else { &[Part::Whole] };
+        parts.iter().filter_map(|part| self.add(whole.part(*part))).collect()
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
     pub(super) fn motion(&mut self) -> Vec<usize> {
         let all = [
-            ("series-input-speed", "w", Quantity::Velocity),
-            ("series-input-acceleration", "e", Quantity::Acceleration),
-            ("series-reduced-inertia", "J", Quantity::ReducedInertia),
-            ("series-reduced-inertia-derivative", "J'", Quantity::ReducedInertiaDerivative),
-            ("series-reduced-moment", "Q", Quantity::ReducedMoment),
+            Quantity::Velocity,
+            Quantity::Acceleration,
+            Quantity::ReducedInertia,
+            Quantity::ReducedInertiaDerivative,
+            Quantity::ReducedMoment,
         ];
-        let add = |(of, letter, quantity): (&'static str, &'static str, Quantity)| {
-            self.add([text!(of), name(letter)], Text::default(), Column::of(quantity, Owner::Input))
-        };
-        all.into_iter().filter_map(add).collect()
+        all.into_iter().filter_map(|quantity| self.add(Column::of(quantity, Owner::Input))).collect()
+    }
+
+    /// Every owner of these quantities but the input.
+    fn add_owned(&mut self, quantities: &[Quantity]) {
+        let schema = self.table.schema();
+        for quantity in quantities {
+            let owners = schema.owners(*quantity).into_iter().filter(|owner| *owner != Owner::Input);
+            owners.for_each(|owner| drop(self.add_all(Column::of(*quantity, owner))));
+        }
     }
 
     /// Velocities and accelerations of points, links and slides.
     pub(super) fn rates(&mut self) {
-        let schema = self.table.schema();
-        for (order, quantity) in RATES.into_iter().enumerate() {
-            let ([linear, angular], kind) =
-                ([["v", "w"], ["a", "e"]][order], ["series-velocity", "series-acceleration"][order]);
-            for owner in schema.owners(quantity) {
-                let (own, column) = (name(schema.name(owner).into_owned()), Column::of(quantity, owner));
-                let named = |of: Text, letter| {
-                    [joined(" ", [of, name(letter)]), joined(".", [own.clone(), name(letter)])]
-                };
-                match owner {
-                    Owner::Point(_) => {
-                        let names = named(text!("series-point", point = &own), linear);
-                        drop(self.add_vector(names, &text!(kind), column));
-                    }
-                    Owner::Link(_) => {
-                        drop(self.add(
-                            named(text!("series-link", link = &own), angular),
-                            text!(kind),
-                            column,
-                        ));
-                    }
-                    Owner::Slide(_) => {
-                        drop(self.add(
-                            named(text!("series-slide", slide = &own), linear),
-                            text!(kind),
-                            column,
-                        ));
-                    }
-                    _ => {}
-                }
-            }
-        }
+        self.add_owned(&RATES);
     }
 
     /// Force and moment of every pair, then the balancing load.
@@ -121,67 +93,29 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
             let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
-            let told = text!("series-reaction", pair = name(pair.clone()), link = name(link.clone()));
-            let named =
-                |what| [joined(" ", [told.clone(), name(what)]), name(format!("{pair}>{link}.{what}"))];
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
-            let series = self.add_vector(named("F"), &text!("series-force"), force);
-            let moment = Column::of(Quantity::Moment, Owner::Pair(id));
-            let moment = self.add(named("M"), text!("series-moment"), moment);
+            let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
+            let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
-                found.push(Reaction { pair, link, name: told, series, moment });
+                found.push(Reaction { pair, link, name, series, moment });
             }
         }
         self.mark_rounding(&found);
-        let names = [text!("series-balancing"), text!("series-balancing-short")];
-        if let Some(index) = self.add(names, Text::default(), Column::BALANCING) {
+        if let Some(index) = self.add(Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
-            found.push(Reaction {
-                pair,
-                link,
-                name: text!("series-balancing"),
-                series: vec![index],
-                moment: None,
-            });
+            let name = catalogue::kind(Column::BALANCING);
+            found.push(Reaction { pair, link, name, series: vec![index], moment: None });
         }
         found
     }
 
     /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
     pub(super) fn others(&mut self) {
-        let schema = self.table.schema();
-        for (quantity, letter) in [
-            (Quantity::Load, ""),
-            (Quantity::InertiaForce, "F"),
-            (Quantity::InertiaMoment, "M"),
-            (Quantity::ShakingForce, "F"),
-            (Quantity::ShakingMoment, "M"),
-            (Quantity::Condition, ""),
-        ] {
-            for owner in schema.owners(quantity) {
-                let own = name(schema.name(owner).into_owned());
-                let of = match (quantity, owner) {
-                    (Quantity::Load, _) => text!("series-load", load = own),
-                    (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
-                        text!("series-inertia", link = own)
-                    }
-                    // Results count groups from 0, readers from 1.
-                    (_, Owner::Group(group)) => text!("series-condition", group = number(group + 1)),
-                    _ => text!("series-shaking"),
-                };
-                let of = joined(
-                    " ",
-                    std::iter::once(of).chain([name(letter)].into_iter().filter(|_| !letter.is_empty())),
-                );
-                let (names, column) = ([of.clone(), of], Column::of(quantity, owner));
-                match quantity {
-                    Quantity::InertiaForce | Quantity::ShakingForce => {
-                        drop(self.add_vector(names, &Text::default(), column));
-                    }
-                    _ => drop(self.add(names, Text::default(), column)),
-                }
-            }
+        self.add_owned(&[Quantity::Load, Quantity::InertiaForce, Quantity::InertiaMoment]);
+        for quantity in [Quantity::ShakingForce, Quantity::ShakingMoment] {
+            self.add_all(Column::of(quantity, Owner::Input));
         }
+        self.add_owned(&[Quantity::Condition]);
     }
 
     /// Sets the limit below which forces of the pairs count as zero.

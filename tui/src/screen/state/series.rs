@@ -1,6 +1,7 @@
 //! Every quantity over the positions, in the unit that is shown.
 
-use assur_analysis::results::{Column, Owner};
+use assur_analysis::results::{Column, Owner, Schema};
+use assur_book::catalogue::{self, Shown};
 use assur_book::{Course, Extreme, Summary};
 use assur_words::{Text, joined, list, quantity, unit};
 
@@ -17,7 +18,7 @@ pub(crate) struct Series {
     pub(crate) head: Text,
     /// The header in English, by which it is named in files; no two quantities have the same.
     pub(crate) short: String,
-    /// What it is, in words by which it is looked for: `velocity`, `PF1`; may be empty.
+    /// What it is, in words by which it is looked for: `velocity`, `PF1`.
     pub(crate) kind: Text,
     /// Unit of the values that are shown.
     pub(crate) unit: String,
@@ -30,6 +31,14 @@ pub(crate) struct Series {
 }
 
 impl Series {
+    /// A column of results with its values; values below `floor`, SI, count as zero.
+    pub(crate) fn of(schema: &Schema, column: Column, course: Course, floor: f64) -> Self {
+        let (of, head) = (catalogue::subject(schema, column), catalogue::short(schema, column));
+        let (kind, short) = (catalogue::further(column), head.to_string());
+        let Shown { unit, factor } = catalogue::shown(schema, column);
+        Self { column, of, head, short, kind, unit, factor, course, floor }
+    }
+
     /// Value at a position; NaN where there is none.
     pub(crate) fn at(&self, position: usize) -> f64 {
         self.course.get(position).map_or(f64::NAN, |value| self.factor * value)
