@@ -82,7 +82,7 @@ fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
         Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new(style.language).watch())
             .map_err(|error| scene::fault(path, &error))?;
     let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error))?;
-    output::print(&assur_report::text::advice(&motors, count, style.ascii))?;
+    output::print(&assur_report::text::advice(&motors, count, style.words()))?;
     Ok(Status::Done)
 }
 

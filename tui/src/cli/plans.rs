@@ -139,8 +139,10 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
         let heading = text!("cli-plans-of", position = position, link = link, at = coordinate);
         let heading = heading.render(style.language);
         let rule = "-".repeat(heading.chars().count());
-        text += &style
-            .text(&format!("\n{heading}\n{rule}\n{}", assur_report::text::plans(&plans.sheet, style.ascii)));
+        text += &style.text(&format!(
+            "\n{heading}\n{rule}\n{}",
+            assur_report::text::plans(&plans.sheet, style.words())
+        ));
     }
     text
 }
