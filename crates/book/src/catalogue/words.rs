@@ -12,14 +12,15 @@ fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
 
 /// What a column belongs to: `point D`, `A on rod`, `load gas`; empty for the input.
 pub fn owner(schema: &Schema, column: Column) -> Text {
-    let own = || name(schema.name(column.owner).into_owned());
+    let of = |owner| schema.named(owner).map_or_else(Text::default, Text::from);
+    let own = || of(column.owner);
     match column.owner {
         Owner::Input => Text::default(),
         Owner::Link(_) => text!("owner-link", name = own()),
         Owner::Point(_) => text!("owner-point", name = own()),
         Owner::Slide(_) => text!("owner-slide", name = own()),
         Owner::PairOn(_, link) => {
-            text!("owner-pair-on", name = own(), link = name(schema.link(link).to_owned()))
+            text!("owner-pair-on", name = own(), link = of(Owner::Link(link)))
         }
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),
