@@ -366,7 +366,8 @@ fn a_formula_has_a_unit_and_faults_with_their_column() {
 
 #[test]
 fn friction_against_the_sliding_is_a_table_of_one_number() {
-    let press = assur_fixtures::scene("press-compression");
+    let shipped = fixtures();
+    let press = &shipped.iter().find(|(name, _)| name.starts_with("press-compression")).unwrap().1;
     let formula = "{ formula = \"8*(-70*pi/180 - q)*9/(2*pi)\", unit = \"deg\" }";
     let refused = |friction: &str, angle: &str| {
         let text = press.replace("{ against_sliding = 0.1 }", friction).replace(formula, angle);
