@@ -398,29 +398,6 @@ config-pixels = drawings as pixels: the terminal is asked at the start whether i
 config-panels = views beside the chosen one from 120 columns, as many as there is room for; [] means none
 
 
-series-coordinate = coordinate
-series-point = point { $point }
-series-link = link { $link }
-series-slide = slide { $slide }
-series-reaction = { $pair } on { $link }
-series-balancing = balancing load
-series-balancing-short = balancing
-series-input-speed = input speed
-series-input-acceleration = input acceleration
-series-reduced-inertia = reduced inertia J
-series-reduced-inertia-derivative = derivative J'
-series-reduced-moment = reduced moment Q
-series-load = load { $load }
-series-inertia = { $link } inertia
-series-shaking = shaking
-series-condition = condition of group { $group }
-series-residual-group = residual group { $group }
-series-residual = residual { $of }
-series-velocity = velocity
-series-acceleration = acceleration
-series-force = force
-series-moment = moment
-
 # The views.
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
 config-fault = The configuration could not be used; the defaults apply. Press any key.
@@ -682,7 +659,6 @@ progress-of = { $what } { $done } of { $total }
 progress-calculating = calculating
 progress-step = step
 progress-point = point
-
 
 # Commands: what they say.
 cli-error = error: { $problem }

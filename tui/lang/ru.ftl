@@ -376,29 +376,6 @@ no-forces-found = Сил нет, так как движение, которог�
 nothing-here = для этого вида у сцены ничего нет
 
 
-series-coordinate = координата
-series-point = точка { $point }
-series-link = звено { $link }
-series-slide = ползун { $slide }
-series-reaction = { $pair } на звено { $link }
-series-balancing = уравновешивающая нагрузка
-series-balancing-short = уравновеш.
-series-input-speed = скорость входного звена
-series-input-acceleration = ускорение входного звена
-series-reduced-inertia = приведённый момент инерции J
-series-reduced-inertia-derivative = производная J'
-series-reduced-moment = приведённый момент Q
-series-load = нагрузка { $load }
-series-inertia = { $link }: сила инерции
-series-shaking = на фундамент
-series-condition = обусловленность группы { $group }
-series-residual-group = невязка группы { $group }
-series-residual = невязка { $of }
-series-velocity = скорость
-series-acceleration = ускорение
-series-force = сила
-series-moment = момент
-
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
@@ -660,7 +637,6 @@ progress-of = { $what } { $done } из { $total }
 progress-calculating = расчёт
 progress-step = шаг
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = ошибка: { $problem }

@@ -375,29 +375,6 @@ no-forces-found = Сил немає, бо руху, якого вимагає с
 nothing-here = для цього вигляду сцена не має нічого
 
 
-series-coordinate = координата
-series-point = точка { $point }
-series-link = ланка { $link }
-series-slide = повзун { $slide }
-series-reaction = { $pair } на ланку { $link }
-series-balancing = зрівноважувальне навантаження
-series-balancing-short = зрівноваж.
-series-input-speed = швидкість вхідної ланки
-series-input-acceleration = прискорення вхідної ланки
-series-reduced-inertia = зведений момент інерції J
-series-reduced-inertia-derivative = похідна J'
-series-reduced-moment = зведений момент Q
-series-load = навантаження { $load }
-series-inertia = { $link }: сила інерції
-series-shaking = на фундамент
-series-condition = обумовленість групи { $group }
-series-residual-group = нев'язка групи { $group }
-series-residual = нев'язка { $of }
-series-velocity = швидкість
-series-acceleration = прискорення
-series-force = сила
-series-moment = момент
-
 # The views.
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
 config-fault = Налаштування не вдалося використати; діють типові. Натисніть будь-яку клавішу.
@@ -659,7 +636,6 @@ progress-of = { $what } { $done } з { $total }
 progress-calculating = розрахунок
 progress-step = крок
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = помилка: { $problem }
