@@ -59,7 +59,7 @@ impl Calculation {
     fn reduction_point(&self) -> Option<PointReport> {
         let mechanism = &self.linkage.mechanism;
         let found = ReductionPoint::farthest(mechanism)?;
-        Some(PointReport { name: mechanism.points[found.point].name.clone(), radius: found.radius })
+        Some(PointReport { name: mechanism.points[found.point].name.to_string(), radius: found.radius })
     }
 
     fn regime(&self, found: &Steady) -> RegimeReport {

@@ -101,7 +101,11 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let closed = matches!(mechanism.input.range, Range::Cycle(_));
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
-            sizes.extreme(name_of(mechanism, *pair).to_owned(), mechanism.links[*link].name.clone(), closed)
+            sizes.extreme(
+                name_of(mechanism, *pair).to_string(),
+                mechanism.links[*link].name.to_string(),
+                closed,
+            )
         };
         Cycle {
             reaction_extremes: survey.sizes.iter().filter_map(extreme).collect(),
@@ -164,7 +168,7 @@ impl Calculation {
             carrying: &self.plan.groups_carrying,
         };
         let changes = sign_changes(&solver, &slides, &state_at).unwrap_or_default();
-        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.clone();
+        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.to_string();
         slides.into_iter().map(name).zip(changes).collect()
     }
 }

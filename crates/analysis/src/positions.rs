@@ -68,7 +68,7 @@ impl Calculation {
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
-                link: mechanism.links[mechanism.input.link].name.clone(),
+                link: mechanism.links[mechanism.input.link].name.to_string(),
                 angular: self.linkage.angular(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },

@@ -9,13 +9,13 @@ const GROUND: &str = "ground";
 /// A name of a link, or of a pair that the program made of names of links (`ram/ground`): as it is in the scene, but for the
 /// ground.
 pub fn named(letters: &str) -> Text {
-    let part = |part: &str| if part == GROUND { text!("name-ground") } else { name(part.to_owned()) };
+    let part = |part: &str| if part == GROUND { text!("mechanism-ground") } else { name(part.to_owned()) };
     joined("/", letters.split('/').map(part))
 }
 
 /// The name of a link.
 pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
-    named(mechanism.links.get(link).map_or("", |link| &link.name))
+    mechanism.links.get(link).map(|link| Text::from(&link.name)).unwrap_or_default()
 }
 
 /// Names with commas between them.

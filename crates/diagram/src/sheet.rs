@@ -203,8 +203,8 @@ pub(crate) fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<Join
     for joint in joints(&linkage.mechanism, &linkage.structure) {
         for (nth, link) in joint.links.iter().enumerate() {
             list.push(JointForce {
-                joint: name_of(mechanism, joint.id).to_owned(),
-                on: mechanism.links[*link].name.clone(),
+                joint: name_of(mechanism, joint.id).to_string(),
+                on: mechanism.links[*link].name.to_string(),
                 force: joint.force(nth, &reactions.pairs),
                 moment: joint.moment(&reactions.pairs).filter(|_| nth == 0),
             });

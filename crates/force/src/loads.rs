@@ -158,10 +158,10 @@ impl Cause {
             Self::Inertia(GROUND) => "inertia".to_owned(),
             Self::Weight(link) => format!("weight of {}", mechanism.links[link].name),
             Self::Inertia(link) => format!("inertia of {}", mechanism.links[link].name),
-            Self::Force(id) => mechanism.forces[id].name.clone(),
-            Self::Moment(id) => mechanism.moments[id].name.clone(),
-            Self::Spring(id) => mechanism.springs[id].name.clone(),
-            Self::Contact(id) => mechanism.contacts[id].name.clone(),
+            Self::Force(id) => mechanism.forces[id].name.to_string(),
+            Self::Moment(id) => mechanism.moments[id].name.to_string(),
+            Self::Spring(id) => mechanism.springs[id].name.to_string(),
+            Self::Contact(id) => mechanism.contacts[id].name.to_string(),
         }
     }
 }

@@ -33,18 +33,18 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
-    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.clone()));
+    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.to_string()));
     let links = moving()
         .map(|(id, name)| Ok((name, link(&cycle, id, &parts)?)))
         .collect::<Result<_, PositionError>>()?;
     let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
     let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
     let points = points
-        .map(|(id, found)| Ok((found.name.clone(), point(&cycle, id)?)))
+        .map(|(id, found)| Ok((found.name.to_string(), point(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
     let slides = mechanism.slides.iter().enumerate();
     let slides = slides
-        .map(|(id, found)| Ok((found.name.clone(), slide(&cycle, id)?)))
+        .map(|(id, found)| Ok((found.name.to_string(), slide(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
     let groups = (0..linkage.structure.groups.len())
         .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
@@ -56,7 +56,7 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
         format: FORMAT,
         title: mechanism.title.clone(),
         angular: linkage.angular(),
-        against: mechanism.links[against].name.clone(),
+        against: mechanism.links[against].name.to_string(),
         rigid: rigid.collect(),
         links,
         points,
@@ -204,7 +204,7 @@ fn positions(
             } else {
                 centers_of(&bodies[link], &bodies[against], scale)
             };
-            (mechanism.links[link].name.clone(), centers)
+            (mechanism.links[link].name.to_string(), centers)
         });
         let curved = points.iter().filter_map(|(name, course)| {
             let motion = linkage.point_motion(mechanism.point(name)?, &position);

@@ -76,7 +76,7 @@ impl<T: Number> Chain<T> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
             let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
-                let link = source.link.map(|link| mechanism.links[link].name.clone());
+                let link = source.link.map(|link| mechanism.links[link].name.to_string());
                 CompileError::Build { group: structure.group_name(mechanism, i), source, link }
             })?;
             groups.push(kernel);

@@ -2,6 +2,8 @@
 
 use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
 
+use assur_words::text;
+
 use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
@@ -30,7 +32,7 @@ fn spring(
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, "`damping`");
     }
-    let name = names.read(section, || format!("spring {}", index + 1));
+    let name = names.read(section, || text!("scene-unnamed-spring", number = index + 1));
     let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
     Some(Spring { name, ends, stiffness, length, damping })
 }
@@ -112,7 +114,7 @@ fn contact(
         .and_then(|entry| linkage.moving(&entry, "the line is the ground's, the arc a link's"));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let on = &linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || format!("contact {} on {on}", index + 1));
+    let name = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
     Some(Contact { name, center: center?, radius: radius?, angle: angle?, force: force?, friction, during })
 }
 

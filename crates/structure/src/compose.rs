@@ -97,12 +97,12 @@ fn refuse_other_mobility(
         formula: format!("3*{} - 2*{}", mobility.moving_links, mobility.pairs),
     };
     let link_names = |nodes: &[usize]| -> Vec<String> {
-        links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.clone()).collect()
+        links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.to_string()).collect()
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
         let mut seen = HashSet::new();
         let names = blocks.into_iter().map(|block| name_of(mechanism, graph.blocks[block].source));
-        let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(str::to_owned).collect();
+        let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
         (pairs, link_names(&nodes))
     });
     let loose = link_names(&graph.loose());
@@ -111,7 +111,7 @@ fn refuse_other_mobility(
         (Some((pairs, mut links)), true) => {
             if links.is_empty() {
                 // Both ends of the surplus pair are known (ground and input link).
-                links.push(mechanism.links[mechanism.input.link].name.clone());
+                links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
             Err(StructureError::Surplus { counted, pairs, links })
         }
@@ -140,7 +140,7 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     match plugin_for(&frame)? {
         Some(plugin) => Ok(Group { frame, plugin, class, order }),
         None => Err(StructureError::NoPlugin {
-            links: frame.links.iter().map(|&link| mechanism.links[link].name.clone()).collect(),
+            links: frame.links.iter().map(|&link| mechanism.links[link].name.to_string()).collect(),
             class,
             order,
             pattern: pattern(mechanism, &frame, pairs),

@@ -1,7 +1,7 @@
 //! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
-use assur_mechanism::{LinkId, Mechanism, PairId};
+use assur_mechanism::{LinkId, Mechanism, Name, PairId};
 
 /// A mechanism decomposed into its pairs and groups.
 #[derive(Debug, Clone)]
@@ -60,7 +60,7 @@ impl Structure {
     }
 
     /// Name of the pin or slide that a pair belongs to.
-    pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a str {
+    pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a Name {
         name_of(mechanism, self.pairs[pair].source)
     }
 
@@ -90,7 +90,7 @@ impl Group {
 }
 
 /// Name of a pin or slide.
-pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &str {
+pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &Name {
     match pair {
         PairId::Pin(point) => &mechanism.points[point].name,
         PairId::Slide(slide) => &mechanism.slides[slide].name,

@@ -40,7 +40,7 @@ fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
     let points = linkage.mechanism.points.iter().enumerate();
     points
         .map(|(id, point)| Step {
-            name: point.name.clone(),
+            name: point.name.to_string(),
             kind: VectorKind::Absolute,
             drawing: Drawing::Lever,
             start: [0.0; 2],

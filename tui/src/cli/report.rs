@@ -73,5 +73,6 @@ pub(crate) fn of_text(name: &str, text: &str, methods: [Option<String>; 2]) -> R
     let note = assur_scene::note(name, text).map_err(|errors| errors.to_string())?;
     let scene = Scene::read(Source::File(name.into()), text)?;
     let mut state = still::analyzed(scene, methods, true);
-    note::write(&mut state, &note, Form::Html, "").map(|written| written.text)
+    let written = note::write(&mut state, &note, Form::Html, "").map_err(|error| error.to_string())?;
+    Ok(written.text)
 }

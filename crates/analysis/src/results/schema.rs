@@ -43,9 +43,9 @@ impl Schema {
             section_of: Vec::new(),
             sections: 1,
             places: HashMap::new(),
-            links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
-            points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
-            slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
+            links: mechanism.links.iter().map(|link| link.name.to_string()).collect(),
+            points: mechanism.points.iter().map(|point| point.name.to_string()).collect(),
+            slides: mechanism.slides.iter().map(|slide| slide.name.to_string()).collect(),
             loads: loads(mechanism),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
@@ -146,9 +146,9 @@ impl Schema {
 
 /// Names and units of the loads of a scene: forces, moments, springs, contacts.
 fn loads(mechanism: &Mechanism) -> Vec<(String, &'static str)> {
-    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), "N"));
-    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), "N m"));
-    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), "N"));
-    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), "N"));
+    let forces = mechanism.forces.iter().map(|load| (load.name.to_string(), "N"));
+    let moments = mechanism.moments.iter().map(|load| (load.name.to_string(), "N m"));
+    let springs = mechanism.springs.iter().map(|load| (load.name.to_string(), "N"));
+    let contacts = mechanism.contacts.iter().map(|load| (load.name.to_string(), "N"));
     forces.chain(moments).chain(springs).chain(contacts).collect()
 }

@@ -86,14 +86,14 @@ fn group(linkage: &Linkage, index: usize) -> GroupReport {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
     let found = &structure.groups[index];
     let pairs = |list: &[Pair]| {
-        list.iter().map(|pair| structure.pair_name(mechanism, pair.id).to_owned()).collect::<Vec<_>>()
+        list.iter().map(|pair| structure.pair_name(mechanism, pair.id).to_string()).collect::<Vec<_>>()
     };
     GroupReport {
         kind: found.plugin.kind.to_owned(),
         class: found.class,
         number: found.plugin.number,
         order: found.order,
-        links: found.frame.links.iter().map(|&link| mechanism.links[link].name.clone()).collect(),
+        links: found.frame.links.iter().map(|&link| mechanism.links[link].name.to_string()).collect(),
         inner: pairs(&found.frame.inner),
         outer: pairs(&found.outer()),
         way: linkage.ways.at(mechanism.input.from)[index],

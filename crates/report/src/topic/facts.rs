@@ -5,7 +5,7 @@ use assur_book::{Fact, Unit, named};
 use assur_geometry::output_strokes;
 use assur_kinematics::Linkage;
 use assur_mechanism::Range;
-use assur_words::{count, joined, list, name, number, text};
+use assur_words::{Text, count, joined, list, name, number, text};
 
 use super::forces::shown;
 use super::units::{FORCE, LENGTH, MOMENT, POWER, SECOND};
@@ -60,7 +60,7 @@ fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
 /// A mechanism that can't be assembled everywhere has no strokes.
 fn strokes(linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let of = |(slide, stroke): (usize, assur_geometry::Stroke)| {
-        let name = named(&linkage.mechanism.slides[slide].name);
+        let name = Text::from(&linkage.mechanism.slides[slide].name);
         let size = Fact::number("fact-stroke", stroke.stroke, LENGTH).at(&stroke.dead_points, place);
         let ratio = stroke.time_ratio.map(|ratio| Fact::number("fact-time-ratio", ratio, Unit::NONE));
         [Some(size), ratio].into_iter().flatten().map(move |fact| fact.of("slide", name.clone()))

@@ -81,7 +81,18 @@ impl<'a> Source<'a> {
 
     /// The name of an owner.
     fn name(&self, owner: Owner) -> Text {
-        named(&self.positions.schema().name(owner))
+        let mechanism = self.mechanism;
+        let load = |load| {
+            let forces = mechanism.forces.iter().map(|load| &load.name);
+            let moments = mechanism.moments.iter().map(|load| &load.name);
+            let springs = mechanism.springs.iter().map(|load| &load.name);
+            let contacts = mechanism.contacts.iter().map(|load| &load.name);
+            forces.chain(moments).chain(springs).chain(contacts).nth(load).map(Text::from)
+        };
+        match owner {
+            Owner::Load(number) => load(number).unwrap_or_default(),
+            other => named(&self.positions.schema().name(other)),
+        }
     }
 }
 
@@ -160,5 +171,13 @@ fn remarks(source: &Source<'_>, page: &mut Document) {
             page.heading(heading);
             lines.into_iter().for_each(|line| page.paragraph(line));
         }
+    }
+}
+
+impl Source<'_> {
+    /// `position 6, 45 deg`.
+    pub fn place(&self, position: usize) -> Text {
+        let at = self.units.coordinate.show(self.mechanism.input.coordinate(position));
+        text!("note-place", position = assur_words::number(position), at = at)
     }
 }

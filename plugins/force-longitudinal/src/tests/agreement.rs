@@ -143,7 +143,7 @@ fn reference(name: &str, analyzer: Longitudinal) {
         {
             let name = name_of(&linkage, joint.joint);
             for (link, force) in joint.forces {
-                let wanted = &position["reactions"][name][&linkage.mechanism.links[link].name];
+                let wanted = &position["reactions"][name][linkage.mechanism.links[link].name.as_str()];
                 for k in 0..2 {
                     let wanted = wanted[k].as_f64().unwrap();
                     assert!((force[k] - wanted).abs() < 1e-10 * 2e4, "{q} {name}: {} {wanted}", force[k]);

@@ -100,8 +100,10 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     let links: Vec<&str> =
         group.frame.links.iter().map(|&link| linkage.mechanism.links[link].name.as_str()).collect();
     let names = |pairs: &[assur_group::Pair]| {
-        let names: Vec<&str> =
-            pairs.iter().map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id)).collect();
+        let names: Vec<&str> = pairs
+            .iter()
+            .map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id).as_str())
+            .collect();
         names.join(", ")
     };
     let mut lines = vec![
