@@ -15,7 +15,7 @@ pub fn named(letters: &str) -> Text {
 
 /// The name of a link.
 pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
-    mechanism.links.get(link).map(|link| Text::from(&link.name)).unwrap_or_default()
+    mechanism.links.get(link).map_or_else(Text::default, |link| Text::from(&link.name))
 }
 
 /// Names with commas between them.

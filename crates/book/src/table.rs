@@ -1,5 +1,6 @@
 //! Tables: columns of numbers in SI, each with its unit, and of texts.
 
+use assur_mechanism::Name;
 use assur_words::{Text, count, joined, name};
 
 use crate::number::{Digits, Unit, dash};
@@ -86,6 +87,12 @@ impl From<&String> for Cell {
     /// A name.
     fn from(letters: &String) -> Self {
         Self::from(letters.as_str())
+    }
+}
+
+impl From<&Name> for Cell {
+    fn from(name: &Name) -> Self {
+        Self::Text(name.into())
     }
 }
 

@@ -61,7 +61,13 @@ impl Sheet<'_> {
             let parts = [column.head.clone(), unit(column.unit)];
             self.line(&assur_words::list(parts.into_iter().filter(|part| !part.is_empty())))
         };
-        let cell = |column: &Printed, row: usize| column.cells.get(row).map(|cell| self.line(cell));
+        let cell = |column: &Printed, row: usize| {
+            column
+                .cells
+                .get(row)
+                .map(|cell| self.line(cell))
+                .map(|cell| if cell == "-" { "–".into() } else { cell })
+        };
         let row = |row: usize| columns.iter().map(|column| cell(column, row).unwrap_or_default()).collect();
         Grid {
             head: columns.iter().map(head).collect(),

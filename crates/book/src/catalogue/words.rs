@@ -4,7 +4,6 @@ use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_words::{Text, joined, name, text};
 
 use super::{axis, of};
-use crate::named;
 
 /// Several texts with a space between them, without the empty ones.
 fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
@@ -13,14 +12,15 @@ fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
 
 /// What a column belongs to: `point D`, `A on rod`, `load gas`; empty for the input.
 pub fn owner(schema: &Schema, column: Column) -> Text {
-    let own = || named(&schema.name(column.owner));
+    let of = |owner| schema.named(owner).map_or_else(Text::default, Text::from);
+    let own = || of(column.owner);
     match column.owner {
         Owner::Input => Text::default(),
         Owner::Link(_) => text!("owner-link", name = own()),
         Owner::Point(_) => text!("owner-point", name = own()),
         Owner::Slide(_) => text!("owner-slide", name = own()),
         Owner::PairOn(_, link) => {
-            text!("owner-pair-on", name = own(), link = named(schema.link(link)))
+            text!("owner-pair-on", name = own(), link = of(Owner::Link(link)))
         }
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),

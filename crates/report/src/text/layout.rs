@@ -195,6 +195,8 @@ impl Page<'_> {
         let right = column.is_of_numbers();
         let cells: Vec<_> = column.cells.iter().map(|cell| self.style.line(cell)).collect();
         let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
+        // Lines have no subscripts.
+        let head = head.replace("_{", "").replace('}', "");
         let width = cells.iter().chain([&head, &unit]).map(|text| text.width()).max().unwrap_or(0);
         Ready { head, unit, cells, width, right }
     }

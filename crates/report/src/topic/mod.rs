@@ -64,7 +64,7 @@ impl<'a> Source<'a> {
 
     /// Number and coordinate of the positions.
     fn keys(&self) -> Vec<Column> {
-        let numbers = Column::counted(name("No."), self.positions.numbers().iter().copied());
+        let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
         let coordinate = each(&self.positions, Values::COORDINATE);
         vec![numbers, Column::numbers(named(&self.analysis.input.link), self.units.coordinate, coordinate)]
     }

@@ -50,7 +50,7 @@ pub fn pairs(source: &Source<'_>, page: &mut Document) {
     }
     for slide in &mechanism.slides {
         let links = list([slide.link, slide.on].map(|link| link_name(mechanism, link)));
-        table.row(row![Text::from(&slide.name), name("P"), links, 1_usize]);
+        table.row(row![&slide.name, name("P"), links, 1_usize]);
     }
     page.table(table);
 }

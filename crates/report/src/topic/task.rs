@@ -2,7 +2,7 @@
 
 use assur_book::{Column, Document, Table, link_name, row};
 use assur_mechanism::Link;
-use assur_words::{Text, name, text};
+use assur_words::{name, text};
 
 use super::Source;
 use super::units::{ANGLE, INERTIA, KILOGRAM, LENGTH};
@@ -25,7 +25,7 @@ fn points(source: &Source<'_>, page: &mut Document) {
     for (id, link) in source.mechanism.links.iter().enumerate() {
         for (point_id, point) in source.mechanism.points.iter().enumerate() {
             if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
-                table.row(row![Text::from(&link.name), Text::from(&point.name), x, y]);
+                table.row(row![&link.name, &point.name, x, y]);
             }
         }
     }
@@ -48,7 +48,7 @@ fn slides(source: &Source<'_>, page: &mut Document) {
     for slide in &source.mechanism.slides {
         let ([x, y], [through_x, through_y]) = (slide.point, slide.through);
         let on = link_name(source.mechanism, slide.on);
-        table.row(row![Text::from(&slide.name), x, y, on, through_x, through_y, slide.angle, slide.tilt]);
+        table.row(row![&slide.name, x, y, on, through_x, through_y, slide.angle, slide.tilt]);
     }
     page.table(table);
 }
@@ -57,7 +57,7 @@ fn masses(source: &Source<'_>, page: &mut Document) {
     let heavy = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
     let row = |link: &Link| {
         let [x, y] = link.center;
-        row![Text::from(&link.name), link.mass, x, y, link.inertia]
+        row![&link.name, link.mass, x, y, link.inertia]
     };
     let heads = [
         Column::of(text!("head-link")),
