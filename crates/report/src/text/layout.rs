@@ -261,7 +261,7 @@ pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
 }
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
-pub(crate) fn wrap(words: &str, first: usize, rest: usize) -> String {
+pub(super) fn wrap(words: &str, first: usize, rest: usize) -> String {
     // A space that does not break keeps the digits of a number together.
     let words: Vec<_> = words.split_ascii_whitespace().collect();
     let indents = [first, rest].map(|columns| " ".repeat(columns));

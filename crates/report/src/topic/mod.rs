@@ -4,6 +4,7 @@ mod checks;
 mod contact;
 mod course;
 mod drive;
+mod explain;
 mod facts;
 mod forces;
 mod given;
@@ -26,6 +27,7 @@ pub use checks::{checks, not_judged};
 pub use contact::contacts;
 pub use course::{motion_over_time, no_motion};
 pub use drive::{advice, drive};
+pub use explain::explain;
 pub use facts::summary;
 pub use forces::{
     balancing, balancing_at_positions, causes, inertia_loads, loads, reactions, reactions_at_positions,
