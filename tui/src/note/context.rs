@@ -3,7 +3,7 @@
 use assur_book::Document;
 use assur_figure::{Figure, Frame};
 use assur_report::topic::Source;
-use assur_words::{Language, Text, joined};
+use assur_words::{Text, joined, list};
 
 use super::NoteError;
 use crate::screen::state::{Found, Scene, State, View};
@@ -14,7 +14,6 @@ use crate::words::Words;
 pub(super) struct Context<'a> {
     pub(super) state: &'a mut State,
     pub(super) words: &'a Words,
-    pub(super) language: &'a Language,
     /// Numbers of the positions that are drawn and worked out, at least one.
     pub(super) positions: &'a [usize],
 }
@@ -50,7 +49,7 @@ impl Context<'_> {
         shown: View,
         position: usize,
         set: impl FnOnce(&mut State),
-    ) -> Option<(Figure, String)> {
+    ) -> Option<(Figure, Text)> {
         let before = (self.state.position, self.state.chosen, self.state.parts.clone());
         self.state.position = position;
         set(self.state);
@@ -73,7 +72,7 @@ impl Context<'_> {
         let mut whole: Option<Figure> = None;
         for &position in self.positions {
             let Some((mut figure, _)) = self.figure(shown, position, &set) else { continue };
-            let place = self.place(position).render(self.language);
+            let place = self.place(position);
             let bare = figure.panels.iter_mut().filter(|panel| panel.title.is_empty());
             bare.for_each(|panel| panel.title.clone_from(&place));
             match &mut whole {
@@ -95,16 +94,11 @@ impl Context<'_> {
     }
 }
 
-/// Takes the cursor from a plot, and the value at it from its heading, where the unit stays.
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
 pub(super) fn still(panel: &mut assur_figure::Panel) {
     let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
     *cursor = None;
-    if y.label.is_empty() {
-        return;
+    if !y.label.is_empty() {
+        panel.title = list([panel.title.clone(), y.label.clone()]);
     }
-    // `PF0  103.988 mm`
-    panel.title = match panel.title.split_once("  ") {
-        Some((name, value)) if value.ends_with(&y.label) => format!("{name}, {}", y.label),
-        _ => format!("{}, {}", panel.title, y.label),
-    };
 }

@@ -1,7 +1,7 @@
 //! Forces: polygons of every group with their vectors, reactions, the balancing load.
 
 use assur_analysis::results::Owner;
-use assur_book::{Column, Document, Table, Unit, row};
+use assur_book::{Column, Document, Table, Unit, catalogue, row};
 use assur_diagram::Plan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_report::topic;
@@ -38,15 +38,16 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
 fn loads(context: &Context<'_>) -> Result<Figure, NoteError> {
-    let (words, scene, found) = (context.words, context.scene()?, context.found()?);
+    let (scene, found) = (context.scene()?, context.found()?);
     let of = |series: &Series| {
         let Owner::Load(_) = series.column.owner else { return None };
-        let title = words.name(&found.analysis.positions.schema().name(series.column.owner));
+        let title = catalogue::owner(found.analysis.positions.schema(), series.column);
         let nodes = series.course.nodes();
         let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
         let whole = nodes.len() == scene.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
-        let mut panel = plots::over_positions(context.state, scene, title, &curve, Vec::new());
+        let mut panel =
+            plots::over_positions(context.state, scene, [title, Text::default()], &curve, Vec::new());
         still(&mut panel);
         (varies && whole).then_some(panel)
     };
@@ -68,9 +69,9 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     for (polygon, plans) in
         (0..).map(|polygon| (polygon, of(polygon))).take_while(|(_, plans)| !plans.is_empty())
     {
-        let title = || name(context.words.phrase(&plans[0].1.title));
+        let title = || plans[0].1.title.clone();
         let (places, of) = (text!("note-force-polygon", title = title(), place = context.places()), title());
-        let vectors = vectors(context, &plans, text!("note-polygon-vectors", title = of));
+        let vectors = vectors(&plans, text!("note-polygon-vectors", title = of));
         let figure = context.beside(View::Plans, |state| {
             state.parts.insert(View::Plans, Part::Forces);
             state.chosen.polygon = polygon;
@@ -82,8 +83,7 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
 }
 
 /// The vectors of a polygon in each position.
-fn vectors(context: &Context<'_>, polygons: &[(usize, &Plan)], caption: Text) -> Table {
-    let words = context.words;
+fn vectors(polygons: &[(usize, &Plan)], caption: Text) -> Table {
     let heads = [text!("note-position"), text!("head-vector"), text!("note-force"), text!("head-acts")];
     let size = Column::short(name("F"), Unit::of("N", 1.0));
     let mut table = Table::list(caption, heads.map(Column::of).into_iter().chain([size]));
@@ -91,8 +91,7 @@ fn vectors(context: &Context<'_>, polygons: &[(usize, &Plan)], caption: Text) ->
         for (label, item) in
             plans::labelled(Part::Forces, plan).into_iter().filter(|(label, _)| label != "..")
         {
-            let (what, how) = (name(words.name(&item.name)), name(words.phrase(&item.note)));
-            table.row(row![number(position), name(label), what, how, item.size]);
+            table.row(row![number(position), name(label), item.name.clone(), item.note.clone(), item.size]);
         }
     }
     table
@@ -105,7 +104,7 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
-    let of = name(context.words.phrase(&most.map(|index| found.reactions[index].name()).unwrap_or_default()));
+    let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
     let all = [
         (most, Part::Overview, text!("note-reaction-curve", of = of)),
         (balancing, Part::Curves, text!("note-balancing-curve")),

@@ -58,7 +58,7 @@ pub(super) fn write(sheet: &Sheet<'_>) -> String {
             Block::Equation(terms) => writeln!(text, "<p class=\"eq\">{}</p>", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
                 figures += 1;
-                let drawn = svg::animate_in(frames, *size, TURN, &|text| sheet.phrase(text));
+                let drawn = svg::animate(frames, *size, TURN, sheet.language);
                 let caption = rich(&sheet.numbered("note-figure", figures, caption));
                 writeln!(text, "<figure>{drawn}<figcaption>{caption}</figcaption></figure>")
             }

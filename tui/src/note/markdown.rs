@@ -31,7 +31,7 @@ pub(super) fn write(sheet: &Sheet<'_>, folder: &str) -> Written {
             Block::Equation(terms) => writeln!(text, "${}$\n", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
                 let name = format!("figure-{}.svg", figures.len() + 1);
-                let drawn = svg::animate_in(frames, *size, TURN, &|text| sheet.phrase(text));
+                let drawn = svg::animate(frames, *size, TURN, sheet.language);
                 figures.push((name.clone(), drawn));
                 let caption = rich(&sheet.numbered("note-figure", figures.len(), caption));
                 writeln!(text, "![{caption}](<{folder}/{name}>)\n\n{caption}\n")

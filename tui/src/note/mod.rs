@@ -103,8 +103,8 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
         positions.push(scene.first_position());
     }
     positions.dedup();
-    let document = parts::document(&mut Context { state, words, language, positions: &positions })?;
-    let sheet = Sheet { title: &title, author: sheet::author(note), document, language, words };
+    let document = parts::document(&mut Context { state, words, positions: &positions })?;
+    let sheet = Sheet { title: &title, author: sheet::author(note), document, language };
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },
         Form::Markdown => markdown::write(&sheet, folder),

@@ -79,17 +79,17 @@ fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
     let linkage = &scene.linkage;
     let input = linkage.mechanism.input.link;
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
-    let mut panel = |title: &Text, marked: &[LinkId]| {
+    let mut panel = |title: Text, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
         let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
-        Panel { title: title.render(context.language), ..mechanism::plane(scene, drawing.items(pose)) }
+        Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
     };
     let first = text!("note-input-link", link = Text::from(&linkage.mechanism.links[input].name));
-    let mut panels = vec![panel(&first, &[input])];
+    let mut panels = vec![panel(first, &[input])];
     for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
         let kind = name(group.plugin.name.to_uppercase());
         panels.push(panel(
-            &text!("note-with-group", number = number(index + 1), kind = kind),
+            text!("note-with-group", number = number(index + 1), kind = kind),
             &group.frame.links,
         ));
     }
@@ -117,8 +117,7 @@ fn kinematics(context: &mut Context<'_>, page: &mut Document) -> Result<(), Note
     let last = context.scene()?.transfers.len().saturating_sub(1);
     let curves = context.figure(View::Curves, context.positions[0], |state| state.chosen.transfer = last);
     if let Some((figure, title)) = curves {
-        let of = name(context.words.phrase(&title));
-        page.figure(Some(figure), TRANSFER, text!("note-transfer", of = of));
+        page.figure(Some(figure), TRANSFER, text!("note-transfer", of = title));
     }
     Ok(())
 }

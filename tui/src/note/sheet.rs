@@ -5,8 +5,6 @@ use assur_figure::svg::lowered;
 use assur_scene::Note;
 use assur_words::{Language, Text, name, text, unit};
 
-use crate::words::Words;
-
 /// A note that a form writes.
 pub(super) struct Sheet<'a> {
     /// The title of the scene.
@@ -15,8 +13,6 @@ pub(super) struct Sheet<'a> {
     pub(super) author: Vec<(Text, String)>,
     pub(super) document: Document,
     pub(super) language: &'a Language,
-    /// For what figures say in English.
-    pub(super) words: &'a Words,
 }
 
 /// A table in words.
@@ -41,11 +37,6 @@ impl Sheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
         // Signs of print, in every language.
         text.render(self.language).replace("->", "→")
-    }
-
-    /// The words of a figure.
-    pub(super) fn phrase(&self, english: &str) -> String {
-        self.words.phrase(english)
     }
 
     /// The caption of a figure or a table with its number.

@@ -40,7 +40,7 @@ pub(super) fn write(sheet: &Sheet<'_>) -> String {
             // Paper does not move.
             Block::Figure { frames, size, caption } => {
                 let first = &frames[..1.min(frames.len())];
-                let drawn = quoted(&svg::animate_in(first, *size, 0.0, &|text| sheet.phrase(text)));
+                let drawn = quoted(&svg::animate(first, *size, 0.0, sheet.language));
                 let (width, caption) = (size[0], line(caption));
                 writeln!(
                     text,

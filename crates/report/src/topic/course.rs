@@ -1,7 +1,8 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
-use assur_analysis::results::{Event, EventKind, Integration, Owner, Quantity, Table as Results};
+use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit, named, row};
+use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
@@ -168,6 +169,7 @@ fn words_of(kind: EventKind) -> Text {
         EventKind::Rest => text!("event-rest"),
         EventKind::Held => text!("event-held"),
         EventKind::Release => text!("event-release"),
+        other => name(other.to_string()),
     }
 }
 

@@ -48,7 +48,12 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     }
     for contact in &mechanism.contacts {
         let (link, radius) = (link_name(mechanism, contact.center.link), LENGTH.show(contact.radius));
-        let what = text!("given-contact", link = link, radius = radius, friction = Unit::NONE.number(contact.friction));
+        let what = text!(
+            "given-contact",
+            link = link,
+            radius = radius,
+            friction = Unit::NONE.number(contact.friction)
+        );
         rows.row(row![Text::from(&contact.name), what, law(mechanism, &contact.force, NEWTON)]);
     }
     page.table(rows);

@@ -14,9 +14,9 @@ fn solved(plan: &Plan) -> usize {
 }
 
 pub(super) fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
-    let left = plan.is_partial().then(|| {
-        text!("explain-not-solved", groups = others(mechanism, structure, &plan.groups_needed))
-    });
+    let left = plan
+        .is_partial()
+        .then(|| text!("explain-not-solved", groups = others(mechanism, structure, &plan.groups_needed)));
     let reason = text!(
         "explain-positions",
         positions = mechanism.input.positions,
@@ -51,7 +51,9 @@ pub(super) fn transfer(structure: &Structure, plan: &Plan) -> Stage {
     let needed_for = || joined("; ", plan.order_for.iter().map(|what| name(*what)));
     match plan.order {
         Order::Place => left_out(stage, text!("explain-order-0", groups = solved(plan))),
-        Order::First => run(stage, text!("explain-order-1", what = needed_for(), groups = solved(plan)), method),
+        Order::First => {
+            run(stage, text!("explain-order-1", what = needed_for(), groups = solved(plan)), method)
+        }
         Order::Second => run(stage, text!("explain-order-2", what = needed_for()), method),
     }
 }

@@ -37,7 +37,8 @@ fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     let slender =
         moving().filter(|id| mechanism.links[*id].mass > 0.0 && mechanism.links[*id].inertia == 0.0);
     let (straight, turning): (Vec<_>, Vec<_>) = slender.partition(|id| only_slides(mechanism, *id));
-    for (of, how) in [(turning, text!("missing-inertia-how")), (straight, text!("missing-inertia-needless"))] {
+    for (of, how) in [(turning, text!("missing-inertia-how")), (straight, text!("missing-inertia-needless"))]
+    {
         if !of.is_empty() {
             list.push(remark(text!("missing-inertia", links = links(mechanism, &of)), how));
         }
@@ -61,7 +62,9 @@ fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         Some(Motion::Prescribed { .. }) => {
             list.push(remark(text!("missing-fluctuation"), text!("missing-fluctuation-how")));
         }
-        Some(Motion::Steady { .. }) => list.push(remark(text!("missing-run-up"), text!("missing-run-up-how"))),
+        Some(Motion::Steady { .. }) => {
+            list.push(remark(text!("missing-run-up"), text!("missing-run-up-how")))
+        }
         Some(Motion::Transient { .. }) => {}
     }
 }

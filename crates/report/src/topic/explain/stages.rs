@@ -104,7 +104,11 @@ fn drive_reason(drive: &Drive) -> Text {
         (drive.flywheel == Some(Solve::Wanted), text!("explain-wanted-flywheel")),
     ];
     let wanted: Vec<_> = all.into_iter().filter(|(is_wanted, _)| *is_wanted).map(|(_, what)| what).collect();
-    if wanted.is_empty() { text!("explain-drive-given") } else { text!("explain-drive-wanted", what = list(wanted)) }
+    if wanted.is_empty() {
+        text!("explain-drive-given")
+    } else {
+        text!("explain-drive-wanted", what = list(wanted))
+    }
 }
 
 fn drive_method(drive: &Drive) -> Text {

@@ -6,9 +6,9 @@ use assur_analysis::{Options, methods};
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
-use crate::text::Style;
 use super::missing::not_modelled;
 use super::model::modelled;
+use crate::text::Style;
 
 fn scene(name: &str, change: impl Fn(String) -> String) -> Mechanism {
     assur_scene::read(name, &change(assur_fixtures::scene(name).to_owned())).unwrap()
@@ -92,7 +92,9 @@ fn what_is_not_modelled_is_named_with_the_way_to_include_it() {
 #[test]
 fn every_part_has_its_heading() {
     let text = explained_by(&scene("shaper", |text| text), None);
-    for words in ["\n1. Structure\n", "group 1 (RPR stone2, rocker)", "\n3. Modelled\n", "\n4. Not modelled\n"] {
+    for words in
+        ["\n1. Structure\n", "group 1 (RPR stone2, rocker)", "\n3. Modelled\n", "\n4. Not modelled\n"]
+    {
         assert!(text.contains(words), "{words}");
     }
     assert_eq!(text.matches(": run: ").count() + text.matches(": left out: ").count(), 11);
