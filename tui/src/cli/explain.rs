@@ -26,8 +26,10 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
     let equation = method_of_motion(&mechanism, structure.clone(), &options)
         .map_err(|error| scene::fault(path, &error))?;
-    let text = assur_report::explain(&mechanism, &structure, &plan, &methods, equation.as_deref());
-    output::print(&style.text(&text))?;
+    let equation = equation.map(name);
+    let words = style.words();
+    let text = assur_report::text::explain(&mechanism, &structure, &plan, &methods, equation.as_ref(), words);
+    output::print(&text)?;
     Ok(Status::Done)
 }
 
