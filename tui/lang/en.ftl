@@ -60,7 +60,6 @@ least-speed = Least speed
 greatest-speed = Greatest speed
 excess-work = Excess work between least and greatest speed
 required-power = Required power
-power-taken = Power that the drive takes up
 ratio = Gear ratio
 flywheel = Moment of inertia of the flywheel
 motor = Motor
@@ -137,8 +136,6 @@ balancing-load = balancing load
 cycle-time = Time of a cycle
 mean-resistance = Mean resisting moment
 resistance-work = Net work that the loads take in a cycle (loads that drive on the way are counted against it)
-mean-driving = Mean driving moment of the loads
-net-driving-work = Net work that the loads do in a cycle (loads that resist on the way are counted against it)
 flywheel-unit = Moment of inertia of the flywheel, kg·m²
 shaft-inertia = Flywheel and rotor reduced to the input link
 mean-speed-unit = Mean speed, rad/s
@@ -400,29 +397,6 @@ config-language = language: { $values }; auto: that of the scene's [note], else 
 config-pixels = drawings as pixels: the terminal is asked at the start whether it can (kitty, iTerm2)
 config-panels = views beside the chosen one from 120 columns, as many as there is room for; [] means none
 
-
-series-coordinate = coordinate
-series-point = point { $point }
-series-link = link { $link }
-series-slide = slide { $slide }
-series-reaction = { $pair } on { $link }
-series-balancing = balancing load
-series-balancing-short = balancing
-series-input-speed = input speed
-series-input-acceleration = input acceleration
-series-reduced-inertia = reduced inertia J
-series-reduced-inertia-derivative = derivative J'
-series-reduced-moment = reduced moment Q
-series-load = load { $load }
-series-inertia = { $link } inertia
-series-shaking = shaking
-series-condition = condition of group { $group }
-series-residual-group = residual group { $group }
-series-residual = residual { $of }
-series-velocity = velocity
-series-acceleration = acceleration
-series-force = force
-series-moment = moment
 
 # The views.
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
@@ -688,7 +662,6 @@ progress-of = { $what } { $done } of { $total }
 progress-calculating = calculating
 progress-step = step
 progress-point = point
-
 
 # Commands: what they say.
 cli-error = error: { $problem }

@@ -60,7 +60,6 @@ least-speed = Наименьшая скорость
 greatest-speed = Наибольшая скорость
 excess-work = Избыточная работа между наименьшей и наибольшей скоростями
 required-power = Потребная мощность
-power-taken = Мощность, которую отбирает привод
 ratio = Передаточное отношение
 flywheel = Момент инерции маховика
 motor = Двигатель
@@ -137,8 +136,6 @@ balancing-load = уравновешивающая нагрузка
 cycle-time = Время цикла
 mean-resistance = Средний момент сопротивления
 resistance-work = Работа, которую нагрузки отбирают за цикл (за вычетом работы тех, что на части пути движущие)
-mean-driving = Средний движущий момент нагрузок
-net-driving-work = Работа, которую нагрузки совершают за цикл (за вычетом работы тех, что на части пути сопротивляются)
 flywheel-unit = Момент инерции маховика, кг·м²
 shaft-inertia = Маховик и ротор, приведённые к входному звену
 mean-speed-unit = Средняя скорость, рад/с
@@ -378,29 +375,6 @@ no-motion-found = Движение, которого требует сцена, 
 no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
 nothing-here = для этого вида у сцены ничего нет
 
-
-series-coordinate = координата
-series-point = точка { $point }
-series-link = звено { $link }
-series-slide = ползун { $slide }
-series-reaction = { $pair } на звено { $link }
-series-balancing = уравновешивающая нагрузка
-series-balancing-short = уравновеш.
-series-input-speed = скорость входного звена
-series-input-acceleration = ускорение входного звена
-series-reduced-inertia = приведённый момент инерции J
-series-reduced-inertia-derivative = производная J'
-series-reduced-moment = приведённый момент Q
-series-load = нагрузка { $load }
-series-inertia = { $link }: сила инерции
-series-shaking = на фундамент
-series-condition = обусловленность группы { $group }
-series-residual-group = невязка группы { $group }
-series-residual = невязка { $of }
-series-velocity = скорость
-series-acceleration = ускорение
-series-force = сила
-series-moment = момент
 
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
@@ -666,7 +640,6 @@ progress-of = { $what } { $done } из { $total }
 progress-calculating = расчёт
 progress-step = шаг
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = ошибка: { $problem }

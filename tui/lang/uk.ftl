@@ -60,7 +60,6 @@ least-speed = Найменша швидкість
 greatest-speed = Найбільша швидкість
 excess-work = Надлишкова робота між найменшою та найбільшою швидкостями
 required-power = Потрібна потужність
-power-taken = Потужність, яку забирає привод
 ratio = Передаточне відношення
 flywheel = Момент інерції маховика
 motor = Двигун
@@ -137,8 +136,6 @@ balancing-load = зрівноважувальне навантаження
 cycle-time = Час циклу
 mean-resistance = Середній момент опору
 resistance-work = Робота, яку навантаження забирають за цикл (з відніманням роботи тих, що на частині шляху рушійні)
-mean-driving = Середній рушійний момент навантажень
-net-driving-work = Робота, яку навантаження виконують за цикл (з відніманням роботи тих, що на частині шляху чинять опір)
 flywheel-unit = Момент інерції маховика, кг·м²
 shaft-inertia = Маховик і ротор, зведені до вхідної ланки
 mean-speed-unit = Середня швидкість, рад/с
@@ -377,29 +374,6 @@ no-motion-found = Руху, якого вимагає сцена, не знай�
 no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
 nothing-here = для цього вигляду сцена не має нічого
 
-
-series-coordinate = координата
-series-point = точка { $point }
-series-link = ланка { $link }
-series-slide = повзун { $slide }
-series-reaction = { $pair } на ланку { $link }
-series-balancing = зрівноважувальне навантаження
-series-balancing-short = зрівноваж.
-series-input-speed = швидкість вхідної ланки
-series-input-acceleration = прискорення вхідної ланки
-series-reduced-inertia = зведений момент інерції J
-series-reduced-inertia-derivative = похідна J'
-series-reduced-moment = зведений момент Q
-series-load = навантаження { $load }
-series-inertia = { $link }: сила інерції
-series-shaking = на фундамент
-series-condition = обумовленість групи { $group }
-series-residual-group = нев'язка групи { $group }
-series-residual = нев'язка { $of }
-series-velocity = швидкість
-series-acceleration = прискорення
-series-force = сила
-series-moment = момент
 
 # The views.
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
@@ -665,7 +639,6 @@ progress-of = { $what } { $done } з { $total }
 progress-calculating = розрахунок
 progress-step = крок
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = помилка: { $problem }

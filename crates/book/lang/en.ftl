@@ -37,8 +37,6 @@ quantity-residual-test-pf = residual of TestPf
 quantity-residual-equilibrium = residual of equilibrium
 quantity-residual-dynamics = residual of the equation of motion
 quantity-residual-global = residual of the global check
-name-ground = ground
-
 # How facts stand in a table.
 fact-quantity = Quantity
 fact-value = Value

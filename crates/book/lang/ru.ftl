@@ -37,8 +37,6 @@ quantity-residual-test-pf = невязка TestPf
 quantity-residual-equilibrium = невязка равновесия
 quantity-residual-dynamics = невязка уравнения движения
 quantity-residual-global = невязка глобальной проверки
-name-ground = стойка
-
 # Как величины стоят в таблице.
 fact-quantity = Величина
 fact-value = Значение

@@ -37,8 +37,6 @@ quantity-residual-test-pf = нев'язка TestPf
 quantity-residual-equilibrium = нев'язка рівноваги
 quantity-residual-dynamics = нев'язка рівняння руху
 quantity-residual-global = нев'язка глобальної перевірки
-name-ground = стояк
-
 # Як величини стоять у таблиці.
 fact-quantity = Величина
 fact-value = Значення

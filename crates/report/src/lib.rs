@@ -4,7 +4,6 @@
 //! the text report converts (degrees, millimeters).
 
 pub mod csv;
-mod explain;
 mod fold;
 pub mod json;
 pub mod parquet;
@@ -12,7 +11,6 @@ mod template;
 pub mod text;
 pub mod topic;
 
-pub use explain::explain;
 pub use fold::to_ascii;
 
 assur_words::resources!();
