@@ -247,8 +247,6 @@ config-language = language: { $values }; auto: that of the scene's [note], else 
 config-pixels = drawings as pixels: the terminal is asked at the start whether it can (kitty, iTerm2)
 config-panels = views beside the chosen one from 120 columns, as many as there is room for; [] means none
 
-
-
 # The views.
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
 config-fault = The configuration could not be used; the defaults apply. Press any key.
@@ -315,15 +313,10 @@ drive-column-motor = motor
 drive-column-power = power, W
 drive-column-ratio = ratio
 regime-heading = unevenness { $unevenness }, mean speed { $mean }
-regime-mean-speed = mean speed
 regime-unevenness = unevenness
 regime-least-speed = least speed
 regime-greatest-speed = greatest speed
 regime-at = at
-regime-excess-work = excess work
-regime-dynamic-unevenness = dynamic unevenness
-regime-torque = torque
-regime-required-power = required power
 regime-input-speed = input speed, rad/s
 regime-course = regime
 regime-first-turn = first turn
@@ -510,7 +503,6 @@ progress-of = { $what } { $done } of { $total }
 progress-calculating = calculating
 progress-step = step
 progress-point = point
-
 
 # Commands: what they say.
 cli-error = error: { $problem }

@@ -225,8 +225,6 @@ no-motion-found = Движение, которого требует сцена, 
 no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
 nothing-here = для этого вида у сцены ничего нет
 
-
-
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
@@ -293,15 +291,10 @@ drive-column-motor = двигатель
 drive-column-power = мощность, Вт
 drive-column-ratio = отношение
 regime-heading = неравномерность { $unevenness }, средняя скорость { $mean }
-regime-mean-speed = средняя скорость
 regime-unevenness = неравномерность
 regime-least-speed = наименьшая скор.
 regime-greatest-speed = наибольшая скор.
 regime-at = в положении
-regime-excess-work = избыт. работа
-regime-dynamic-unevenness = динам. неравном.
-regime-torque = момент
-regime-required-power = потребная мощн.
 regime-input-speed = скорость входного звена, рад/с
 regime-course = режим
 regime-first-turn = первый оборот
@@ -488,7 +481,6 @@ progress-of = { $what } { $done } из { $total }
 progress-calculating = расчёт
 progress-step = шаг
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = ошибка: { $problem }

@@ -224,8 +224,6 @@ no-motion-found = Руху, якого вимагає сцена, не знай�
 no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
 nothing-here = для цього вигляду сцена не має нічого
 
-
-
 # The views.
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
 config-fault = Налаштування не вдалося використати; діють типові. Натисніть будь-яку клавішу.
@@ -292,15 +290,10 @@ drive-column-motor = двигун
 drive-column-power = потужність, Вт
 drive-column-ratio = відношення
 regime-heading = нерівномірність { $unevenness }, середня швидкість { $mean }
-regime-mean-speed = середня швидкість
 regime-unevenness = нерівномірність
 regime-least-speed = найменша швидк.
 regime-greatest-speed = найбільша швидк.
 regime-at = у положенні
-regime-excess-work = надлишк. робота
-regime-dynamic-unevenness = динам. нерівном.
-regime-torque = момент
-regime-required-power = потрібна потужн.
 regime-input-speed = швидкість вхідної ланки, рад/с
 regime-course = режим
 regime-first-turn = перший оберт
@@ -487,7 +480,6 @@ progress-of = { $what } { $done } з { $total }
 progress-calculating = розрахунок
 progress-step = крок
 progress-point = точка
-
 
 # Commands: what they say.
 cli-error = помилка: { $problem }

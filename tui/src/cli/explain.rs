@@ -9,8 +9,8 @@ use assur_working::WorkingError;
 use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
-use super::verdict::Verdict;
 use super::{output, scene};
+use crate::verdict::Verdict;
 use crate::working;
 
 pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
@@ -38,7 +38,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     let path = &args.scene.scene;
     let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
     let study = scene::whole_study(&args.scene, style)?;
-    let verdict = Verdict::of_motion(&study, path);
+    let verdict = Verdict::of_motion(&study, &path.as_path());
     verdict.tell(style);
     let worked = match study.sample(index) {
         (Some(state), _) => working::of_sample(&study, index, state),

@@ -15,8 +15,8 @@ use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
 
-/// Second column of the view.
-const RIGHT: u16 = 46;
+/// Second column of the view, unless the first one is wider.
+const RIGHT: usize = 46;
 /// Rows that the plots below the numbers need.
 const PLOTS: u16 = 12;
 
@@ -44,7 +44,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let left = motor_and_flywheel(state, dynamics);
             let rows = short(left.len().max(12)) + 1;
             put_lines(buffer, area, 1, state, &left);
-            put_lines(buffer, area, RIGHT, state, &numbers(state, dynamics, angular));
+            let wide = left.iter().map(|(_, line)| line.width() + 3).max();
+            let right = short(wide.unwrap_or_default().max(RIGHT));
+            put_lines(buffer, area, right, state, &numbers(state, dynamics, angular));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 paint(state, &figure(state, scene, 2), below, buffer);
