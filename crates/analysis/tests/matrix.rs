@@ -100,8 +100,8 @@ fn last_place(mechanism: &Mechanism) -> Place {
 fn add_load(mechanism: &mut Mechanism, kind: &str) {
     let at = last_place(mechanism);
     let name = "load".to_owned();
-    let force = |direction, value| Force { name: name.clone(), at, direction, value };
-    let moment = |value| Moment { name: name.clone(), link: at.link, value, brake: None };
+    let force = |direction, value| Force { name: name.clone().into(), at, direction, value };
+    let moment = |value| Moment { name: name.clone().into(), link: at.link, value, brake: None };
     match kind {
         "weights" => mechanism.gravity = Some([1.0, -9.81]),
         "constant force" => mechanism.forces.push(force(Direction::Link(0.4), Value::Constant(80.0))),
@@ -126,9 +126,19 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         "contact" => {
             let force = over(Over::Coordinate, &[[0.0, 40.0], [2.0, 90.0]]);
-            let (center, radius, friction, during) = (at, 0.02, 0.15, Some([-2.0, 4.0]));
+            let (center, radius, friction, against_sliding, during) =
+                (at, 0.02, 0.15, true, Some([-2.0, 4.0]));
             let angle = Value::Constant(0.6);
-            mechanism.contacts.push(Contact { name, center, radius, angle, force, friction, during });
+            mechanism.contacts.push(Contact {
+                name: name.into(),
+                center,
+                radius,
+                angle,
+                force,
+                friction,
+                against_sliding,
+                during,
+            });
         }
         "brake" => {
             let brake = Some(Brake { radius: 0.05, friction: 0.3 });
@@ -143,7 +153,13 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         _ => {
             let ends = [Place { link: GROUND, at: [-1.3, 2.1] }, at];
-            mechanism.springs.push(Spring { name, ends, stiffness: 100.0, length: 0.1, damping: 5.0 });
+            mechanism.springs.push(Spring {
+                name: name.into(),
+                ends,
+                stiffness: 100.0,
+                length: 0.1,
+                damping: 5.0,
+            });
         }
     }
 }
@@ -173,7 +189,7 @@ fn failing(calculation: &Calculation) -> Vec<String> {
     assert!(checks.len() > 8, "only {} checks", checks.len());
     let failed = checks.iter().filter(|check| check.failed());
     let words = failed.map(|check| {
-        let (name, residual, limit) = (check.name, check.residual, check.limit);
+        let (name, residual, limit) = (&check.name, check.residual, check.limit);
         format!("{name} {residual:.1e}/{limit:.1e} {:?} {}", check.at, check.place)
     });
     words.collect()

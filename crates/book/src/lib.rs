@@ -5,11 +5,22 @@
 //! here: a [`Course`] keeps each value with the coordinate (or time) at which it was found, so that no drawing can place
 //! it elsewhere, and it ends where the cycle was calculated to end, whether or not that is where it began.
 
-mod catalogue;
+pub mod catalogue;
 mod course;
+mod document;
+mod fact;
+mod name;
+mod number;
+mod table;
 
-pub use catalogue::sign_is_sense;
 pub use course::{Course, Extreme, Node, Summary};
+pub use document::{Block, Document, Term};
+pub use fact::{Fact, Value};
+pub use name::{link_name, listed, named};
+pub use number::{Digits, Unit};
+pub use table::{Cell, Column, Group, Printed, Table};
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

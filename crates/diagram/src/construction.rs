@@ -28,18 +28,18 @@ pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Optio
     let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
     for step in &steps {
         if step.kind == VectorKind::Point {
-            plan.point(&step.name, step.start);
+            plan.point(step.name.to_string(), step.start);
             continue;
         }
         let factor = if is_force(step) { per_newton } else { 1.0 };
         plan.items.push(PlanVector {
-            name: step.name.clone(),
+            name: step.name.to_string(),
             kind: step.kind,
             start: step.start,
             end: plus(step.start, scaled(factor, step.vector)),
             size: length(step.vector),
             unit: step.unit.to_owned(),
-            note: step.note.clone(),
+            note: step.note.to_string(),
         });
     }
     let open = if drawing == Drawing::Polygon { open(&steps) } else { 0.0 };

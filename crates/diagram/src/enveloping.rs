@@ -64,7 +64,7 @@ pub fn enveloping(linkage: &Linkage, contact: &Contact, count: usize) -> Result<
             },
         );
     Ok(Enveloping {
-        contact: contact.name.clone(),
+        contact: contact.name.to_string(),
         interval,
         level,
         greatest: worst.deviation.abs(),

@@ -251,7 +251,7 @@ fn sliding(linkage: &Linkage, position: &Position, id: usize, slide: &Slide) -> 
     let named = mechanism.points.iter().find(|point| {
         point.places.iter().any(|own| own.link == slide.link && length(minus(own.at, slide.point)) <= near)
     });
-    let name = named.map_or_else(|| format!("point of {}", slide.name), |point| point.name.clone());
+    let name = named.map_or_else(|| format!("point of {}", slide.name), |point| point.name.to_string());
     Sliding {
         slide: id,
         carrier: slide.on,

@@ -112,7 +112,7 @@ impl Drawer<'_> {
                 _ => VectorKind::Load,
             };
             let note = format!("load on `{}`", mechanism.links[link].name);
-            corner = plan.push(kind, load.cause.name(mechanism), corner, load.wrench.force(), note);
+            corner = plan.push(kind, load.cause.name(mechanism).into(), corner, load.wrench.force(), note);
         }
         if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
             let note = format!("balancing force on `{}`", mechanism.links[link].name);

@@ -6,6 +6,7 @@ use assur_force::{
 use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
+use assur_mechanism::Name;
 use assur_structure::name_of;
 use serde::Serialize;
 
@@ -104,7 +105,7 @@ pub fn constructions(
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Share {
     /// `weight`, `inertia`, `all`, or the name of a load.
-    pub cause: String,
+    pub cause: Name,
     /// The reactions that it causes.
     pub reactions: Vec<JointForce>,
     /// The balancing moment (N m) or force (N) for this cause.
@@ -139,11 +140,11 @@ pub fn split(
     let mut causes: Vec<Cause> = list.iter().map(|load| load.cause.of_all()).collect();
     causes.sort_unstable();
     causes.dedup();
-    let solve = |name: String, cause: Option<Cause>| {
+    let solve = |name: Name, cause: Option<Cause>| {
         let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
         share(linkage, position, analyzer, name, acting)
     };
-    let whole = solve("all".to_owned(), None)?;
+    let whole = solve("all".into(), None)?;
     let each = causes.into_iter().map(|cause| solve(cause.name(&linkage.mechanism), Some(cause)));
     let shares = each.collect::<Result<Vec<_>, _>>()?;
     let residual = residual(&whole, &shares);
@@ -154,7 +155,7 @@ fn share<'a>(
     linkage: &Linkage,
     position: &Position,
     analyzer: &dyn ForceAnalyzer,
-    cause: String,
+    cause: Name,
     loads: impl Iterator<Item = &'a NamedLoad>,
 ) -> Result<Share, DiagramError> {
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
@@ -203,8 +204,8 @@ pub(crate) fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<Join
     for joint in joints(&linkage.mechanism, &linkage.structure) {
         for (nth, link) in joint.links.iter().enumerate() {
             list.push(JointForce {
-                joint: name_of(mechanism, joint.id).to_owned(),
-                on: mechanism.links[*link].name.clone(),
+                joint: name_of(mechanism, joint.id).to_string(),
+                on: mechanism.links[*link].name.to_string(),
                 force: joint.force(nth, &reactions.pairs),
                 moment: joint.moment(&reactions.pairs).filter(|_| nth == 0),
             });

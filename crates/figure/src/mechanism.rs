@@ -52,7 +52,7 @@ impl Drawing<'_> {
             let Some(place) = point.places.iter().find(|place| self.shows(place.link)) else { continue };
             let at = bodies[place.link].point(place.at);
             let needed = self.linkage.mechanism.points.len() <= MOST_NAMES;
-            items.push(Item::Name { at, text: point.name.clone(), ink: Ink::Title, needed });
+            items.push(Item::Name { at, text: point.name.to_string(), ink: Ink::Title, needed });
         }
         items.extend(numbers.into_iter().map(|(at, link)| Item::Name {
             at,

@@ -4,8 +4,10 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Spring, Table, Value,
+    Contact, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Name, Over, Place, Range, Spring,
+    Table, Value,
 };
+use assur_words::{Describe, Text, text};
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
@@ -13,6 +15,7 @@ use crate::formula::{FormulaLaw, Unlocated};
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
+use crate::sliding::{Rate, Sliding};
 use crate::stroke::{NoStroke, Stroke, Travel};
 use crate::{LoadError, Loads, State};
 
@@ -25,6 +28,9 @@ const MOST_CHANGES: usize = 10_000;
 
 /// Of more cycles than these the cells in which a switch is looked for grow.
 const MOST_CYCLES: u32 = 100;
+
+/// Angles of a contact nearer to each other than this are the same, rad.
+const SAME_ANGLE: f64 = 1e-9;
 
 /// What compiling needs.
 struct Compiler<'a> {
@@ -86,7 +92,7 @@ fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
     let mut compiled = Vec::new();
     for (id, spring) in mechanism.springs.iter().enumerate() {
         if spring.damping != 0.0 {
-            needs_motion(mechanism, &spring.name, "damping")?;
+            needs_motion(mechanism, &spring.name, text!("force-damping"))?;
         }
         // Between points of one link the two forces cancel.
         if spring.ends[0].link != spring.ends[1].link {
@@ -97,14 +103,19 @@ fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
     Ok(compiled)
 }
 
-fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result<(), LoadError> {
+fn needs_motion(mechanism: &Mechanism, name: &Name, what: Text) -> Result<(), LoadError> {
     if mechanism.motion.is_some() {
         return Ok(());
     }
-    Err(LoadError::NeedsMotion { name: name.to_owned(), what })
+    Err(LoadError::NeedsMotion { name: name.into(), what })
 }
 
 impl<'a> Compiler<'a> {
+    /// Whether the motion is given, so that nothing steps along it.
+    fn is_given(&self) -> bool {
+        matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }))
+    }
+
     /// The earlier loads, if this part of the mechanism was the same.
     fn same<T: PartialEq + 'a>(&self, part: impl Fn(&'a Mechanism) -> &'a T) -> Option<&'a Loads> {
         let (mechanism, loads) = self.earlier?;
@@ -126,7 +137,7 @@ impl<'a> Compiler<'a> {
             };
             let mut breaks = Breaks::default();
             if along == Along::AgainstMotion {
-                needs_motion(mechanism, &force.name, "a force against the motion")?;
+                needs_motion(mechanism, &force.name, text!("force-against-motion"))?;
                 let at = force.at.at;
                 breaks = self
                     .rests(move |body| (body.first(body.arm(at)), body.second(body.arm(at))), force.at.link);
@@ -148,7 +159,7 @@ impl<'a> Compiler<'a> {
             loads.laws.push(self.law(&moment.name, None, &moment.value)?);
             let mut brake = None;
             if let Some(found) = moment.brake {
-                needs_motion(mechanism, &moment.name, "a brake")?;
+                needs_motion(mechanism, &moment.name, text!("force-brake"))?;
                 brake = Some((found, self.rests(|body| ([body.w1, 0.0], [body.w2, 0.0]), moment.link)));
             }
             loads.moments.push(LinkMoment { id, link: moment.link, brake });
@@ -161,22 +172,44 @@ impl<'a> Compiler<'a> {
         for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
             let (breaks, touching) = contact_breaks(contact.during, loads.period);
             loads.laws.push(self.law(&contact.name, Some(contact.center), &contact.force)?);
-            loads.contacts.push(ArcContact {
-                id,
-                center: contact.center,
-                radius: contact.radius,
-                friction: contact.friction,
-                breaks,
-                touching,
-            });
+            let &Contact { center, radius, friction, .. } = contact;
+            loads.contacts.push(ArcContact { id, center, radius, friction, sliding: None, breaks, touching });
         }
-        for contact in mechanism.contacts.iter().filter(|contact| contact.center.link != GROUND) {
-            loads.laws.push(self.law(&contact.name, None, &contact.angle)?);
+        for index in 0..loads.contacts.len() {
+            let contact = &mechanism.contacts[loads.contacts[index].id];
+            let angle = self.law(&contact.name, None, &contact.angle)?;
+            if contact.against_sliding {
+                loads.contacts[index].sliding = Some(self.sliding(loads, contact, &angle)?);
+            }
+            loads.laws.push(angle);
         }
         Ok(())
     }
 
-    fn law(&self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
+    /// In which sense the arc of a contact slides, found before the motion.
+    fn sliding(&self, loads: &Loads, contact: &Contact, angle: &Law) -> Result<Sliding, LoadError> {
+        let angle = |q: f64| loads.value_of(angle, &State::prescribed(self.mechanism, q));
+        let cycle = self.spans().first().map(|span| self.reach(span));
+        let repeats = |span: &Span| {
+            let again = |q: f64| (angle(q + span.length) - angle(q)).abs() <= SAME_ANGLE;
+            !span.periodic || (0..span.cells).all(|cell| again(span.at(cell)))
+        };
+        let span = match cycle.filter(repeats) {
+            Some(span) => span,
+            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(Text::from(&contact.name))),
+            None => self.positions(),
+        };
+        let (center, step) = (contact.center, 1e-3 * span.length / f64::from(span.cells));
+        let mut bodies = Bodies::new(self.linkage, span);
+        let mut rate = |q: f64| {
+            let body = bodies.at(q, center.link)?;
+            let turning = (angle(q + step) - angle(q - step)) / (2.0 * step);
+            Ok(Rate::of(&body, center.at, contact.radius, [angle(q), turning]))
+        };
+        Ok(Sliding::find(&mut rate, &span))
+    }
+
+    fn law(&self, name: &Name, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
         match value {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
@@ -184,16 +217,16 @@ impl<'a> Compiler<'a> {
                 Ok(Law::over_coordinate(Curve::of(table), period))
             }
             Value::Table { over: Over::Speed, table, .. } => {
-                needs_motion(self.mechanism, name, "a table over the speed")?;
+                needs_motion(self.mechanism, name, text!("force-over-speed"))?;
                 Ok(Law::Speed(Curve::of(table)))
             }
             Value::Table { over: Over::Time, table, .. } => {
-                needs_motion(self.mechanism, name, "a table over time")?;
+                needs_motion(self.mechanism, name, text!("force-over-time"))?;
                 Ok(Law::Time(Curve::of(table)))
             }
             Value::Formula { formula, factor, axis } => self.formula(name, at, formula, *factor, *axis),
             Value::Stroke { axis, forward, back } => {
-                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
+                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
                 self.stroke(name, at, *axis, [forward, back])
             }
         }
@@ -201,7 +234,7 @@ impl<'a> Compiler<'a> {
 
     fn formula(
         &self,
-        name: &str,
+        name: &Name,
         at: Option<Place>,
         formula: &Formula,
         factor: f64,
@@ -209,12 +242,12 @@ impl<'a> Compiler<'a> {
     ) -> Result<Law, LoadError> {
         let used = formula.used();
         if used.speed || used.time {
-            needs_motion(self.mechanism, name, "a formula with `w` or `t`")?;
+            needs_motion(self.mechanism, name, text!("force-formula-of-motion"))?;
         }
-        let steps = !matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let steps = !self.is_given();
         let place = |index: usize| {
             let span = &formula.switches()[index].span;
-            (name.to_owned(), formula.text()[span.clone()].to_owned(), span.start + 1)
+            (name.into(), formula.text()[span.clone()].to_owned(), span.start + 1)
         };
         let unlocated = |Unlocated(index)| {
             let (name, function, column) = place(index);
@@ -227,7 +260,7 @@ impl<'a> Compiler<'a> {
             return Err(LoadError::ChangesTooOften { name, function, column, most: MOST_CHANGES });
         }
         if let (Some(axis), true) = (axis, used.place) {
-            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
+            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
             let scale = self.linkage.structure.scale;
             let found = self.over_stroke(name, at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
@@ -256,7 +289,7 @@ impl<'a> Compiler<'a> {
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+    fn stroke(&self, name: &Name, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             let spans = [span, &self.reach(span)];
@@ -268,7 +301,7 @@ impl<'a> Compiler<'a> {
     /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
     fn over_stroke<T>(
         &self,
-        name: &str,
+        name: &Name,
         at: Place,
         axis: f64,
         mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, NoStroke>,
@@ -281,13 +314,13 @@ impl<'a> Compiler<'a> {
                 break;
             }
         }
-        let name = name.to_owned();
+        let name = name.into();
         match outcome {
             Ok(found) => Ok(found),
             Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
             Err(NoStroke::Infinite(coordinate)) => Err(LoadError::InfiniteStroke { name, coordinate }),
-            Err(NoStroke::NoPosition(coordinate, reason)) => {
-                Err(LoadError::NoPosition { name, coordinate, reason })
+            Err(NoStroke::NoPosition(coordinate, error)) => {
+                Err(LoadError::NoPosition { name, coordinate, reason: error.describe() })
             }
         }
     }
@@ -297,7 +330,7 @@ impl<'a> Compiler<'a> {
     fn reach(&self, span: &Span) -> Span {
         /// At its ends the mechanism just holds together: part of the whole that is left out there.
         const BESIDE: f64 = 1e-9;
-        let stays = matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let stays = self.is_given();
         let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
         let Some(whole) = whole else { return *span };
         let beside = BESIDE * (whole.high - whole.low);
@@ -308,7 +341,7 @@ impl<'a> Compiler<'a> {
 
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
     fn rests(&self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
-        if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
+        if self.is_given() {
             return Breaks::default();
         }
         let Some(span) = self.spans().first().map(|span| self.reach(span)) else { return Breaks::default() };

@@ -26,10 +26,13 @@ mod kinetostatics;
 mod law;
 mod loads;
 mod reduce;
+mod sliding;
 mod state;
 mod stroke;
 mod visit;
 mod wrenches;
+
+assur_words::resources!();
 
 pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find};
 pub use analyzer::{ForceAnalyzer, ForceError};

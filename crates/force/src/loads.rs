@@ -1,10 +1,12 @@
 //! The loads of a mechanism as flat data.
 
 use assur_integrator::Dependence;
-use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Place};
+use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Name, Place};
+use assur_words::text;
 
 use crate::breaks::Breaks;
 use crate::law::Law;
+use crate::sliding::Sliding;
 
 /// The loads of a mechanism, compiled: indices and formulas, no names.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,8 +117,10 @@ pub(crate) struct ArcContact {
     pub(crate) center: Place,
     /// Radius of the arc, m.
     pub(crate) radius: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction, with its sign unless it is against the sliding.
     pub(crate) friction: f64,
+    /// How the arc slides, where the friction is against that.
+    pub(crate) sliding: Option<Sliding>,
     /// Interval of contact; `None`: always in contact.
     pub(crate) breaks: Breaks,
     /// Index of the interval of `breaks` in which there is contact.
@@ -152,12 +156,13 @@ impl Cause {
     }
 
     /// Name for reports.
-    pub fn name(self, mechanism: &Mechanism) -> String {
+    pub fn name(self, mechanism: &Mechanism) -> Name {
+        let of = |link: LinkId| &mechanism.links[link].name;
         match self {
-            Self::Weight(GROUND) => "weight".to_owned(),
-            Self::Inertia(GROUND) => "inertia".to_owned(),
-            Self::Weight(link) => format!("weight of {}", mechanism.links[link].name),
-            Self::Inertia(link) => format!("inertia of {}", mechanism.links[link].name),
+            Self::Weight(GROUND) => text!("force-weight").into(),
+            Self::Inertia(GROUND) => text!("force-inertia").into(),
+            Self::Weight(link) => text!("force-weight-of", link = of(link)).into(),
+            Self::Inertia(link) => text!("force-inertia-of", link = of(link)).into(),
             Self::Force(id) => mechanism.forces[id].name.clone(),
             Self::Moment(id) => mechanism.moments[id].name.clone(),
             Self::Spring(id) => mechanism.springs[id].name.clone(),

@@ -136,13 +136,13 @@ pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
     for against in 0..links.len() {
         for link in against + 1..links.len() {
             let [one, two] = [link, against].map(|id| &position.bodies[id]);
-            let name = if against == GROUND { "ground".to_owned() } else { links[against].name.clone() };
+            let name = if against == GROUND { "ground".to_owned() } else { links[against].name.to_string() };
             let at = if parts.joins(link, against) {
                 CenterAt::Everywhere
             } else {
                 center(one, two, linkage.structure.scale)
             };
-            list.push(Center { link: links[link].name.clone(), against: name, at });
+            list.push(Center { link: links[link].name.to_string(), against: name, at });
         }
     }
     list

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use assur_group::Order;
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
+use assur_words::{Describe, Text, text};
 
 use crate::course::{Course, Motion, Rest};
 use crate::cycle::Cycle;
@@ -19,9 +20,22 @@ const FORMAT: u32 = 1;
 const WHOLE: f64 = 1e-9;
 
 /// Why there is no geometry of the motion.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("the motion is measured over the whole cycle (`[input] from` and `to` choose a part of it): {0}")]
-pub struct GeometryError(#[from] pub PositionError);
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeometryError(pub PositionError);
+
+assur_words::errors!(GeometryError);
+
+impl Describe for GeometryError {
+    fn describe(&self) -> Text {
+        text!("geometry-part-of-cycle", cause = self.0.describe())
+    }
+}
+
+impl From<PositionError> for GeometryError {
+    fn from(error: PositionError) -> Self {
+        Self(error)
+    }
+}
 
 /// The geometry of the motion of a mechanism over its cycle; `against` is the link from which the centers are seen, the
 /// ground for absolute ones.
@@ -33,18 +47,18 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
-    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.clone()));
+    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.to_string()));
     let links = moving()
         .map(|(id, name)| Ok((name, link(&cycle, id, &parts)?)))
         .collect::<Result<_, PositionError>>()?;
     let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
     let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
     let points = points
-        .map(|(id, found)| Ok((found.name.clone(), point(&cycle, id)?)))
+        .map(|(id, found)| Ok((found.name.to_string(), point(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
     let slides = mechanism.slides.iter().enumerate();
     let slides = slides
-        .map(|(id, found)| Ok((found.name.clone(), slide(&cycle, id)?)))
+        .map(|(id, found)| Ok((found.name.to_string(), slide(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
     let groups = (0..linkage.structure.groups.len())
         .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
@@ -56,7 +70,7 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
         format: FORMAT,
         title: mechanism.title.clone(),
         angular: linkage.angular(),
-        against: mechanism.links[against].name.clone(),
+        against: mechanism.links[against].name.to_string(),
         rigid: rigid.collect(),
         links,
         points,
@@ -182,7 +196,7 @@ fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, Position
         let angle = (force_angle.of)(&found.frame, &position.bodies, position.health[group].abs());
         [[angle], [f64::NAN], [f64::NAN]]
     });
-    Ok(ForceAngles { what: force_angle.words, extremes: course.extremes(ORDERS[0])? })
+    Ok(ForceAngles { what: force_angle.words.clone(), extremes: course.extremes(ORDERS[0])? })
 }
 
 fn positions(
@@ -204,7 +218,7 @@ fn positions(
             } else {
                 centers_of(&bodies[link], &bodies[against], scale)
             };
-            (mechanism.links[link].name.clone(), centers)
+            (mechanism.links[link].name.to_string(), centers)
         });
         let curved = points.iter().filter_map(|(name, course)| {
             let motion = linkage.point_motion(mechanism.point(name)?, &position);

@@ -76,8 +76,8 @@ impl<T: Number> Chain<T> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
             let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
-                let link = source.link.map(|link| mechanism.links[link].name.clone());
-                CompileError::Build { group: structure.group_name(mechanism, i), source, link }
+                let link = source.link.map(|link| mechanism.links[link].name.to_string());
+                CompileError::Build { group: Box::new(structure.group_name(mechanism, i)), source, link }
             })?;
             groups.push(kernel);
         }

@@ -60,13 +60,15 @@ fn positions_agree_with_the_independent_results() {
             linkage.solve_index(i, Order::Second, &mut position).unwrap();
             deviation.add("coordinate", &[position.coordinate], &wanted["coordinate"]);
             for (id, point) in linkage.mechanism.points.iter().enumerate() {
-                let (found, wanted) = (linkage.point_motion(id, &position), &wanted["points"][&point.name]);
+                let (found, wanted) =
+                    (linkage.point_motion(id, &position), &wanted["points"][point.name.as_str()]);
                 deviation.add("points pf0", &found.pf0, &wanted["pf0"]);
                 deviation.add("points pf1", &found.pf1, &wanted["pf1"]);
                 deviation.add("points pf2", &found.pf2, &wanted["pf2"]);
             }
             for (id, link) in linkage.mechanism.links.iter().enumerate().skip(1) {
-                let (found, wanted) = (linkage.link_motion(id, &position), &wanted["links"][&link.name]);
+                let (found, wanted) =
+                    (linkage.link_motion(id, &position), &wanted["links"][link.name.as_str()]);
                 let angle = angles[id].map_or(found.pf0, |before| continuous_angle(found.pf0, before));
                 angles[id] = Some(angle);
                 deviation.add("links pf0", &[angle], &wanted["pf0"]);
@@ -75,7 +77,7 @@ fn positions_agree_with_the_independent_results() {
             }
             for (id, slide) in linkage.mechanism.slides.iter().enumerate() {
                 let found = linkage.slide_motion(id, &position);
-                deviation.add("slides pf0", &[found.pf0], &wanted["slides"][&slide.name]["pf0"]);
+                deviation.add("slides pf0", &[found.pf0], &wanted["slides"][slide.name.as_str()]["pf0"]);
             }
         }
         deviation.assert_within(scene, 1e-11);

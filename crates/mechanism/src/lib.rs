@@ -5,17 +5,21 @@
 
 mod drive;
 mod load;
+mod name;
 mod numbers;
 mod size;
 
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
 pub use drive::{Motion, StepLength, Until, passage};
 pub use load::{Balance, Brake, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
+pub use name::Name;
 pub use numbers::links_of_length_zero;
 pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
     MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,
 };
+
+assur_words::resources!();
 
 /// Index of a link in [`Mechanism::links`]; [`GROUND`] is the ground.
 pub type LinkId = usize;
@@ -66,7 +70,7 @@ pub struct Mechanism {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
     /// Name, unique in the mechanism; the ground is `ground`.
-    pub name: String,
+    pub name: Name,
     /// Mass, kg; 0 for a massless link.
     pub mass: f64,
     /// Center of mass in the frame of the link, m. Without meaning if mass and inertia are 0.
@@ -79,7 +83,7 @@ pub struct Link {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Name, unique in the mechanism.
-    pub name: String,
+    pub name: Name,
     /// Its position in each link it belongs to, in the order of the scene. Never empty.
     pub places: Vec<Place>,
 }
@@ -104,7 +108,7 @@ pub struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slide {
     /// Name, unique among the slides.
-    pub name: String,
+    pub name: Name,
     /// The link that slides.
     pub link: LinkId,
     /// The link that carries the guide.

@@ -2,7 +2,7 @@
 
 use assur_formula::Formula;
 
-use crate::{LinkId, Place};
+use crate::{LinkId, Name, Place};
 
 /// A number, or a law by which it varies.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,7 +143,7 @@ impl Table {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
     /// Name in reports: the one in the scene, or one derived from the link.
-    pub name: String,
+    pub name: Name,
     /// Point of application.
     pub at: Place,
     /// Direction of the force.
@@ -167,7 +167,7 @@ pub enum Direction {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moment {
     /// Name in reports.
-    pub name: String,
+    pub name: Name,
     /// The link.
     pub link: LinkId,
     /// Its size, N m, counter-clockwise positive; of a brake the pressing force, N.
@@ -196,7 +196,7 @@ impl Brake {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spring {
     /// Name in reports.
-    pub name: String,
+    pub name: Name,
     /// Its ends.
     pub ends: [Place; 2],
     /// Stiffness, N/m.
@@ -211,7 +211,7 @@ pub struct Spring {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// Name in reports.
-    pub name: String,
+    pub name: Name,
     /// Center N of the arc.
     pub center: Place,
     /// Radius R, m.
@@ -222,6 +222,8 @@ pub struct Contact {
     pub force: Value,
     /// Coefficient of friction f, which adds f F along (cos a, -sin a).
     pub friction: f64,
+    /// Whether the friction is against the sliding of K, so that its sign follows from the motion; else it is the one given.
+    pub against_sliding: bool,
     /// Interval of the input coordinate with contact; `None`: always.
     pub during: Option<[f64; 2]>,
 }

@@ -7,13 +7,15 @@ pub mod csv;
 mod explain;
 mod fold;
 pub mod json;
-mod names;
 pub mod parquet;
 mod template;
 pub mod text;
+pub mod topic;
 
 pub use explain::explain;
 pub use fold::to_ascii;
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

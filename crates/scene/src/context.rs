@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::Input;
+use assur_mechanism::{Input, Name};
+use assur_words::Text;
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
@@ -89,14 +90,14 @@ impl<T> Sort<T> {
 
 impl LoadNames {
     /// The `name` of a load, or its default name.
-    pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> String) -> String {
+    pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> Text) -> Name {
         let entry = section.get("name");
         let given = entry.as_ref().and_then(|entry| entry.text("a name"));
-        let name = given.map_or_else(default, str::to_owned);
+        let name = given.map_or_else(|| default().into(), Name::from);
         if let Some(entry) = &entry {
             limits::check_name(entry, &entry.span, &name);
         }
-        if !self.0.insert(name.clone()) {
+        if !self.0.insert(name.to_string()) {
             let span = entry.map_or(section.span.clone(), |entry| entry.span);
             let fault = Fault::new(span, format!("two loads have the name `{}`", shown(&name)));
             section.faults.push(fault.label("give this one a `name` of its own"));

@@ -1,6 +1,8 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, GROUND, LinkId, Over, Place, PointId, Spring, Value};
+
+use assur_words::text;
 
 use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::{Linkage, pair};
@@ -30,7 +32,7 @@ fn spring(
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, "`damping`");
     }
-    let name = names.read(section, || format!("spring {}", index + 1));
+    let name = names.read(section, || text!("scene-unnamed-spring", number = index + 1));
     let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
     Some(Spring { name, ends, stiffness, length, damping })
 }
@@ -104,7 +106,15 @@ fn contact(
         Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context),
         Some(entry) => entry.bounded(Dimension::Angle, Bound::Direction).map(Value::Constant),
     };
-    let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
+    let (friction, against_sliding) = friction(section);
+    if let Some(entry) =
+        section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(follows_time))
+    {
+        entry.fault(
+            "the friction is `against_sliding`, and `angle` depends on more than the input coordinate",
+            "a number, or a table or formula over the input coordinate",
+        );
+    }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = section
@@ -112,8 +122,32 @@ fn contact(
         .and_then(|entry| linkage.moving(&entry, "the line is the ground's, the arc a link's"));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let on = &linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || format!("contact {} on {on}", index + 1));
-    Some(Contact { name, center: center?, radius: radius?, angle: angle?, force: force?, friction, during })
+    let name = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
+    let (center, radius, angle, force) = (center?, radius?, angle?, force?);
+    Some(Contact { name, center, radius, angle, force, friction, against_sliding, during })
+}
+
+/// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
+/// `{ against_sliding = 0.1 }`.
+fn friction(section: &Section<'_>) -> (f64, bool) {
+    let table = section.get("friction").filter(|entry| entry.value.is_table());
+    let Some(entry) = table else {
+        return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
+    };
+    let Some(section) = entry.section("friction against the sliding", &["against_sliding"]) else {
+        return (0.0, true);
+    };
+    let coefficient = section.need("against_sliding");
+    (coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative)).unwrap_or(0.0), true)
+}
+
+/// Whether a law depends on time or speed.
+fn follows_time(value: &Value) -> bool {
+    match value {
+        Value::Constant(_) | Value::Stroke { .. } => false,
+        Value::Table { over, .. } => *over != Over::Coordinate,
+        Value::Formula { formula, .. } => formula.used().time || formula.used().speed,
+    }
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {

@@ -37,6 +37,8 @@ pub use error::{SceneError, SceneErrors};
 pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
 pub use wishes::Note;
 
+assur_words::resources!();
+
 /// A commented, complete scene as a start for a new one.
 pub const STARTER: &str = include_str!("starter.toml");
 

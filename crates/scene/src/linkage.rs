@@ -38,7 +38,7 @@ impl Linkage {
     /// Adds a link; of two with one name the first is found.
     pub(crate) fn add_link(&mut self, link: Link) -> LinkId {
         let id = self.links.len();
-        self.links_by_name.entry(link.name.clone()).or_insert(id);
+        self.links_by_name.entry(link.name.to_string()).or_insert(id);
         self.links.push(link);
         id
     }
@@ -79,7 +79,7 @@ impl Linkage {
             self.points[known].places.push(place);
         } else {
             self.names.insert(name.to_owned(), self.points.len());
-            self.points.push(Point { name: name.to_owned(), places: vec![place] });
+            self.points.push(Point { name: name.into(), places: vec![place] });
         }
     }
 

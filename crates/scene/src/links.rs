@@ -1,6 +1,7 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Link, LinkId, Place, Point, Slide, links_of_length_zero};
+use assur_mechanism::{GROUND, Link, LinkId, Name, Place, Point, Slide, links_of_length_zero};
+use assur_words::{Text, joined};
 
 use crate::error::Fault;
 use crate::limits;
@@ -16,7 +17,7 @@ const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
-    linkage.add_link(massless("ground"));
+    linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
     let ground = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
@@ -53,8 +54,8 @@ pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
     }
 }
 
-fn massless(name: &str) -> Link {
-    Link { name: name.to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 }
+fn massless(name: Name) -> Link {
+    Link { name, mass: 0.0, center: [0.0; 2], inertia: 0.0 }
 }
 
 /// A faulty link is added too: its name is then known to the rest of the scene.
@@ -68,7 +69,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
         let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
         entry.faults.push(fault.label("results use it: choose another name"));
     }
-    let id = linkage.add_link(massless(&entry.name));
+    let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push([0.0; 2]);
     let section = entry.section("a link", LINK_KEYS)?;
     if let Some(points) = section.need("points") {
@@ -151,25 +152,25 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
             "another link or \"ground\"",
         );
     }
-    let default = format!("{}/{}", linkage.links[link].name, linkage.links[on].name);
-    let name = name(section, linkage, &default);
+    let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
+    let name = name(section, linkage, default.into());
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &mut Linkage, default: &str) -> String {
+fn name(section: &Section<'_>, linkage: &mut Linkage, default: Name) -> Name {
     let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
-    let name = given.as_ref().map_or(default, |given| given.0);
+    let name = given.as_ref().map_or(default, |given| given.0.into());
     if let Some((name, entry)) = &given {
         limits::check_name(entry, &entry.span, name);
     }
-    let is_pin = linkage.point_named(name).is_some_and(|point| linkage.points[point].is_pin());
-    if !linkage.add_slide_name(name) || is_pin {
+    let is_pin = linkage.point_named(&name).is_some_and(|point| linkage.points[point].is_pin());
+    if !linkage.add_slide_name(&name) || is_pin {
         let what = if is_pin { "a pin and a slide" } else { "two slides" };
         let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
-        let fault = Fault::new(span, format!("{what} have the name `{}`", shown(name)));
+        let fault = Fault::new(span, format!("{what} have the name `{}`", shown(&name)));
         section.faults.push(fault.label("give this one a `name` of its own"));
     }
-    name.to_owned()
+    name
 }
 
 /// Slides between a link and the ground, in either order.

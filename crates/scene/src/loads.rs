@@ -1,6 +1,7 @@
 //! `gravity`, `[[force]]`, `[[moment]]`, `[[brake]]`: loads on single links.
 
-use assur_mechanism::{Brake, Direction, Force, Moment};
+use assur_mechanism::{Brake, Direction, Force, GROUND, Moment};
+use assur_words::text;
 
 use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::pair;
@@ -37,8 +38,8 @@ fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut
     let weight = "the ground carries any load";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
-    let on = link.map_or("?", |link| &context.linkage.links[link].name);
-    let name = names.read(section, || format!("force {} on {}", index + 1, on));
+    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
+    let name = names.read(section, || text!("scene-unnamed-force", number = index + 1, link = on));
     Some(Force { name, at: at?, direction: direction?, value: value? })
 }
 
@@ -77,8 +78,8 @@ fn moment(
     let value = value::sized(section, "value", Dimension::Moment, false, context);
     let weight = "the ground carries any load";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
-    let on = link.map_or("?", |link| &context.linkage.links[link].name);
-    let name = names.read(section, || format!("moment {} on {}", index + 1, on));
+    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
+    let name = names.read(section, || text!("scene-unnamed-moment", number = index + 1, link = on));
     Some(Moment { name, link: link?, value: value?, brake: None })
 }
 
@@ -106,8 +107,8 @@ fn brake(
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let ground = "the ground does not turn";
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
-    let on = link.map_or("?", |link| &context.linkage.links[link].name);
-    let name = names.read(section, || format!("brake {} on {}", index + 1, on));
+    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
+    let name = names.read(section, || text!("scene-unnamed-brake", number = index + 1, link = on));
     let brake = Brake { radius: radius?, friction: friction? };
     Some(Moment { name, link: link?, value: force?, brake: Some(brake) })
 }

@@ -137,7 +137,7 @@ fn size(
 fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterweight {
     let product = x.hypot(y);
     Counterweight {
-        link: linkage.mechanism.links[carrier.link].name.clone(),
+        link: linkage.mechanism.links[carrier.link].name.to_string(),
         product,
         angle: y.atan2(x),
         radius: carrier.radius,

@@ -1,7 +1,8 @@
 //! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
-use assur_mechanism::{LinkId, Mechanism, PairId};
+use assur_mechanism::{Mechanism, Name, PairId};
+use assur_words::{Text, list, name, text};
 
 /// A mechanism decomposed into its pairs and groups.
 #[derive(Debug, Clone)]
@@ -60,7 +61,7 @@ impl Structure {
     }
 
     /// Name of the pin or slide that a pair belongs to.
-    pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a str {
+    pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a Name {
         name_of(mechanism, self.pairs[pair].source)
     }
 
@@ -72,10 +73,10 @@ impl Structure {
     }
 
     /// `group 1 (RRR rod, rocker)`, for messages.
-    pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> String {
+    pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> Text {
         let found = &self.groups[group];
-        let names = link_names(mechanism, &found.frame.links);
-        format!("group {} ({} {})", group + 1, found.plugin.kind, names.join(", "))
+        let links = found.frame.links.iter().map(|&link| Text::from(&mechanism.links[link].name));
+        text!("structure-group", number = group + 1, kind = name(found.plugin.kind), links = list(links))
     }
 }
 
@@ -90,15 +91,11 @@ impl Group {
 }
 
 /// Name of a pin or slide.
-pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &str {
+pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &Name {
     match pair {
         PairId::Pin(point) => &mechanism.points[point].name,
         PairId::Slide(slide) => &mechanism.slides[slide].name,
     }
-}
-
-fn link_names<'a>(mechanism: &'a Mechanism, links: &[LinkId]) -> Vec<&'a str> {
-    links.iter().map(|&link| mechanism.links[link].name.as_str()).collect()
 }
 
 /// Roman numeral of a class.

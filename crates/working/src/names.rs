@@ -33,7 +33,7 @@ pub(crate) fn of(linkage: &Linkage) -> Names {
     let pairs = sources.map(|(id, pair)| {
         let name = linkage.structure.pair_name(mechanism, id);
         if !linkage.structure.is_share(id) {
-            return name.to_owned();
+            return name.to_string();
         }
         let [a, b] = [pair.pair.a, pair.pair.b].map(|link| mechanism.links[link].name.as_str());
         format!("{name}_{a}_{b}")

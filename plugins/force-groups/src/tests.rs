@@ -68,11 +68,11 @@ fn reactions_agree_with_the_independent_results() {
             assert_eq!(joints.len(), wanted["reactions"].as_object().unwrap().len());
             for joint in joints {
                 let name = name_of(&linkage.mechanism, joint.joint);
-                let wanted = &wanted["reactions"][name];
+                let wanted = &wanted["reactions"][name.as_str()];
                 for (link, force) in &joint.forces {
                     largest = largest.max(force[0].hypot(force[1]));
                     let link = &linkage.mechanism.links[*link].name;
-                    deviation.add(&format!("{name} on {link}"), force, &wanted[link]);
+                    deviation.add(&format!("{name} on {link}"), force, &wanted[link.as_str()]);
                 }
                 if let Some(moment) = joint.moment {
                     deviation.add(&format!("{name} moment"), &[moment], &wanted["moment"]);

@@ -1,14 +1,13 @@
 //! The published form: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
 //!
-//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here
-//! always counter-clockwise. L eqs. (3), (4), (10), (11) also count it so; the printed (8), (9) count it towards x, so
-//! the abscissa of P has the opposite sign here. K and B are taken from the position, not from (8), (9), which apply to
-//! the press alone.
+//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide, away from the slider; f1 is the angle of OA from
+//! -y towards x. K and B are taken from the position, not from the printed (8), (9), which apply to the press alone.
 
 use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
 use assur_kinematics::Linkage;
+use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
 use crate::setting::{Setting, Unknowns};
@@ -43,7 +42,7 @@ pub(crate) enum Failure {
 pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let (x, y) = (at.line, perp(at.line));
     let (along, r1) = at.crank();
-    let (sin, cos) = (-dot(along, x), dot(along, y));
+    let (sin, cos) = (dot(along, x), -dot(along, y));
     if cos.abs() <= PARALLEL {
         return Err(Failure::Parallel(cos.abs().asin()));
     }
@@ -53,7 +52,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     // P: on line 3, at the height of B, and on the line of the crank.
     let yp = dot(from_o(at.b), y);
     let xp = -yp * (sin / cos);
-    let ap = yp / cos - r1;
+    let ap = -yp / cos - r1;
     let rod = minus(at.b, at.a);
     let health = cross(rod, x).abs() / rod[0].hypot(rod[1]);
     if health.is_nan() || health < LEAST_HEALTH || ap == 0.0 {
@@ -62,7 +61,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let (fx, fy) = (dot(at.force, x), dot(at.force, y)); // L eq. (2)
     let (x2, y2) = (xp - xk, yk - yp); // L eqs. (8), (9): distances of K and P
     let mc = fy * x2 + fx * y2 - action.couple; // L eq. (7), clockwise; the couple is what L does not have
-    let mb = -mc * r1 / ap; // L eq. (6), counter-clockwise
+    let mb = mc * r1 / ap; // L eq. (6), clockwise
     let fb = mb / r1; // L eq. (5)
     let r1 = (fy - fb * sin) / cos; // L eq. (10), from (1), (3): Fy - Fb sin f1 - R1 cos f1 = 0
     let r3 = fx - fb * cos + r1 * sin; // L eq. (11), from (1), (4): Fx - Fb cos f1 + R1 sin f1 - R3 = 0
@@ -86,10 +85,10 @@ impl Failure {
 }
 
 /// The two lines that meet in the pole.
-fn lines(linkage: &Linkage, layout: &Layout) -> String {
+fn lines(linkage: &Linkage, layout: &Layout) -> Text {
     let [crank, third] = [layout.crank, layout.third].map(|link| &linkage.mechanism.links[link].name);
     match layout.end {
-        End::Guide(_) => format!("the crank `{crank}` and the normal to the guide of `{third}`"),
-        End::Pin(_) => format!("the crank `{crank}` and the rocker `{third}`"),
+        End::Guide(_) => text!("force-longitudinal-lines-guide", crank = crank, third = third),
+        End::Pin(_) => text!("force-longitudinal-lines-rocker", crank = crank, third = third),
     }
 }

@@ -50,7 +50,7 @@ fn shaken(name: &str, dice: &mut Dice) -> Mechanism {
     mechanism.forces.clear();
     for link in 1..mechanism.links.len() {
         mechanism.forces.push(Force {
-            name: format!("force {link}"),
+            name: format!("force {link}").into(),
             at: Place { link, at: dice.pair() },
             direction: Direction::Ground(3.0 * dice.next()),
             value: Value::Constant(100.0 * dice.next()),

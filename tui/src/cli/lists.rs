@@ -20,16 +20,16 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
         rows.push([sort, name, crate_name, summary].map(String::from).to_vec());
     };
     for plugin in assur_group::groups().map_err(Fault::other)? {
-        add("group", plugin.name, plugin.crate_name, plugin.summary);
+        add("group", plugin.name, plugin.crate_name, &plugin.summary.to_string());
     }
     for plugin in assur_force::analyzers().map_err(Fault::other)? {
-        add("force analyzer", plugin.name, plugin.crate_name, plugin.summary);
+        add("force analyzer", plugin.name, plugin.crate_name, &plugin.summary.to_string());
     }
     for plugin in assur_integrator::integrators().map_err(Fault::other)? {
-        add("integrator", plugin.name, plugin.crate_name, plugin.summary);
+        add("integrator", plugin.name, plugin.crate_name, &plugin.summary.to_string());
     }
     for plugin in catalogues().map_err(Fault::other)? {
-        add("catalogue", plugin.name, plugin.crate_name, plugin.summary);
+        add("catalogue", plugin.name, plugin.crate_name, &plugin.summary.to_string());
     }
     output::print(&columns(&["sort", "name", "crate", "what"], &rows, style.ascii))?;
     Ok(Status::Done)
@@ -67,7 +67,7 @@ fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
     let study = Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new().watch())
         .map_err(|error| scene::fault(path, &error, style))?;
     let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error, style))?;
-    output::print(&assur_report::text::advice(&motors, count, style.ascii))?;
+    output::print(&assur_report::text::advice(&motors, count, style.words()))?;
     Ok(Status::Done)
 }
 

@@ -86,7 +86,7 @@ fn failures(failures: &[Failure], count: usize, path: &Path, style: Style) -> Ve
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let place = first.and_then(|key| scene::at_key(path, key, message, style));
+        let place = first.and_then(|key| scene::at_key(path, key, &message.to_string(), style));
         place.map_or_else(|| format!("error: {message}"), |fault| fault.to_string())
     };
     let mut told: Vec<String> = failures.iter().take(MOST).map(message).collect();

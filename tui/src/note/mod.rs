@@ -18,10 +18,12 @@ mod tests;
 mod typst;
 
 use assur_analysis::results::{Analysis, Failure};
+use assur_book::Fact;
 use assur_figure::Figure;
 use assur_kinematics::Position;
-use assur_report::text::{Finding, summary};
+use assur_report::topic::summary;
 use assur_scene::Note;
+use assur_words::Language;
 use document::{Block, Cover};
 
 use crate::screen::state::{State, View};
@@ -151,7 +153,12 @@ fn checks(context: &Context<'_>) -> Vec<Block> {
         };
         let size =
             |size: f64| if size == 0.0 { "0".to_owned() } else { words.number(&format!("{size:.1e}")) };
-        vec![words.phrase(check.name), size(check.residual), size(check.limit), words.get(verdict)]
+        vec![
+            words.phrase(&check.name.to_string()),
+            size(check.residual),
+            size(check.limit),
+            words.get(verdict),
+        ]
     });
     let head = ["check", "residual", "limit", "verdict"].map(|id| words.get(id));
     vec![
@@ -166,7 +173,7 @@ fn limits(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
     let mut blocks = vec![Block::Heading(words.get("model")), Block::Text(words.get("model-text"))];
     let notes = context.state.found().map(|found| found.analysis.notes.as_slice()).unwrap_or_default();
-    blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(note))));
+    blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(&note.to_string()))));
     let poses = context.state.scene.as_ref().map(|scene| scene.poses.as_slice()).unwrap_or_default();
     let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
     let failed: Vec<String> = missing.map(|(position, _)| position.to_string()).collect();
@@ -185,10 +192,11 @@ fn lost(analysis: &Analysis, poses: &[Option<Position>], words: &Words) -> Vec<B
     let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
     let positions: Vec<String> = failures.iter().map(|failure| failure.index.to_string()).collect();
     let forces = failures.first().map(|first| {
-        let values = [("positions", positions.join(", ")), ("reason", words.phrase(&first.message))];
+        let values =
+            [("positions", positions.join(", ")), ("reason", words.phrase(&first.message.to_string()))];
         Block::Text(words.with("no-forces", &values))
     });
-    let motion = analysis.no_motion.as_ref().map(|why| Block::Text(words.phrase(why)));
+    let motion = analysis.no_motion.as_ref().map(|why| Block::Text(words.phrase(&why.to_string())));
     forces.into_iter().chain(motion).collect()
 }
 
@@ -196,11 +204,10 @@ fn lost(analysis: &Analysis, poses: &[Option<Position>], words: &Words) -> Vec<B
 fn main_results(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
     let (Some(scene), Some(found)) = (&context.state.scene, context.state.found()) else { return Vec::new() };
-    let row = |one: Finding| {
-        let is_number = one.value.parse::<f64>().is_ok();
-        let value =
-            if is_number { words.number(&one.value) } else { words.name(&one.value).replace("->", "→") };
-        vec![words.phrase(&one.what), value, words.unit(one.unit), words.phrase(&one.at)]
+    let language = Language::find(words.language).unwrap_or(Language::english());
+    let row = |one: Fact| {
+        let value = one.value().render(language).replace("->", "→");
+        vec![one.what().render(language), value, words.unit(one.unit.name), one.place().render(language)]
     };
     let rows = summary(&found.analysis, &scene.linkage).into_iter().map(row).collect();
     let head = ["quantity", "value", "unit", "at"].map(|id| words.get(id));

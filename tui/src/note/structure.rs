@@ -74,7 +74,7 @@ fn groups(context: &Context<'_>) -> Vec<Vec<String>> {
     let (mechanism, structure) = (&scene.linkage.mechanism, &scene.linkage.structure);
     let row = |(index, group): (usize, &assur_structure::Group)| {
         let links: Vec<_> =
-            group.frame.links.iter().map(|link| mechanism.links[*link].name.clone()).collect();
+            group.frame.links.iter().map(|link| mechanism.links[*link].name.as_str()).collect();
         let pairs = |pairs: &[Pair]| {
             let names = pairs.iter().map(|pair| words.name(structure.pair_name(mechanism, pair.id)));
             names.collect::<Vec<_>>().join(", ")
@@ -104,7 +104,7 @@ fn assembly(context: &Context<'_>) -> Vec<Block> {
         let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
         Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
     };
-    let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.clone());
+    let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.to_string());
     let mut panels = vec![panel(words.with("input-link-alone", &[named(input)]), &[input])];
     for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
         let values = [("number", (index + 1).to_string()), ("kind", group.plugin.name.to_uppercase())];

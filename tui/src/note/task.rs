@@ -17,7 +17,7 @@ pub(super) fn blocks(context: &mut Context<'_>) -> Vec<Block> {
     let Some(scene) = &context.state.scene else { return Vec::new() };
     let mechanism = &scene.linkage.mechanism;
     let input = &mechanism.links[mechanism.input.link].name;
-    let values = [("positions", mechanism.input.positions.to_string()), ("link", input.clone())];
+    let values = [("positions", mechanism.input.positions.to_string()), ("link", input.to_string())];
     let mut blocks = vec![Block::Heading(words.get("task")), Block::Text(words.with("task-text", &values))];
     let mut table = |caption: &str, head: &[&str], rows: Vec<Vec<String>>| {
         if !rows.is_empty() {
@@ -43,7 +43,7 @@ fn points(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
         for (id, point) in mechanism.points.iter().enumerate() {
             if let Some(at) = mechanism.place_in(id, link) {
                 let [x, y] = at.map(|x| number(words, 1e3 * x));
-                rows.push(vec![words.name(&of.name), point.name.clone(), x, y]);
+                rows.push(vec![words.name(&of.name), point.name.to_string(), x, y]);
             }
         }
     }
@@ -64,7 +64,7 @@ fn masses(words: &Words, mechanism: &Mechanism) -> Vec<Vec<String>> {
     heavy
         .map(|link| {
             let [mass, inertia] = [link.mass, link.inertia].map(|value| number(words, value));
-            vec![link.name.clone(), mass, mm(words, link.center), inertia]
+            vec![link.name.to_string(), mass, mm(words, link.center), inertia]
         })
         .collect()
 }

@@ -41,12 +41,12 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
     let link = 1 + rng.below(mechanism.links.len() - 1);
     let moment = formula(&mut rng, Terms { motion, place: false }, &variables);
     let value = Value::Formula { formula: moment, factor: 1.0, axis: None };
-    mechanism.moments.push(Moment { name: "by formula".to_owned(), link, value, brake: None });
+    mechanism.moments.push(Moment { name: "by formula".into(), link, value, brake: None });
     let full = matches!(mechanism.input.range, Range::Cycle(_));
     let size = formula(&mut rng, Terms { motion, place: full }, &variables);
     let axis = size.used().place.then(|| rng.angle());
     mechanism.forces.push(Force {
-        name: "along".to_owned(),
+        name: "along".into(),
         at: Place { link, at: [rng.signed(0.0, 0.4), rng.signed(0.0, 0.4)] },
         direction: Direction::Link(rng.angle()),
         value: Value::Formula { formula: size, factor: 1.0, axis },
@@ -147,7 +147,7 @@ fn checks_hold_where_a_formula_is_zero() {
             let mut mechanism = mechanism.clone();
             let (link, formula) = (2.min(mechanism.links.len() - 1), Formula::read(formula).unwrap());
             let value = Value::Formula { formula, factor: 1.0, axis: None };
-            mechanism.moments.push(Moment { name: "zero".to_owned(), link, value, brake: None });
+            mechanism.moments.push(Moment { name: "zero".into(), link, value, brake: None });
             let all = crate::checks(&Linkage::compile(mechanism).unwrap());
             assert!(super::hold(&all), "{name}\n{}", show(&all));
         }

@@ -7,7 +7,7 @@ use crate::sheet;
 fn a_sheet_has_everything_and_serializes() {
     let linkage = compile(&fixture("press"));
     let loads = Loads::compile(&linkage).unwrap();
-    let state = State::prescribed(&linkage.mechanism, 2.0);
+    let state = State::prescribed(&linkage.mechanism, -1.9);
     let found = sheet(&linkage, &loads, &state, true, find("groups").unwrap()).unwrap();
     assert_eq!((found.polygons.len(), found.centers.len(), found.constructions.len()), (2, 6, 3));
     assert!(found.constructions.iter().all(|plan| plan.residual < 1e-12));
@@ -19,8 +19,10 @@ fn a_sheet_has_everything_and_serializes() {
 
 #[test]
 fn where_the_published_form_fails_the_sheet_still_comes() {
-    let scene =
-        fixture("press").replace("from = \"130 deg\"\nto = \"50 deg\"\npositions = 33", "positions = 4");
+    let scene = fixture("press").replace(
+        "from = \"-70 deg\"\nto = \"-110 deg\"\npositions = 33\ndirection = \"cw\"",
+        "positions = 4",
+    );
     let linkage = compile(&scene);
     let loads = Loads::compile(&linkage).unwrap();
     let state = State::prescribed(&linkage.mechanism, 0.0);

@@ -36,12 +36,7 @@ fn a_moment_has_no_stroke() {
     let text = error(|mechanism| {
         let table = Table::constant(1.0);
         let value = Value::Stroke { axis: 0.0, forward: table.clone(), back: table };
-        mechanism.moments.push(assur_mechanism::Moment {
-            name: "drag".to_owned(),
-            link: 1,
-            value,
-            brake: None,
-        });
+        mechanism.moments.push(assur_mechanism::Moment { name: "drag".into(), link: 1, value, brake: None });
     });
     assert_eq!(
         text,

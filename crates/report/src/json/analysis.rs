@@ -3,11 +3,12 @@
 use assur_analysis::results::{
     Analysis, Check, Cycle, Dynamics, Failure, InputReport, Integration, StructureReport, Table,
 };
+use assur_book::catalogue;
+use assur_words::Text;
 use serde::Serialize;
 
 use super::rows::{self, POSITIONS, Rows, TRAJECTORY};
 use super::{JsonError, NotFinite, serialized};
-use crate::names;
 
 /// The version of the format that is written.
 const FORMAT: u32 = 1;
@@ -36,9 +37,9 @@ struct Tail<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     integration: Option<&'a Integration>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    no_motion: Option<&'a str>,
-    #[serde(skip_serializing_if = "<[String]>::is_empty")]
-    notes: &'a [String],
+    no_motion: Option<&'a Text>,
+    #[serde(skip_serializing_if = "<[Text]>::is_empty")]
+    notes: &'a [Text],
     #[serde(flatten)]
     cycle: &'a Cycle,
     #[serde(skip_serializing_if = "<[Check]>::is_empty")]
@@ -50,7 +51,7 @@ impl<'a> Tail<'a> {
         Self {
             dynamics: analysis.dynamics.as_ref(),
             integration: analysis.integration.as_ref(),
-            no_motion: analysis.no_motion.as_deref(),
+            no_motion: analysis.no_motion.as_ref(),
             notes: &analysis.notes,
             cycle: &analysis.cycle,
             checks: &analysis.checks,
@@ -66,7 +67,7 @@ impl<'a> Tail<'a> {
 pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
     let place = |list: &str, table: &Table, (row, column): (usize, usize)| {
         let schema = table.schema();
-        let path = names::path(schema, schema.columns()[column]).unwrap_or_default();
+        let path = catalogue::path(schema, schema.columns()[column]).unwrap_or_default();
         NotFinite { place: format!("{list}[{row}]{}", rows::spelled(&path)) }
     };
     if let Some(at) = analysis.survey.not_finite {

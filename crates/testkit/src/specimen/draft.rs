@@ -29,7 +29,7 @@ impl Draft {
     pub(crate) fn new(seed: u64) -> Self {
         let mut rng = Rng::new(seed);
         let size = 10.0_f64.powf(rng.range(-1.2, 0.5));
-        let ground = Link { name: "ground".to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 };
+        let ground = Link { name: "ground".into(), mass: 0.0, center: [0.0; 2], inertia: 0.0 };
         let pose = Pose { x: 0.0, y: 0.0, angle: 0.0 };
         Self { rng, size, links: vec![ground], poses: vec![pose], points: Vec::new(), slides: Vec::new() }
     }
@@ -47,7 +47,7 @@ impl Draft {
         self.poses.push(Pose { x, y, angle });
         // One link in four is massless.
         let mass = if self.rng.chance(0.25) { 0.0 } else { self.rng.range(0.2, 8.0) };
-        let mut link = Link { name: format!("link{id}"), mass, center: [0.0; 2], inertia: 0.0 };
+        let mut link = Link { name: format!("link{id}").into(), mass, center: [0.0; 2], inertia: 0.0 };
         if mass > 0.0 {
             link.center = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
             if self.rng.chance(0.8) {
@@ -56,7 +56,7 @@ impl Draft {
         }
         self.links.push(link);
         let at = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
-        self.points.push(Point { name: format!("E{id}"), places: vec![Place { link: id, at }] });
+        self.points.push(Point { name: format!("E{id}").into(), places: vec![Place { link: id, at }] });
         id
     }
 
@@ -64,7 +64,7 @@ impl Draft {
     pub(crate) fn pin(&mut self, a: LinkId, b: LinkId, world: [f64; 2]) -> PointId {
         let name = format!("P{}", self.points.len());
         let places = [a, b].map(|link| Place { link, at: self.poses[link].local(world) });
-        self.points.push(Point { name, places: places.to_vec() });
+        self.points.push(Point { name: name.into(), places: places.to_vec() });
         self.points.len() - 1
     }
 
@@ -109,7 +109,7 @@ impl Draft {
         let angle = normalized(direction - self.poses[on].angle);
         let tilt = normalized(self.poses[link].angle - direction);
         let name = format!("S{}", self.slides.len());
-        self.slides.push(Slide { name, link, on, point, through, angle, tilt });
+        self.slides.push(Slide { name: name.into(), link, on, point, through, angle, tilt });
         self.slides.len() - 1
     }
 }

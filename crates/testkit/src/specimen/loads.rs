@@ -36,7 +36,7 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
     for index in 0..draft.rng.below(3) {
         let link = moving(draft, mechanism);
         let value = value(draft, mechanism, draft.size, false);
-        mechanism.moments.push(Moment { name: format!("moment {index}"), link, value, brake: None });
+        mechanism.moments.push(Moment { name: format!("moment {index}").into(), link, value, brake: None });
     }
     for index in 0..draft.rng.below(3) {
         mechanism.springs.extend(spring(draft, mechanism, index));
@@ -77,7 +77,7 @@ fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
         }
         value => value,
     };
-    Force { name: format!("force {index}"), at, direction, value }
+    Force { name: format!("force {index}").into(), at, direction, value }
 }
 
 /// Stroke of a point along an axis, m.
@@ -138,7 +138,7 @@ fn spring(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Option<Spri
     let damping = if mechanism.motion.is_some() { draft.rng.range(0.0, 20.0) } else { 0.0 };
     let length = draft.rng.range(0.0, 1.0) * draft.size;
     let stiffness = draft.rng.range(10.0, 500.0) / draft.size;
-    (!common).then(|| Spring { name: format!("spring {index}"), ends, stiffness, length, damping })
+    (!common).then(|| Spring { name: format!("spring {index}").into(), ends, stiffness, length, damping })
 }
 
 fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
@@ -148,12 +148,13 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
     let (low, high) = (mechanism.input.from - 0.313_7, mechanism.input.from + 0.271_9);
     let during = draft.rng.chance(0.5).then_some([low, high]);
     Contact {
-        name: "contact".to_owned(),
+        name: "contact".into(),
         center,
         radius: draft.rng.range(0.0, 1.0) * draft.size,
         angle: Value::Constant(draft.rng.signed(0.0, 0.5)),
         force,
         friction: draft.rng.signed(0.0, 0.3),
+        against_sliding: false,
         during,
     }
 }

@@ -108,7 +108,11 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         },
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
-            Ok(csv::write(&header, found.analysis.checks.iter().map(row), false)?.into_bytes())
+            let checks = &found.analysis.checks;
+            let words: Vec<_> =
+                checks.iter().map(|check| [&check.name, &check.place].map(ToString::to_string)).collect();
+            let rows = checks.iter().zip(&words).map(|(check, words)| row(check, words));
+            Ok(csv::write(&header, rows, false)?.into_bytes())
         }
         (View::Working, ..) => Err("the working is a text; name a file that ends in .txt".into()),
         (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
@@ -124,11 +128,11 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
 }
 
 /// A check as a row; the last cell is empty where the check is not conclusive.
-fn row(check: &Check) -> [Cell<'_>; 6] {
+fn row<'a>(check: &Check, [name, place]: &'a [String; 2]) -> [Cell<'a>; 6] {
     let ok = check.verdict().map_or(Cell::Empty, |ok| Cell::Text(if ok { "true" } else { "false" }));
     let at = check.at.map_or(Cell::Empty, |at| Cell::Number(at as f64));
     let [residual, limit] = [check.residual, check.limit].map(number);
-    [Cell::Text(check.name), residual, limit, Cell::Text(&check.place), at, ok]
+    [Cell::Text(name), residual, limit, Cell::Text(place), at, ok]
 }
 
 /// A number; an empty cell where it is not determined.

@@ -36,7 +36,7 @@ pub(crate) fn text(state: &State, scene: &Scene) -> String {
     let words = state.words();
     let add = |id: &str| words.with(id, &[("key", state.keys.first("reload"))]);
     match (state.view, reason) {
-        (View::Motion | View::Drive, Some(reason)) => not_found(state, reason),
+        (View::Motion | View::Drive, Some(reason)) => not_found(state, &reason.to_string()),
         (View::Forces | View::Plans, None) if is_transient => words.get("forces-over-time"),
         (View::Forces | View::Plans, Some(reason)) => format!("{}\n{reason}", words.get("no-forces-found")),
         (View::Motion, None) => add("add-motion"),

@@ -69,7 +69,7 @@ fn parts(split: &Split, reaction: &Reaction) -> Vec<Part> {
 }
 
 fn part(share: &Share, reaction: &Reaction) -> Part {
-    let cause = share.cause.clone();
+    let cause = share.cause.to_string();
     if reaction.pair.is_empty() {
         return Part { cause, force: None, scalar: Some(share.balancing) };
     }

@@ -63,7 +63,7 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
     let residual = format!("{:.2e}", check.residual);
     let limit = format!("{:.2e}", check.limit);
-    let [name, place] = [check.name, check.place.as_str()].map(|text| state.words().shown(text));
+    let [name, place] = [&check.name, &check.place].map(|text| state.words().shown(&text.to_string()));
     let cells = [&name, &residual, &limit, &place, &at];
     let columns = columns(area.width);
     for (text, (column, width)) in cells.into_iter().zip(columns) {

@@ -57,7 +57,14 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let part = state.keys.first("part");
     let more = format!("  ({part} {part}: whole)");
     let room = usize::from(area.width.saturating_sub(4)).saturating_sub(more.chars().count());
-    put(buffer, line, 1, 0, &format!("! {}{more}", cut(first, room)), state.look.theme.style(Role::Bad));
+    put(
+        buffer,
+        line,
+        1,
+        0,
+        &format!("! {}{more}", cut(&first.to_string(), room)),
+        state.look.theme.style(Role::Bad),
+    );
     rest
 }
 
@@ -165,7 +172,7 @@ fn places_and_motors(dynamics: &Dynamics) -> Vec<Line> {
         }
         lines.push((Role::Plain, String::new()));
         for warning in &motor.warnings {
-            let rows = wrapped(warning, 75);
+            let rows = wrapped(&warning.to_string(), 75);
             lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
         }
     }

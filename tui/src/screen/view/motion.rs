@@ -60,7 +60,7 @@ fn heading(state: &State, scene: &Scene, found: &Found) -> (Role, String) {
         return (Role::Header, unevenness(dynamics, found.analysis.input.angular));
     }
     match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
-        (Some(reason), _) => (Role::Bad, advice::not_found(state, reason).replace('\n', " ")),
+        (Some(reason), _) => (Role::Bad, advice::not_found(state, &reason.to_string()).replace('\n', " ")),
         (None, None) => (
             Role::Dim,
             "no [motion] in the scene, so J and Q alone; add it, with speed = \"60 rpm\"".to_owned(),

@@ -220,8 +220,10 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 /// The chosen step of a construction, with the sentence that explains it.
 fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> =
-        wrapped(&construction.title, width).into_iter().map(|line| (Role::Header, line)).collect();
+    let mut rows: Vec<(Role, String)> = wrapped(&construction.title.to_string(), width)
+        .into_iter()
+        .map(|line| (Role::Header, line))
+        .collect();
     let next = state.keys.first("next-step");
     rows.push((
         Role::Plain,
@@ -230,7 +232,7 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     let Some(step) = construction.steps.get(last) else { return };
     let size = digits(step.vector[0].hypot(step.vector[1]), 5);
     rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind, step.unit)));
-    rows.extend(wrapped(&step.note, width).into_iter().map(|line| (Role::Plain, line)));
+    rows.extend(wrapped(&step.note.to_string(), width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
 }
 
@@ -245,7 +247,7 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
             VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
-        Some(Vector { from, to, name: step.name.clone(), ink })
+        Some(Vector { from, to, name: step.name.to_string(), ink })
     };
     let vectors: Vec<Vector> = steps.filter_map(vector).collect();
     let symbol = match drawing {

@@ -79,7 +79,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
-        let name = words.shown(&linkage.structure.group_name(mechanism, index));
+        let name = words.shown(&linkage.structure.group_name(mechanism, index).to_string());
         lines.push((chosen, format!("{sign}{name}")));
         if let Some((health, at)) = scene.least_health(index) {
             let least = words.shown(&format!("least determinant {} at position {at}", digits(health, LEAST)));
@@ -100,8 +100,10 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     let links: Vec<&str> =
         group.frame.links.iter().map(|&link| linkage.mechanism.links[link].name.as_str()).collect();
     let names = |pairs: &[assur_group::Pair]| {
-        let names: Vec<&str> =
-            pairs.iter().map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id)).collect();
+        let names: Vec<&str> = pairs
+            .iter()
+            .map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id).as_str())
+            .collect();
         names.join(", ")
     };
     let mut lines = vec![

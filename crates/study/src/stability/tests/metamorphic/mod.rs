@@ -246,7 +246,7 @@ fn reordering_and_renaming_links_changes_their_order_only() {
         let mut other = mechanism.clone();
         other.links[1..].reverse();
         for (id, link) in other.links.iter_mut().enumerate().skip(1) {
-            link.name = format!("other{id}");
+            link.name = format!("other{id}").into();
         }
         let places = other.points.iter_mut().flat_map(|point| &mut point.places);
         places.for_each(|place| place.link = new(place.link));
@@ -270,11 +270,11 @@ fn a_massless_group_changes_nothing() {
         let mut more = mechanism.clone();
         let first = more.links.len();
         for name in ["idle1", "idle2"] {
-            more.links.push(Link { name: name.to_owned(), mass: 0.0, center: [0.0; 2], inertia: 0.0 });
+            more.links.push(Link { name: name.into(), mass: 0.0, center: [0.0; 2], inertia: 0.0 });
         }
         let mut pin = |name: &str, a: (usize, [f64; 2]), b: (usize, [f64; 2])| {
             let places = [a, b].map(|(link, at)| Place { link, at }).to_vec();
-            more.points.push(Point { name: name.to_owned(), places });
+            more.points.push(Point { name: name.into(), places });
         };
         pin("idleA", (GROUND, [5.0, 5.0]), (first, [0.0, 0.0]));
         pin("idleB", (GROUND, [6.0, 5.0]), (first + 1, [0.0, 0.0]));

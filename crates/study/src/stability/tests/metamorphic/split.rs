@@ -17,11 +17,16 @@ fn split(mechanism: &Mechanism, link: usize, place: [f64; 2]) -> Mechanism {
         let at = [whole.center[0] + side * along[0], whole.center[1] + side * along[1]];
         let half = two.links.len();
         let mass = 0.5 * whole.mass;
-        two.links.push(Link { name: name.to_owned(), mass, center: [0.0; 2], inertia: 0.0 });
-        two.links.push(Link { name: format!("{name} rod"), mass: 0.0, center: [0.0; 2], inertia: 0.0 });
+        two.links.push(Link { name: name.into(), mass, center: [0.0; 2], inertia: 0.0 });
+        two.links.push(Link {
+            name: format!("{name} rod").into(),
+            mass: 0.0,
+            center: [0.0; 2],
+            inertia: 0.0,
+        });
         let mut pin = |name: String, a: (usize, [f64; 2]), b: (usize, [f64; 2])| {
             let places = [a, b].map(|(link, at)| Place { link, at }).to_vec();
-            two.points.push(Point { name, places });
+            two.points.push(Point { name: name.into(), places });
         };
         pin(format!("{name} mass"), (link, at), (half, [0.0; 2]));
         // So long that they reach wherever the link goes.

@@ -1,0 +1,103 @@
+//! Names of links, points, pairs and loads.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Deref;
+
+use assur_words::{Text, name, text};
+use serde::{Serialize, Serializer};
+
+/// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
+///
+/// As a string it is English: what results are found by.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Name {
+    english: String,
+    text: Text,
+}
+
+impl Name {
+    /// The name of the fixed link.
+    pub fn ground() -> Self {
+        text!("mechanism-ground").into()
+    }
+
+    /// The name in English.
+    pub fn as_str(&self) -> &str {
+        &self.english
+    }
+}
+
+impl Deref for Name {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.english
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.english)
+    }
+}
+
+impl Serialize for Name {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.english)
+    }
+}
+
+impl PartialEq<str> for Name {
+    fn eq(&self, other: &str) -> bool {
+        self.english == other
+    }
+}
+
+impl PartialEq<&str> for Name {
+    fn eq(&self, other: &&str) -> bool {
+        self.english == *other
+    }
+}
+
+impl From<Text> for Name {
+    fn from(text: Text) -> Self {
+        Self { english: text.to_string(), text }
+    }
+}
+
+impl From<&str> for Name {
+    fn from(given: &str) -> Self {
+        name(given.to_owned()).into()
+    }
+}
+
+impl From<String> for Name {
+    fn from(given: String) -> Self {
+        name(given).into()
+    }
+}
+
+impl From<&Name> for Text {
+    fn from(name: &Name) -> Self {
+        name.text.clone()
+    }
+}
+
+impl From<Name> for Text {
+    fn from(name: Name) -> Self {
+        name.text
+    }
+}
+
+impl From<Name> for Cow<'static, str> {
+    fn from(name: Name) -> Self {
+        Self::Owned(name.english)
+    }
+}
+
+impl From<Name> for String {
+    fn from(name: Name) -> Self {
+        name.english
+    }
+}
