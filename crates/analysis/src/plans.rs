@@ -219,7 +219,7 @@ impl Shares {
     fn add(&mut self, row: usize, shares: &[Share]) {
         let mut names: Vec<Name> = Vec::new();
         for share in shares {
-            let mut name = share.cause.clone();
+            let mut name = Name::from(share.cause.clone());
             // A load may be called `weight` too.
             while names.contains(&name) {
                 name = text!("analysis-load-named", name = name).into();

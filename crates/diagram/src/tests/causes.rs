@@ -51,7 +51,7 @@ fn causes_are_named_weight_inertia_and_loads() {
     let found =
         split(&linkage, &solved(&linkage, 1.0), &loads, &state(&linkage, 1.0), analyzer("longitudinal"))
             .unwrap();
-    let causes: Vec<_> = found.shares.iter().map(|share| share.cause.as_str()).collect();
+    let causes: Vec<_> = found.shares.iter().map(|share| share.cause.to_string()).collect();
     assert_eq!(causes, ["weight", "inertia", "stamp", "pull", "brake", "twist"]);
     // A moment on the rocker alone leaves no force on it but the couple of its two pins.
     let brake = &found.shares[4].reactions;

@@ -37,7 +37,8 @@ fn a_share_of_a_multiple_joint_is_not_called_by_the_whole_reaction() {
     let loads = Loads::compile(&linkage).unwrap();
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(2));
     let found = sheet(&linkage, &loads, &state, true, find("groups").unwrap()).unwrap();
-    let names: Vec<_> = found.polygons.iter().flat_map(|plan| &plan.items).map(|v| v.name.as_str()).collect();
+    let names: Vec<_> =
+        found.polygons.iter().flat_map(|plan| &plan.items).map(|v| v.name.to_string()).collect();
     assert!(names.iter().any(|name| name.starts_with("R(B from ")), "{names:?}");
-    assert!(!names.contains(&"R(B)") && names.contains(&"R(C)"), "{names:?}");
+    assert!(!names.iter().any(|name| name == "R(B)") && names.iter().any(|name| name == "R(C)"), "{names:?}");
 }

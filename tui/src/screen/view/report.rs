@@ -1,5 +1,6 @@
 //! Long texts that are scrolled: the report on the methods, and the working of the position.
 
+use assur_words::{name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -26,13 +27,13 @@ pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
 fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     if let Some(running) = state.measuring() {
-        let count = if running.count.is_empty() { "measuring ..." } else { &running.count };
-        let text = format!("{count}   ({} stops)", state.keys.first("close"));
-        put(buffer, area, 1, 0, &text, theme.style(Role::Header));
+        let measuring = text!("accuracy-measuring");
+        let count = if running.count.is_empty() { &measuring } else { &running.count };
+        let text = text!("accuracy-stops", count = count, key = name(state.keys.first("close")));
+        put(buffer, area, 1, 0, &state.told(text), theme.style(Role::Header));
     } else if state.measured.is_none() {
-        let measure = state.keys.first("measure");
-        let text = format!("{measure} measures every method here: speed, accuracy, stability (some seconds)");
-        put(buffer, area, 1, 1, &text, theme.style(Role::Plain));
+        let text = text!("accuracy-starts", key = name(state.keys.first("measure")));
+        put(buffer, area, 1, 1, &state.told(text), theme.style(Role::Plain));
     }
 }
 
