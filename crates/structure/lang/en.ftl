@@ -1,5 +1,5 @@
 structure-group = group { $number } ({ $kind } { $links })
-structure-links = { $count -> [one] link *[other] links } { $links }
+structure-links-named = { $count -> [one] link *[other] links } { $links }
 structure-pairs = { $count -> [one] pair *[other] pairs } { $pairs }
 structure-some = { $names } ... ({ $shown } of { $total } shown)
 structure-loose = mobility { $mobility } ({ $formula }), but one input moves the mechanism: { $links } can still move while the input is fixed{ $also }; join { $count -> [one] it *[other] them } to another link by one more pair, or leave out what hangs there

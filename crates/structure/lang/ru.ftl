@@ -1,5 +1,5 @@
 structure-group = группа { $number } ({ $kind } { $links })
-structure-links = { $count -> [one] звено *[other] звенья } { $links }
+structure-links-named = { $count -> [one] звено *[other] звенья } { $links }
 structure-pairs = { $count -> [one] пара *[other] пары } { $pairs }
 structure-some = { $names } ... (показано { $shown } из { $total })
 structure-loose = подвижность { $mobility } ({ $formula }), а механизм движет один вход: { $links } { $count -> [one] может *[other] могут } двигаться при неподвижном входе{ $also }; присоедините { $count -> [one] его *[other] их } к другому звену ещё одной парой или уберите то, что там висит

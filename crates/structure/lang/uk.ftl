@@ -1,5 +1,5 @@
 structure-group = група { $number } ({ $kind } { $links })
-structure-links = { $count -> [one] ланка *[other] ланки } { $links }
+structure-links-named = { $count -> [one] ланка *[other] ланки } { $links }
 structure-pairs = { $count -> [one] пара *[other] пари } { $pairs }
 structure-some = { $names } ... (показано { $shown } з { $total })
 structure-loose = рухомість { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count -> [one] може *[other] можуть } рухатися при нерухомому вході{ $also }; приєднайте { $count -> [one] її *[other] їх } до іншої ланки ще однією парою або приберіть те, що там висить

@@ -82,7 +82,7 @@ fn some(names: &[String], quote: &str) -> Text {
 }
 
 fn links_named(links: &[String]) -> Text {
-    text!("structure-links", count = links.len(), links = some(links, "`"))
+    text!("structure-links-named", count = links.len(), links = some(links, "`"))
 }
 
 assur_words::errors!(StructureError);
