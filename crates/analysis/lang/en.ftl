@@ -35,12 +35,21 @@ analysis-order-rest = whether a point is at rest on which a load acts against th
 analysis-order-power = the virtual power of loads and masses
 analysis-order-forces = the force analysis
 analysis-other-mobility = Chebyshev's formula counts mobility { $counted }, but in the first position the constraints leave { $found }: it is a singular position (links in one line, or parallel guides), or some constraints repeat others there
-analysis-positions = { $count -> [one] position *[other] positions } { $numbers }{ $more }
+analysis-positions = { $count ->
+        [one] position
+       *[other] positions
+    } { $numbers }{ $more }
 analysis-and-more = {" "}and { $more } more
 analysis-lost = the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group coincide there and its reactions are not determined
 analysis-no-reactions = No reactions in { $positions }: { analysis-lost }.
-analysis-no-reactions-of-samples = No reactions at { $count -> [one] { $count } sample *[other] { $count } samples } of the motion: { analysis-lost }.
-analysis-no-forces = No forces at { $count -> [one] { $count } sample *[other] { $count } samples } of the motion; at the first: { $reason }.
+analysis-no-reactions-of-samples = No reactions at { $count ->
+        [one] { $count } sample
+       *[other] { $count } samples
+    } of the motion: { analysis-lost }.
+analysis-no-forces = No forces at { $count ->
+        [one] { $count } sample
+       *[other] { $count } samples
+    } of the motion; at the first: { $reason }.
 analysis-unrest = The motion does not come to rest for good ({ $why }); it ends at its first turning point, as with `until = "turn"`.
 analysis-other-mean-speed = The requested mean speed of { $wanted } is not met: with the given ratio it is { $found }. Power, flywheel and the course are those of the regime found.
 analysis-other-mean-speed-by-moment = The requested mean speed of { $wanted } is not met: with the given moment it is { $found }. Power, flywheel and the course are those of the regime found.
@@ -52,8 +61,14 @@ analysis-integrator-unused = Integrator `{ $method }` is not used: the scene ask
 analysis-step-unused = `step` of [motion] is not used: integrator `{ $method }` chooses its steps by the tolerance; methods with a fixed step: { $fixed }.
 analysis-load-idle = Load `{ $load }` never acts: its value is zero in every position (a table or formula that is zero over the cycle, or a load against the motion of what always rests).
 analysis-moment-idle = Moment `{ $load }` does no work: link `{ $link }` does not turn, so reactions alone carry it.
-analysis-before-time-zero = The prescribed motion passes { $count -> [one] { $count } position *[other] { $count } positions } before time 0, which is that of the first position: loads over time take there what they have at negative times.
-analysis-never-reached = The prescribed motion never reaches { $count -> [one] { $count } position *[other] { $count } positions }: it turns back before; loads over time take there the time of the turning point.
+analysis-before-time-zero = The prescribed motion passes { $count ->
+        [one] { $count } position
+       *[other] { $count } positions
+    } before time 0, which is that of the first position: loads over time take there what they have at negative times.
+analysis-never-reached = The prescribed motion never reaches { $count ->
+        [one] { $count } position
+       *[other] { $count } positions
+    }: it turns back before; loads over time take there the time of the turning point.
 analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
 analysis-change-points = Change points, where two ways of assembly meet: { $places }. A real mechanism may go on in either way there; calculated is the smooth motion.
 analysis-interpolated = In { $positions } the equations of the group say nothing or little (0/0): the motion there is interpolated from both sides.
@@ -61,8 +76,14 @@ analysis-place = { $place } ({ $group })
 analysis-place-of-several = { $place } ({ $group } and { $more } more)
 analysis-barrier = Behind { $end } { $group } can't be assembled ({ $gap }): the motion from the first position ends there.
 analysis-misses = it misses by { $gap } or more
-analysis-turning-back = { $count -> [one] Position { $numbers } is *[other] Positions { $numbers } are } reached by turning back only.
-analysis-other-motion = { $count -> [one] Position { $numbers } is a place *[other] Positions { $numbers } are places } of the mechanism, but not of that motion.
+analysis-turning-back = { $count ->
+        [one] Position { $numbers } is
+       *[other] Positions { $numbers } are
+    } reached by turning back only.
+analysis-other-motion = { $count ->
+        [one] Position { $numbers } is a place
+       *[other] Positions { $numbers } are places
+    } of the mechanism, but not of that motion.
 analysis-run = { $first } to { $last }
 analysis-poles = Links run through infinity, since guides turn parallel: { $places }. No mechanism gets from one side to the other; positions on both are calculated.
 analysis-residual-group = group { $number }

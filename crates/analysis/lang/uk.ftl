@@ -35,12 +35,21 @@ analysis-order-rest = чи перебуває в спокої точка, на �
 analysis-order-power = можлива потужність навантажень і мас
 analysis-order-forces = силовий аналіз
 analysis-other-mobility = За формулою Чебишова рухомість { $counted }, але в першому положенні в’язі залишають { $found }: це особливе положення (ланки на одній прямій або паралельні напрямні) або деякі в’язі там повторюють інші
-analysis-positions = { $count -> [one] положення *[other] положення } { $numbers }{ $more }
+analysis-positions = { $count ->
+        [one] положення
+       *[other] положення
+    } { $numbers }{ $more }
 analysis-and-more = {" "}та ще { $more }
 analysis-lost = механізм стоїть у точці зміни збірки (визначник групи менший за 10⁻⁵): в’язі групи там збігаються, і її реакції не визначені
 analysis-no-reactions = Реакцій немає ({ $positions }): { analysis-lost }.
-analysis-no-reactions-of-samples = Реакцій немає { $count -> [one] в { $count } точці *[other] у { $count } точках } руху: { analysis-lost }.
-analysis-no-forces = Сил немає { $count -> [one] в { $count } точці *[other] у { $count } точках } руху; у першій: { $reason }.
+analysis-no-reactions-of-samples = Реакцій немає { $count ->
+        [one] в { $count } точці
+       *[other] у { $count } точках
+    } руху: { analysis-lost }.
+analysis-no-forces = Сил немає { $count ->
+        [one] в { $count } точці
+       *[other] у { $count } точках
+    } руху; у першій: { $reason }.
 analysis-unrest = Рух не зупиняється остаточно ({ $why }); він закінчується в першій точці повороту, як за `until = "turn"`.
 analysis-other-mean-speed = Задана середня швидкість { $wanted } не досягається: за заданого передаточного відношення вона { $found }. Потужність, маховик і хід відповідають знайденому режиму.
 analysis-other-mean-speed-by-moment = Задана середня швидкість { $wanted } не досягається: за заданого моменту вона { $found }. Потужність, маховик і хід відповідають знайденому режиму.
@@ -52,8 +61,14 @@ analysis-integrator-unused = Інтегратор `{ $method }` не викор�
 analysis-step-unused = `step` у [motion] не використано: інтегратор `{ $method }` вибирає кроки за допуском; методи зі сталим кроком: { $fixed }.
 analysis-load-idle = Навантаження `{ $load }` ніколи не діє: його значення нульове в кожному положенні (таблиця чи формула, нульова за весь цикл, або навантаження проти руху того, що завжди в спокої).
 analysis-moment-idle = Момент `{ $load }` не виконує роботи: ланка `{ $link }` не повертається, тому його сприймають самі реакції.
-analysis-before-time-zero = Заданий рух проходить { $count -> [one] { $count } положення *[other] { $count } положень } до моменту часу 0, що відповідає першому положенню: навантаження за часом мають там значення для від’ємного часу.
-analysis-never-reached = Заданий рух не досягає { $count -> [one] { $count } положення *[other] { $count } положень }: він повертає назад раніше; навантаження за часом мають там час точки повороту.
+analysis-before-time-zero = Заданий рух проходить { $count ->
+        [one] { $count } положення
+       *[other] { $count } положень
+    } до моменту часу 0, що відповідає першому положенню: навантаження за часом мають там значення для від’ємного часу.
+analysis-never-reached = Заданий рух не досягає { $count ->
+        [one] { $count } положення
+       *[other] { $count } положень
+    }: він повертає назад раніше; навантаження за часом мають там час точки повороту.
 analysis-spring-without-direction = Кінці пружини `{ $spring }` збігаються ({ $positions }): вона не має там напрямку і не дає сили, хоча її вільна довжина { $length }; розташуйте один кінець в іншому місці.
 analysis-change-points = Точки зміни збірки, де сходяться два способи збірки: { $places }. Реальний механізм може рухатися там далі будь-яким із них; розраховано плавний рух.
 analysis-interpolated = У цих положеннях група особлива, її рівняння мають вигляд 0/0, і рух інтерпольовано з обох боків: { $positions }.
@@ -61,8 +76,14 @@ analysis-place = { $place } ({ $group })
 analysis-place-of-several = { $place } ({ $group } та ще { $more })
 analysis-barrier = Далі ніж { $end } { $group } не збирається ({ $gap }): рух із першого положення там закінчується.
 analysis-misses = бракує { $gap } або більше
-analysis-turning-back = { $count -> [one] Положення { $numbers } досягається *[other] Положення { $numbers } досягаються } лише поверненням назад.
-analysis-other-motion = { $count -> [one] Положення { $numbers } належить *[other] Положення { $numbers } належать } механізму, але не цьому рухові.
+analysis-turning-back = { $count ->
+        [one] Положення { $numbers } досягається
+       *[other] Положення { $numbers } досягаються
+    } лише поверненням назад.
+analysis-other-motion = { $count ->
+        [one] Положення { $numbers } належить
+       *[other] Положення { $numbers } належать
+    } механізму, але не цьому рухові.
 analysis-run = { $first }–{ $last }
 analysis-poles = Ланки проходять через нескінченність, бо напрямні стають паралельними: { $places }. Жоден механізм не переходить з одного боку на інший; розраховано положення з обох боків.
 analysis-residual-group = група { $number }

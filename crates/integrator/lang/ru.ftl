@@ -14,7 +14,11 @@ integrator-bad-request = недопустимый запрос: { $fault }
 integrator-unsupported = интегратор `{ $method }` не подходит для этого уравнения: { $reason }
 integrator-no-method = ни один из скомпонованных интеграторов не подходит для этого уравнения ({ $equation })
 integrator-step-too-small = движение не удаётся проследить дальше чем { $state }: допуск требует шагов меньше { $step } с; увеличьте его или найдите нагрузку или инерцию, которая там неограниченно растёт
-integrator-too-many-steps = движение дошло до { $state } за { $steps -> [one] { $steps } шаг [few] { $steps } шага *[many] { $steps } шагов }, больше не делается; последний шаг { $step } с; { $advice }
+integrator-too-many-steps = движение дошло до { $state } за { $steps ->
+        [one] { $steps } шаг
+        [few] { $steps } шага
+       *[many] { $steps } шагов
+    }, больше не делается; последний шаг { $step } с; { $advice }
 integrator-advice-stiff = уравнение, вероятно, жёсткое (h·λ = { $product }: шаг ограничивает устойчивость, а не точность): возьмите `radau5`
 integrator-advice-not-stiff = оно не похоже на жёсткое (h·λ = { $product }): { integrator-advice }
 integrator-advice = увеличьте допуск, разрешите больше шагов (`max_steps`) или закончите движение раньше (`until`)

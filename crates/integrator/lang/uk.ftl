@@ -14,7 +14,11 @@ integrator-bad-request = неприпустимий запит: { $fault }
 integrator-unsupported = інтегратор `{ $method }` не підходить для цього рівняння: { $reason }
 integrator-no-method = жоден зі скомпонованих інтеграторів не підходить для цього рівняння ({ $equation })
 integrator-step-too-small = рух не вдається простежити далі ніж { $state }: допуск потребує кроків, менших за { $step } с; збільште його або знайдіть навантаження чи інерцію, що там необмежено зростає
-integrator-too-many-steps = рух дійшов до { $state } за { $steps -> [one] { $steps } крок [few] { $steps } кроки *[many] { $steps } кроків }, більше не робиться; останній крок { $step } с; { $advice }
+integrator-too-many-steps = рух дійшов до { $state } за { $steps ->
+        [one] { $steps } крок
+        [few] { $steps } кроки
+       *[many] { $steps } кроків
+    }, більше не робиться; останній крок { $step } с; { $advice }
 integrator-advice-stiff = рівняння, імовірно, жорстке (h·λ = { $product }: крок обмежує стійкість, а не точність): візьміть `radau5`
 integrator-advice-not-stiff = воно не схоже на жорстке (h·λ = { $product }): { integrator-advice }
 integrator-advice = збільште допуск, дозвольте більше кроків (`max_steps`) або завершіть рух раніше (`until`)
