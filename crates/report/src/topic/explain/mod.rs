@@ -66,9 +66,9 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
             _ => None,
         };
         let [summary, singular, source] =
-            [group.plugin.summary, group.plugin.singular, group.plugin.source].map(name);
+            [&group.plugin.summary, &group.plugin.singular, &group.plugin.source].map(Text::from);
         let parts = [summary, text!("explain-singular-at", place = singular), source].into_iter().chain(left);
-        item(page, name(structure.group_name(mechanism, index)), joined("; ", parts));
+        item(page, structure.group_name(mechanism, index), joined("; ", parts));
     }
 }
 
