@@ -322,6 +322,7 @@ regime-course = regime
 regime-first-turn = first turn
 regime-moments = moments on the input, N m
 regime-motor = motor
+regime-driving-loads = driving loads
 regime-resistance = resistance
 regime-mean = mean
 regime-whole = whole

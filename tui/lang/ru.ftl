@@ -300,6 +300,7 @@ regime-course = режим
 regime-first-turn = первый оборот
 regime-moments = моменты на входном звене, Н·м
 regime-motor = двигатель
+regime-driving-loads = движущие нагрузки
 regime-resistance = сопротивление
 regime-mean = среднее
 regime-whole = вся

@@ -299,6 +299,7 @@ regime-course = режим
 regime-first-turn = перший оберт
 regime-moments = моменти на вхідній ланці, Н·м
 regime-motor = двигун
+regime-driving-loads = рушійні навантаження
 regime-resistance = опір
 regime-mean = середнє
 regime-whole = уся

@@ -1,10 +1,11 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
+mod contact;
 mod loads;
 
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{Mechanism, Motion, Range};
 
 use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
@@ -23,6 +24,8 @@ impl Calculation {
         notes.extend(self.regime_notes());
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
+        notes.extend(self.listed_against_the_motion());
+        notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             let unrest = found.unrest.as_ref();
             notes.extend(unrest.map(|why| {
@@ -46,6 +49,30 @@ impl Calculation {
             ));
         }
         notes
+    }
+
+    /// A list of places that the prescribed motion passes in the opposite order.
+    fn listed_against_the_motion(&self) -> Option<String> {
+        let input = &self.linkage.mechanism.input;
+        let (Range::To(to), Some(Motion::Prescribed { speed, .. })) =
+            (input.range, &self.linkage.mechanism.motion)
+        else {
+            return None;
+        };
+        let [from, to] = [input.from, to].map(|at| {
+            if self.linkage.angular() {
+                format!("{:.6} deg", at.to_degrees())
+            } else {
+                format!("{:.6} mm", 1e3 * at)
+            }
+        });
+        let other = if input.sign() > 0.0 { "cw" } else { "ccw" };
+        (speed * (input.coordinate(input.positions.saturating_sub(1)) - input.from) < 0.0).then(|| {
+            format!(
+                "The positions are listed from {from} to {to}, and the input moves the other way: arrows of velocities point \
+                 against the order of the positions. With `direction = \"{other}\"` in [input] the motion follows the list."
+            )
+        })
     }
 
     /// Requirements on a regime that are not met, and whether its loads drive.
@@ -97,6 +124,10 @@ impl Listed {
         if self.first.len() < Self::MOST {
             self.first.push(number);
         }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.count
     }
 
     pub(crate) fn is_empty(&self) -> bool {

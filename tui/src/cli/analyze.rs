@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
-use assur_report::{csv, json, parquet, text as report};
+use assur_parquet as parquet;
+use assur_report::{csv, json, text as report};
 use assur_words::{name, text};
 
 use super::args::AnalyzeArgs;

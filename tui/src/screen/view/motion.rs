@@ -113,7 +113,9 @@ pub(super) fn numbers(state: &State, analysis: &Analysis) -> Vec<(Role, String)>
         "fact-excess-work",
         "fact-dynamic-unevenness",
         "fact-driving-moment",
+        "fact-braking-moment",
         "fact-required-power",
+        "fact-power-taken",
     ];
     let facts = regime_facts(analysis).into_iter().filter(|fact| shown.contains(&fact.id));
     let lines = facts.flat_map(|fact| {
