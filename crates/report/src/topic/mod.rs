@@ -171,7 +171,9 @@ fn remarks(source: &Source<'_>, page: &mut Document) {
     for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
         if !lines.is_empty() {
             page.heading(heading);
-            lines.into_iter().for_each(|line| page.paragraph(line));
+            for line in lines {
+                page.paragraph(line);
+            }
         }
     }
 }

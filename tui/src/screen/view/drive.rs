@@ -46,7 +46,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             put_lines(buffer, area, 1, state, &left);
             let wide = left.iter().map(|(_, line)| line.width() + 3).max();
             let right = short(wide.unwrap_or_default().max(RIGHT));
-            put_lines(buffer, area, right, state, &numbers(state, dynamics, angular));
+            put_lines(buffer, area, right, state, &numbers(state, &found.analysis));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 paint(state, &figure(state, scene, 2), below, buffer);

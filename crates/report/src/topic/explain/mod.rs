@@ -45,7 +45,9 @@ pub fn explain(
         (text!("explain-not-modelled"), not_modelled(mechanism)),
     ] {
         page.heading(heading);
-        remarks.into_iter().for_each(|Remark { what, how }| item(page, what, how));
+        for Remark { what, how } in remarks {
+            item(page, what, how);
+        }
     }
 }
 
