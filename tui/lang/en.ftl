@@ -600,7 +600,7 @@ say-setting = `{ $setting }` takes { $allowed }, not `{ $value }`
 setting-range = { $from } to { $to }
 say-not-found = `{ $text }` was not found
 say-too-long = no more than { $most } bytes are taken; the rest was left out
-say-motors = `:motors` wants a power and a speed, such as :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` wants a power and a speed, such as `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = the scene has no drive with a motor: add motor = "auto" to [drive]
 say-no-regime = no regime is found, so the needed power is not known
 say-motor-by-data = the scene gives data of its motor: write { $key } = "{ $motor }" instead

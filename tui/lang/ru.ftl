@@ -578,7 +578,7 @@ say-setting = `{ $setting }` принимает { $allowed }, а не `{ $value 
 setting-range = от { $from } до { $to }
 say-not-found = `{ $text }` не найдено
 say-too-long = берётся не более { $most } байтов; остальное отброшено
-say-motors = `:motors` требует мощности и скорости, например :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` требует мощности и скорости, например `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = у сцены нет привода с двигателем: добавьте motor = "auto" в [drive]
 say-no-regime = режим не найден, поэтому потребная мощность неизвестна
 say-motor-by-data = сцена задаёт данные своего двигателя: запишите вместо них { $key } = "{ $motor }"

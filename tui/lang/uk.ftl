@@ -577,7 +577,7 @@ say-setting = `{ $setting }` приймає { $allowed }, а не `{ $value }`
 setting-range = від { $from } до { $to }
 say-not-found = `{ $text }` не знайдено
 say-too-long = береться не більше { $most } байтів; решту відкинуто
-say-motors = `:motors` потребує потужності та швидкості, наприклад :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` потребує потужності та швидкості, наприклад `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = сцена не має привода з двигуном: додайте motor = "auto" до [drive]
 say-no-regime = режиму не знайдено, тому потрібна потужність невідома
 say-motor-by-data = сцена задає дані свого двигуна: запишіть натомість { $key } = "{ $motor }"
