@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
 use assur_report::{csv, json, parquet, text as report};
-use assur_words::{name, text};
+use assur_words::text;
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     };
     drop(line);
     for note in &analysis.notes {
-        style.tell(text!("cli-note", note = name(note.clone())));
+        style.tell(text!("cli-note", note = note));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
         style.tell(text!("cli-parquet-motion"));

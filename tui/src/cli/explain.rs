@@ -26,7 +26,13 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
     let equation = method_of_motion(&mechanism, structure.clone(), &options)
         .map_err(|error| scene::fault(path, &error))?;
-    let text = assur_report::explain(&mechanism, &structure, &plan, &methods, equation.as_deref());
+    let text = assur_report::explain(
+        &mechanism,
+        &structure,
+        &plan,
+        &methods,
+        equation.map(|text| text.to_string()).as_deref(),
+    );
     output::print(&style.text(&text))?;
     Ok(Status::Done)
 }

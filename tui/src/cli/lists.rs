@@ -22,16 +22,16 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
         rows.push([told(sort).as_str(), name, crate_name, summary].map(String::from).to_vec());
     };
     for plugin in assur_group::groups().map_err(Fault::other)? {
-        add("cli-plugin-group", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-group", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
     for plugin in assur_force::analyzers().map_err(Fault::other)? {
-        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
     for plugin in assur_integrator::integrators().map_err(Fault::other)? {
-        add("cli-plugin-integrator", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-integrator", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
     for plugin in catalogues().map_err(Fault::other)? {
-        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
     let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"].map(told);
     output::print(&columns(&head.each_ref().map(String::as_str), &rows, style.ascii))?;

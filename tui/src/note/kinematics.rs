@@ -98,7 +98,7 @@ pub(super) fn cells(
             };
             values.into_iter().map(move |value| (index, value))
         };
-        (table.schema().name(owner).into_owned(), quantities.iter().enumerate().flat_map(of).collect())
+        (table.schema().name(owner).to_string(), quantities.iter().enumerate().flat_map(of).collect())
     };
     let rows: Vec<(String, Vec<(usize, f64)>)> = owners.map(numbers).collect();
     let greatest = |index: usize| {

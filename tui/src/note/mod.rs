@@ -153,7 +153,12 @@ fn checks(context: &Context<'_>) -> Vec<Block> {
         };
         let size =
             |size: f64| if size == 0.0 { "0".to_owned() } else { words.number(&format!("{size:.1e}")) };
-        vec![words.phrase(check.name), size(check.residual), size(check.limit), words.get(verdict)]
+        vec![
+            words.phrase(&check.name.to_string()),
+            size(check.residual),
+            size(check.limit),
+            words.get(verdict),
+        ]
     });
     let head = ["check", "residual", "limit", "verdict"].map(|id| words.get(id));
     vec![
@@ -168,7 +173,7 @@ fn limits(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
     let mut blocks = vec![Block::Heading(words.get("model")), Block::Text(words.get("model-text"))];
     let notes = context.state.found().map(|found| found.analysis.notes.as_slice()).unwrap_or_default();
-    blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(note))));
+    blocks.extend(notes.iter().map(|note| Block::Text(words.phrase(&note.to_string()))));
     let poses = context.state.scene.as_ref().map(|scene| scene.poses.as_slice()).unwrap_or_default();
     let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
     let failed: Vec<String> = missing.map(|(position, _)| position.to_string()).collect();
@@ -187,10 +192,11 @@ fn lost(analysis: &Analysis, poses: &[Option<Position>], words: &Words) -> Vec<B
     let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
     let positions: Vec<String> = failures.iter().map(|failure| failure.index.to_string()).collect();
     let forces = failures.first().map(|first| {
-        let values = [("positions", positions.join(", ")), ("reason", words.phrase(&first.message))];
+        let values =
+            [("positions", positions.join(", ")), ("reason", words.phrase(&first.message.to_string()))];
         Block::Text(words.with("no-forces", &values))
     });
-    let motion = analysis.no_motion.as_ref().map(|why| Block::Text(words.phrase(why)));
+    let motion = analysis.no_motion.as_ref().map(|why| Block::Text(words.phrase(&why.to_string())));
     forces.into_iter().chain(motion).collect()
 }
 

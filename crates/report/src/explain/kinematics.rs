@@ -62,7 +62,7 @@ pub(super) fn transfer(structure: &Structure, plan: &Plan) -> Stage {
         0 => String::new(),
         number => format!(" of {}", count(number, "group")),
     };
-    let needed_for = plan.order_for.join("; ");
+    let needed_for = assur_words::joined("; ", plan.order_for.clone()).to_string();
     match plan.order {
         Order::Place => left_out(
             name,

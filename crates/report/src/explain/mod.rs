@@ -60,7 +60,7 @@ fn describe_structure(text: &mut String, mechanism: &Mechanism, structure: &Stru
             "{}; singular at: {}; {}{left}",
             group.plugin.summary, group.plugin.singular, group.plugin.source
         );
-        item(text, &structure.group_name(mechanism, index), &what);
+        item(text, &structure.group_name(mechanism, index).to_string(), &what);
     }
 }
 

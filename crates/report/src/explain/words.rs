@@ -23,7 +23,8 @@ pub(super) fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[boo
     /// More names would hide the rest of the sentence.
     const MOST: usize = 6;
     let left: Vec<_> = (0..chosen.len()).filter(|index| !chosen[*index]).collect();
-    let names: Vec<_> = left.iter().take(MOST).map(|&index| structure.group_name(mechanism, index)).collect();
+    let names: Vec<_> =
+        left.iter().take(MOST).map(|&index| structure.group_name(mechanism, index).to_string()).collect();
     let more = if left.len() > MOST { format!(" and {} more", left.len() - MOST) } else { String::new() };
     format!("{}{more}", names.join(", "))
 }

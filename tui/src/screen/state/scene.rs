@@ -217,7 +217,7 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let at = quantity(plain(factor * error.coordinate), unit);
     let place = text!("position-at", position = number(index), at = at);
     let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
-    let group = name(linkage.structure.group_name(&linkage.mechanism, error.group));
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     text!("say-misses", gap = gap, place = place, group = group)
 }
 

@@ -62,7 +62,7 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
-    let first = state.told(name(first.clone()));
+    let first = state.told(first.clone());
     put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.look.theme.style(Role::Bad));
     rest
 }
@@ -192,7 +192,7 @@ fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Line> {
     }
     lines.push((Role::Plain, String::new()));
     for warning in &motor.warnings {
-        let rows = wrapped(&state.told(name(warning.clone())), 75);
+        let rows = wrapped(&state.told(warning.clone()), 75);
         lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
     }
     lines
