@@ -391,7 +391,7 @@ structure-drawn = drawn: input link{ $groups } ({ $key }: next)
 structure-with-group = { "," } with group { $group }
 structure-least = least determinant { $determinant } at position { $position }
 structure-kind = class { $class }, type { $kind }, order { $order }
-structure-links = links: { $links }
+structure-view-links = links: { $links }
 structure-inner = inner pairs: { $pairs }
 structure-outer = outer pairs: { $pairs }
 structure-way = assembly: way { $way } of { $count }
@@ -445,7 +445,7 @@ say-setting = `{ $setting }` takes { $allowed }, not `{ $value }`
 setting-range = { $from } to { $to }
 say-not-found = `{ $text }` was not found
 say-too-long = no more than { $most } bytes are taken; the rest was left out
-say-motors = `:motors` wants a power and a speed, such as :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` wants a power and a speed, such as `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = the scene has no drive with a motor: add motor = "auto" to [drive]
 say-no-regime = no regime is found, so the needed power is not known
 say-motor-by-data = the scene gives data of its motor: write { $key } = "{ $motor }" instead

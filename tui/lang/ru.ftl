@@ -369,7 +369,7 @@ structure-drawn = на рисунке: входное звено{ $groups } ({ $
 structure-with-group = { "," } с группой { $group }
 structure-least = наименьший определитель { $determinant } в положении { $position }
 structure-kind = класс { $class }, вид { $kind }, порядок { $order }
-structure-links = звенья: { $links }
+structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }
 structure-outer = внешние пары: { $pairs }
 structure-way = сборка: способ { $way } из { $count }
@@ -423,7 +423,7 @@ say-setting = `{ $setting }` принимает { $allowed }, а не `{ $value 
 setting-range = от { $from } до { $to }
 say-not-found = `{ $text }` не найдено
 say-too-long = берётся не более { $most } байтов; остальное отброшено
-say-motors = `:motors` требует мощности и скорости, например :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` требует мощности и скорости, например `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = у сцены нет привода с двигателем: добавьте motor = "auto" в [drive]
 say-no-regime = режим не найден, поэтому потребная мощность неизвестна
 say-motor-by-data = сцена задаёт данные своего двигателя: запишите вместо них { $key } = "{ $motor }"

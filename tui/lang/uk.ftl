@@ -368,7 +368,7 @@ structure-drawn = на рисунку: вхідна ланка{ $groups } ({ $ke
 structure-with-group = { "," } з групою { $group }
 structure-least = найменший визначник { $determinant } у положенні { $position }
 structure-kind = клас { $class }, вид { $kind }, порядок { $order }
-structure-links = ланки: { $links }
+structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }
 structure-way = складання: спосіб { $way } з { $count }
@@ -422,7 +422,7 @@ say-setting = `{ $setting }` приймає { $allowed }, а не `{ $value }`
 setting-range = від { $from } до { $to }
 say-not-found = `{ $text }` не знайдено
 say-too-long = береться не більше { $most } байтів; решту відкинуто
-say-motors = `:motors` потребує потужності та швидкості, наприклад :motors 1.5 kW, 1500 rpm
+say-motors = `:motors` потребує потужності та швидкості, наприклад `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = сцена не має привода з двигуном: додайте motor = "auto" до [drive]
 say-no-regime = режиму не знайдено, тому потрібна потужність невідома
 say-motor-by-data = сцена задає дані свого двигуна: запишіть натомість { $key } = "{ $motor }"

@@ -24,9 +24,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let study = scene::study(scene, style)?;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new(style.language);
-    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
+    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
     let checks = study.checks(args.checked.checks.into(), &mut line.watch());
-    analysis.add_checks(checks.map_err(Fault::other)?);
+    analysis.add_checks(checks.map_err(Fault::told)?);
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;

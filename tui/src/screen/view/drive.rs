@@ -103,10 +103,11 @@ fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Line> {
         dynamics.flywheel.map(|inertia| text!("drive-flywheel", flywheel = told(inertia, 6, "kg m2")));
     lines.extend(ratio.into_iter().chain(flywheel).map(|text| (Role::Header, state.told(text))));
     let sizes = dynamics.flywheel_methods.iter().map(|row| {
-        let off = row.difference.map_or_else(Text::default, |part| {
-            joined(" ", [number(format_args!("{:+.2}", 1e2 * part)), name("%")])
-        });
-        (name(row.method.to_string()), joined("  ", [told(row.flywheel, 5, ""), off]))
+        let off = row
+            .difference
+            .map_or_else(String::new, |part| state.told(number(format_args!("{:+.2}", 1e2 * part))) + " %");
+        let size = state.told(told(row.flywheel, 5, ""));
+        (name(row.method.to_string()), name(format!("{size:>9} {off:>8}")))
     });
     lines.extend(aligned(state, sizes.collect()));
     if lines.is_empty() {

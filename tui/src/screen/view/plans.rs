@@ -3,7 +3,7 @@
 use assur_diagram::{Plan, PlanVector, construction_plan};
 use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, VectorKind};
-use assur_words::{Text, joined, name, number, quantity, text, unit};
+use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -61,7 +61,7 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
                 None => nothing(text!("plans-no-construction")),
             };
         }
-        (Err(error), _) => return nothing(name(error.to_string())),
+        (Err(error), _) => return nothing(error.describe()),
         (Ok(sheet), _) => sheet,
     };
     let plan = match state.part(View::Plans) {

@@ -119,7 +119,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     );
     let mut lines = vec![
         kind,
-        text!("structure-links", links = links),
+        text!("structure-view-links", links = links),
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
