@@ -3,7 +3,7 @@
 use assur_book::link_name;
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::Structure;
-use assur_words::{Text, list, name};
+use assur_words::{Text, list};
 
 /// Names of links.
 pub(super) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> Text {
