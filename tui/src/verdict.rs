@@ -7,7 +7,7 @@ use assur_analysis::results::{Analysis, Check, Failure};
 use assur_analysis::{AnalysisError, Calculation, lost_positions};
 use assur_kinematics::Linkage;
 use assur_report::json::analysis::finite;
-use assur_words::{Text, list, name, number, text};
+use assur_words::{Describe, Text, list, name, number, text};
 
 /// Most failures that are told in full; of the others only the numbers.
 const MOST: usize = 3;
@@ -31,7 +31,7 @@ impl Place for Nowhere {
     }
 
     fn error(&self, error: &AnalysisError) -> Text {
-        text!("cli-error", problem = name(error.to_string()))
+        text!("cli-error", problem = error.describe())
     }
 }
 
@@ -102,8 +102,8 @@ fn failures(failures: &[Failure], count: usize, place: &dyn Place) -> Vec<Text> 
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let placed = first.and_then(|key| place.at_key(key, message));
-        placed.unwrap_or_else(|| text!("cli-error", problem = name(message.clone())))
+        let placed = first.and_then(|key| place.at_key(key, &message.to_string()));
+        placed.unwrap_or_else(|| text!("cli-error", problem = message))
     };
     let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();
     if let Some(more) = count.checked_sub(MOST).filter(|more| *more > 0) {
@@ -125,9 +125,8 @@ fn no_motion(calculation: &Calculation, place: &dyn Place) -> Option<Text> {
 }
 
 fn checks(all: &[Check]) -> Vec<Text> {
-    let told = |id: &'static str, check: &Check, reason: &str| {
-        text!(id, check = name(check.name), reason = name(reason.to_owned()))
-    };
+    let told =
+        |id: &'static str, check: &Check, reason: &Text| text!(id, check = &check.name, reason = reason);
     let failed = all.iter().filter(|check| check.failed());
     let failed = failed.map(|check| told("verdict-failed", check, &check.reason));
     let open = all.iter().filter(|check| check.verdict().is_none());

@@ -6,7 +6,6 @@
 pub mod csv;
 mod fold;
 pub mod json;
-pub mod parquet;
 mod template;
 pub mod text;
 pub mod topic;

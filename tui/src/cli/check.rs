@@ -13,8 +13,8 @@ pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
     let study = scene::whole_study(&args.scene, style)?;
     let line = ProgressLine::new(style.language);
-    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
-    let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::other)?;
+    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
+    let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::told)?;
     drop(line);
     analysis.add_checks(checks);
     output::print(&text::checks(&analysis.checks, style.words()))?;

@@ -26,7 +26,6 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
     let equation = method_of_motion(&mechanism, structure.clone(), &options)
         .map_err(|error| scene::fault(path, &error))?;
-    let equation = equation.map(name);
     let words = style.words();
     let text = assur_report::text::explain(&mechanism, &structure, &plan, &methods, equation.as_ref(), words);
     output::print(&text)?;

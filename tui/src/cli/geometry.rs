@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use assur_mechanism::GROUND;
 use assur_report::{csv, json, text as report};
-use assur_words::{self as words, text};
+use assur_words::{self as words, Describe, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -46,7 +46,7 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,
         Err(error) => {
-            let (file, problem) = (words::name(path.display().to_string()), words::name(error.to_string()));
+            let (file, problem) = (words::name(path.display().to_string()), error.describe());
             style.tell(text!("cli-error-in", file = file, problem = problem));
             return Ok(Status::Failed);
         }

@@ -3,6 +3,7 @@
 use assur_force::{Cause, State};
 use assur_group::Order;
 use assur_mechanism::Contact;
+use assur_words::{Text, number, text};
 
 use super::Listed;
 use crate::Calculation;
@@ -12,7 +13,7 @@ const ROLLS: f64 = 1e-12;
 
 impl Calculation {
     /// Where a friction whose sign is given pushes with the sliding, and where one against the sliding has nothing to oppose.
-    pub(super) fn friction_of_contacts(&self) -> Vec<String> {
+    pub(super) fn friction_of_contacts(&self) -> Vec<Text> {
         let contacts = self.linkage.mechanism.contacts.iter().enumerate();
         contacts
             .filter(|(_, contact)| contact.friction != 0.0)
@@ -20,7 +21,7 @@ impl Calculation {
             .collect()
     }
 
-    fn friction(&self, id: usize, contact: &Contact) -> Option<String> {
+    fn friction(&self, id: usize, contact: &Contact) -> Option<Text> {
         let count = self.linkage.mechanism.input.positions;
         let (mut pushing, mut rolling, mut known) = (Listed::default(), Listed::default(), 0);
         for index in 0..count {
@@ -32,22 +33,17 @@ impl Calculation {
                 pushing.add(index);
             }
         }
-        let (name, words) = (&contact.name, rolling.words());
+        let name = Text::from(&contact.name);
         if contact.against_sliding && rolling.count() == known && known > 0 {
-            return Some(format!("The arc of `{name}` never slides, so that it has no friction."));
+            return Some(text!("analysis-arc-never-slides", contact = name));
         }
         if contact.against_sliding {
-            return (!rolling.is_empty()).then(|| {
-                format!("The arc of `{name}` rolls without sliding in {words}: its friction has the sense there that it has just after.")
-            });
+            return (!rolling.is_empty())
+                .then(|| text!("analysis-arc-rolls", contact = name, positions = rolling.words()));
         }
         (!pushing.is_empty()).then(|| {
-            format!(
-                "The friction of `{name}` pushes with the sliding in {}: its sign is the one given. With \
-                 `friction = {{ against_sliding = {} }}` it is found.",
-                pushing.words(),
-                contact.friction.abs()
-            )
+            let found = number(contact.friction.abs());
+            text!("analysis-friction-pushes", contact = name, positions = pushing.words(), friction = found)
         })
     }
 

@@ -2,6 +2,7 @@
 
 use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 use assur_motor::{FlywheelSize, RatedData};
+use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -158,7 +159,7 @@ pub struct MotorReport {
     pub runners_up: Vec<RunnerUp>,
     /// Warnings: values that the source does not give, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Text>,
 }
 
 /// How the motor works in the regime; speeds and torques of its own shaft.

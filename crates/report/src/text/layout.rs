@@ -176,10 +176,12 @@ impl Page<'_> {
         let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
         let (all, shown) = (count(blocks), count(&blocks[..blocks.len().min(most)]));
         let lines: Vec<_> = match blocks {
-            [] => vec![grid(keys.iter().collect(), rows)],
-            blocks => {
-                blocks.iter().take(most).map(|block| grid(keys.iter().chain(block).collect(), rows)).collect()
-            }
+            [] => vec![grid(&keys.iter().collect::<Vec<_>>(), rows)],
+            blocks => blocks
+                .iter()
+                .take(most)
+                .map(|block| grid(&keys.iter().chain(block).collect::<Vec<_>>(), rows))
+                .collect(),
         };
         self.text += &lines.join("\n");
         let mut shortened = |text: Text| self.text.extend([self.style.line(&text).as_str(), "\n"]);
@@ -218,7 +220,7 @@ fn total(columns: &[Ready]) -> usize {
 }
 
 /// Heads, units, a line, and rows.
-fn grid(columns: Vec<&Ready>, rows: usize) -> String {
+fn grid(columns: &[&Ready], rows: usize) -> String {
     let mut text = String::new();
     let mut line = |cell: &dyn Fn(&Ready) -> String| {
         let mut line = String::new();
@@ -252,7 +254,7 @@ pub fn columns(head: &[&str], rows: &[Vec<String>], ascii: bool) -> String {
         Ready { head, unit: String::new(), cells, width, right }
     };
     let all: Vec<_> = head.iter().enumerate().map(column).collect();
-    grid(all.iter().collect(), rows.len())
+    grid(&all.iter().collect::<Vec<_>>(), rows.len())
 }
 
 /// Broken into lines of the report's width; all but the first are indented by `indent` columns.

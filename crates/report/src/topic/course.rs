@@ -18,7 +18,7 @@ const EVENTS: usize = 20;
 pub fn no_motion(source: &Source<'_>, page: &mut Document) {
     if let Some(problem) = &source.analysis.no_motion {
         page.heading(text!("report-motion"));
-        page.paragraph(text!("report-no-motion", reason = name(problem.clone())));
+        page.paragraph(text!("report-no-motion", reason = problem));
     }
 }
 
@@ -36,9 +36,9 @@ pub fn motion_over_time(source: &Source<'_>, page: &mut Document) {
 
 fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let case = number(found.case);
-    page.paragraph(text!("report-equation", equation = name(found.equation.clone()), case = case));
+    page.paragraph(text!("report-equation", equation = &found.equation, case = case));
     let method = name(found.method.clone());
-    page.paragraph(text!("report-integrator", method = method, reason = name(found.reason.clone())));
+    page.paragraph(text!("report-integrator", method = method, reason = &found.reason));
     let cost = &found.statistics;
     page.paragraph(text!(
         "report-integration-cost",

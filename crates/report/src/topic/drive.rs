@@ -29,7 +29,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     }
     if let Some(motor) = &found.motor {
         for warning in &motor.warnings {
-            page.paragraph(text!("report-warning", warning = name(warning.clone())));
+            page.paragraph(text!("report-warning", warning = warning));
         }
         runners_up(motor, page);
     }
@@ -120,7 +120,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
         Column::of(text!("head-formula")),
     ];
     let row =
-        |one: &FlywheelByMethod| row![method(one.method), one.flywheel, one.difference, name(one.formula)];
+        |one: &FlywheelByMethod| row![method(one.method), one.flywheel, one.difference, one.formula.clone()];
     page.table(
         Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row)),
     );
@@ -185,10 +185,10 @@ fn compared(motors: &[MotorAdvice], page: &mut Document) {
     page.table(Table::list(text!("report-motors"), columns).rows(motors.iter().map(row)));
     let heads = [text!("head-machine"), text!("head-unevenness")].map(Column::of);
     let mut table = Table::list(text!("report-usual", source = name(USUAL_SOURCE)), heads);
-    for usual in USUAL_UNEVENNESS {
+    for usual in &USUAL_UNEVENNESS {
         let [least, most] = usual.range.map(|value| Unit::NONE.number(value));
         let range: Text = if least == most { least } else { text!("fact-range", least = least, most = most) };
-        table.row([Cell::from(name(usual.machine)), Cell::from(range)]);
+        table.row([Cell::from(usual.machine.clone()), Cell::from(range)]);
     }
     page.table(table);
 }

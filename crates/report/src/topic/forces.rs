@@ -134,7 +134,9 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         let name = schema.name(Owner::Pair(pair));
         for on in links.into_iter().map(|link| schema.link(link)) {
             let all = &source.analysis.cycle.reaction_extremes;
-            let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
+            let Some(found) = all.iter().find(|one| one.joint == name && on == one.on.as_str()) else {
+                continue;
+            };
             let position = number(found.index);
             table.row(row![named(&name), named(on), found.greatest, position, found.coordinate, found.rms]);
         }

@@ -115,7 +115,7 @@ fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
         let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| units.coordinate.show(at));
         page.paragraph(text!(
             "geometry-force-angle",
-            group = name(group.clone()),
+            group = group,
             what = name(at.what.to_string()),
             least = least,
             at_least = at_least,

@@ -166,12 +166,14 @@ fn forces_of(source: &Source<'_>, page: &mut Document) {
 /// What was decided during the calculation, and what has no solution.
 fn remarks(source: &Source<'_>, page: &mut Document) {
     let analysis = source.analysis;
-    let failures: Vec<_> = analysis.failures.iter().map(|failure| name(failure.message.clone())).collect();
-    let notes: Vec<_> = analysis.notes.iter().map(|note| name(note.clone())).collect();
+    let failures: Vec<_> = analysis.failures.iter().map(|failure| failure.message.clone()).collect();
+    let notes = analysis.notes.clone();
     for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
         if !lines.is_empty() {
             page.heading(heading);
-            lines.into_iter().for_each(|line| page.paragraph(line));
+            for line in lines {
+                page.paragraph(line);
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
         page.paragraph(text!("report-mobility-by-rank", mobility = number(found)));
     }
     if let Some(note) = &structure.note {
-        page.paragraph(text!("report-note", note = name(note.clone())));
+        page.paragraph(text!("report-note", note = note));
     }
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = name(structure.formula.clone())));

@@ -70,7 +70,7 @@ fn the_facts_of_a_regime_are_those_of_the_json() {
         ("fact-mean-resistance", "regime/mean_resistance"),
         ("fact-multiplier", "regime/multiplier"),
         ("fact-shaft-inertia", "regime/shaft_inertia"),
-        ("fact-rated-power", "motor/rated/power"),
+        ("fact-rated-power", "motor/power"),
     ] {
         let fact = facts.iter().find(|fact| fact.id == id).unwrap_or_else(|| panic!("{id}"));
         let wanted = json.pointer(&format!("/dynamics/{pointer}")).and_then(Value::as_f64);

@@ -3,7 +3,7 @@
 use assur_diagram::{Plan, PlanVector, construction_plan};
 use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, VectorKind};
-use assur_words::{Text, joined, name, number, quantity, text, unit};
+use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -61,7 +61,7 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
                 None => nothing(text!("plans-no-construction")),
             };
         }
-        (Err(error), _) => return nothing(name(error.to_string())),
+        (Err(error), _) => return nothing(error.describe()),
         (Ok(sheet), _) => sheet,
     };
     let plan = match state.part(View::Plans) {
@@ -95,7 +95,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
             Figure { title: plan.title.clone(), columns: panels.len(), panels, legend: Vec::new() }
         }
         Shown::Construction(construction, last) => {
-            let (method, step) = (name(construction.title.clone()), number(last + 1));
+            let (method, step) = (construction.title.clone(), number(last + 1));
             let title = text!("plans-step", construction = method, step = step);
             let panel = panel_of_steps(construction, last);
             Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
@@ -212,7 +212,7 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 /// The chosen step of a construction, with the sentence that explains it.
 fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> = wrapped(&state.told(name(construction.title.clone())), width)
+    let mut rows: Vec<(Role, String)> = wrapped(&state.told(construction.title.clone()), width)
         .into_iter()
         .map(|line| (Role::Header, line))
         .collect();
@@ -223,10 +223,8 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     let Some(step) = construction.steps.get(last) else { return };
     let size = quantity(digits(step.vector[0].hypot(step.vector[1]), 5), step.unit.to_owned());
     let kind = name(format!("({})", step.kind));
-    rows.push((Role::Key, state.told(joined(" ", [name(step.name.clone()), kind, size]))));
-    rows.extend(
-        wrapped(&state.told(name(step.note.clone())), width).into_iter().map(|line| (Role::Plain, line)),
-    );
+    rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
+    rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
 }
 
@@ -241,7 +239,7 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
             VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
-        Some(Vector { from, to, name: name(step.name.clone()), ink })
+        Some(Vector { from, to, name: step.name.clone(), ink })
     };
     let all: Vec<(usize, Vector)> =
         steps.filter_map(|(number, step)| Some((number, vector(step)?))).collect();

@@ -44,7 +44,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             "structure-nearest",
             determinant = number(digits(health, LEAST)),
             position = number(at),
-            group = name(structure.group_name(&scene.linkage.mechanism, group)),
+            group = structure.group_name(&scene.linkage.mechanism, group),
         );
         let nearest = cut(&state.told(nearest), usize::from(top.width.saturating_sub(2)));
         put(buffer, top, 1, 2, &nearest, theme.style(Role::Plain));
@@ -87,7 +87,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
-        let named = state.told(name(linkage.structure.group_name(mechanism, index)));
+        let named = state.told(linkage.structure.group_name(mechanism, index));
         lines.push((chosen, format!("{sign}{named}")));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
@@ -119,7 +119,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     );
     let mut lines = vec![
         kind,
-        text!("structure-links", links = links),
+        text!("structure-view-links", links = links),
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
@@ -133,7 +133,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     let plugin = group.plugin;
     let (own, home) = (name(plugin.name), name(plugin.crate_name));
     lines.push(text!("structure-plugin", name = own, crate_name = home));
-    lines.push(text!("structure-source", source = name(plugin.source)));
-    lines.push(text!("structure-singular", places = name(plugin.singular)));
+    lines.push(text!("structure-source", source = &plugin.source));
+    lines.push(text!("structure-singular", places = &plugin.singular));
     lines
 }

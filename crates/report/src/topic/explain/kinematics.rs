@@ -48,7 +48,7 @@ pub(super) fn transfer(structure: &Structure, plan: &Plan) -> Stage {
         _ if iterating > 0 => text!("explain-derivatives-both"),
         _ => text!("explain-derivatives-closed"),
     };
-    let needed_for = || joined("; ", plan.order_for.iter().map(|what| name(*what)));
+    let needed_for = || joined("; ", plan.order_for.iter().cloned());
     match plan.order {
         Order::Place => left_out(stage, text!("explain-order-0", groups = solved(plan))),
         Order::First => {

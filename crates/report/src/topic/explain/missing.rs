@@ -63,7 +63,7 @@ fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
             list.push(remark(text!("missing-fluctuation"), text!("missing-fluctuation-how")));
         }
         Some(Motion::Steady { .. }) => {
-            list.push(remark(text!("missing-run-up"), text!("missing-run-up-how")))
+            list.push(remark(text!("missing-run-up"), text!("missing-run-up-how")));
         }
         Some(Motion::Transient { .. }) => {}
     }

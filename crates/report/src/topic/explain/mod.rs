@@ -45,7 +45,9 @@ pub fn explain(
         (text!("explain-not-modelled"), not_modelled(mechanism)),
     ] {
         page.heading(heading);
-        remarks.into_iter().for_each(|Remark { what, how }| item(page, what, how));
+        for Remark { what, how } in remarks {
+            item(page, what, how);
+        }
     }
 }
 
@@ -66,9 +68,9 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
             _ => None,
         };
         let [summary, singular, source] =
-            [group.plugin.summary, group.plugin.singular, group.plugin.source].map(name);
+            [&group.plugin.summary, &group.plugin.singular, &group.plugin.source].map(Text::from);
         let parts = [summary, text!("explain-singular-at", place = singular), source].into_iter().chain(left);
-        item(page, name(structure.group_name(mechanism, index)), joined("; ", parts));
+        item(page, structure.group_name(mechanism, index), joined("; ", parts));
     }
 }
 

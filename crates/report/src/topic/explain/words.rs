@@ -3,7 +3,7 @@
 use assur_book::link_name;
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::Structure;
-use assur_words::{Text, list, name};
+use assur_words::{Text, list};
 
 /// Names of links.
 pub(super) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> Text {
@@ -13,7 +13,7 @@ pub(super) fn links(mechanism: &Mechanism, ids: &[LinkId]) -> Text {
 /// The names of the groups that are not selected; of many only the first ones.
 pub(super) fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[bool]) -> Text {
     let left = (0..chosen.len()).filter(|index| !chosen[*index]);
-    super::first_of(left.map(|index| name(structure.group_name(mechanism, index))).collect())
+    super::first_of(left.map(|index| structure.group_name(mechanism, index)).collect())
 }
 
 /// One stage of the calculation.
