@@ -39,8 +39,6 @@ pub(crate) struct Words {
     phrases: Vec<(String, String)>,
     /// English units and their translations.
     units: Vec<(String, String)>,
-    /// Parts of subscripts that the working gives, and their translations.
-    subscripts: Vec<(String, String)>,
     /// Words of the field and their meanings.
     pub(crate) glossary: Vec<(String, String)>,
 }
@@ -81,7 +79,6 @@ impl Words {
             sentences,
             phrases,
             units: section("units"),
-            subscripts: section("subscripts"),
             glossary: section("glossary"),
         }
     }
@@ -130,12 +127,6 @@ impl Words {
             "0" => mantissa,
             _ => format!("{mantissa}·10{}", raised(exponent)),
         }
-    }
-
-    /// A part of a subscript: a name, or a word of the working.
-    pub(crate) fn subscript(&self, part: &str) -> String {
-        let own = self.subscripts.iter().find(|(english, _)| english == part);
-        own.map_or_else(|| self.name(part), |(_, own)| own.clone())
     }
 
     /// A unit with the signs of print, in the letters of the language: `m/s2` as m/s².

@@ -15,6 +15,8 @@ use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern
 
 pub use kernel::Rpp;
 
+assur_words::resources!();
+
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
 /// The kind RPP.

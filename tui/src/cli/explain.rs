@@ -3,6 +3,7 @@
 use assur_analysis::plan::Plan;
 use assur_analysis::{method_of_motion, methods};
 use assur_structure::Structure;
+use assur_words::Language;
 use assur_working::WorkingError;
 
 use super::args::ExplainArgs;
@@ -47,7 +48,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     };
     match worked {
         Ok(working) => {
-            output::print(&style.text(&working.text()))?;
+            output::print(&style.text(&working.text(Language::english())))?;
             Ok(verdict.status())
         }
         Err(error @ WorkingError::Position(_)) => {
