@@ -5,11 +5,12 @@
 //! here: a [`Course`] keeps each value with the coordinate (or time) at which it was found, so that no drawing can place
 //! it elsewhere, and it ends where the cycle was calculated to end, whether or not that is where it began.
 
-mod catalogue;
+pub mod catalogue;
 mod course;
 
-pub use catalogue::sign_is_sense;
 pub use course::{Course, Extreme, Node, Summary};
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

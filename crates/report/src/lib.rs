@@ -7,7 +7,6 @@ pub mod csv;
 mod explain;
 mod fold;
 pub mod json;
-mod names;
 pub mod parquet;
 mod template;
 pub mod text;

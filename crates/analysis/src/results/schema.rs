@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use assur_mechanism::{LinkId, Mechanism, PairId};
+use assur_mechanism::{LinkId, Mechanism, Name, PairId};
 
 use super::{Column, Owner, Quantity};
 
@@ -25,10 +25,10 @@ pub struct Schema {
     section_of: Vec<Section>,
     sections: usize,
     places: HashMap<Column, usize>,
-    links: Vec<String>,
-    points: Vec<String>,
-    slides: Vec<String>,
-    loads: Vec<(String, &'static str)>,
+    links: Vec<Name>,
+    points: Vec<Name>,
+    slides: Vec<Name>,
+    loads: Vec<(Name, &'static str)>,
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
@@ -43,9 +43,9 @@ impl Schema {
             section_of: Vec::new(),
             sections: 1,
             places: HashMap::new(),
-            links: mechanism.links.iter().map(|link| link.name.to_string()).collect(),
-            points: mechanism.points.iter().map(|point| point.name.to_string()).collect(),
-            slides: mechanism.slides.iter().map(|slide| slide.name.to_string()).collect(),
+            links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
+            points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
+            slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
             loads: loads(mechanism),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
@@ -107,19 +107,26 @@ impl Schema {
         self.angular
     }
 
-    /// The name of the owner of a column; of a force the name of the pair, of a group its index.
-    pub fn name(&self, owner: Owner) -> std::borrow::Cow<'_, str> {
+    /// The name of the owner of a column; of a force the name of the pair. The input and a group have none.
+    pub fn named(&self, owner: Owner) -> Option<&Name> {
         match owner {
-            Owner::Input => "".into(),
-            Owner::Link(link) => self.link(link).into(),
+            Owner::Input | Owner::Group(_) => None,
+            Owner::Link(link) => Some(&self.links[link]),
             Owner::Point(point) | Owner::Pair(PairId::Pin(point)) | Owner::PairOn(PairId::Pin(point), _) => {
-                self.points[point].as_str().into()
+                Some(&self.points[point])
             }
             Owner::Slide(slide)
             | Owner::Pair(PairId::Slide(slide))
-            | Owner::PairOn(PairId::Slide(slide), _) => self.slides[slide].as_str().into(),
+            | Owner::PairOn(PairId::Slide(slide), _) => Some(&self.slides[slide]),
+            Owner::Load(load) => Some(&self.loads[load].0),
+        }
+    }
+
+    /// By what the owner of a column is found in results: its name in English, of a group its index.
+    pub fn name(&self, owner: Owner) -> std::borrow::Cow<'_, str> {
+        match owner {
             Owner::Group(group) => group.to_string().into(),
-            Owner::Load(load) => self.loads[load].0.as_str().into(),
+            owner => self.named(owner).map_or("", Name::as_str).into(),
         }
     }
 
@@ -133,49 +140,22 @@ impl Schema {
         &self.links[link]
     }
 
-    /// The SI unit of a column: `kg m2/rad`; empty for a plain number.
-    pub fn unit(&self, column: Column) -> String {
-        let (coordinate, moment, inertia) =
-            if self.angular { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
-        let place = match column.owner {
-            Owner::Link(_) => "rad",
-            Owner::Input => coordinate,
-            _ => "m",
-        };
-        let (base, per, times) = match column.quantity {
-            Quantity::Time => ("s", "", 0),
-            Quantity::Transfer(order) => (place, coordinate, order),
-            Quantity::Velocity => (place, "s", 1),
-            Quantity::Acceleration => (place, "s", 2),
-            Quantity::ReducedInertia => (inertia, "", 0),
-            Quantity::ReducedInertiaDerivative => (inertia, coordinate, 1),
-            Quantity::ReducedMoment | Quantity::Holding | Quantity::HoldingBound => (moment, "", 0),
-            Quantity::Moment | Quantity::InertiaMoment | Quantity::ShakingMoment => ("N m", "", 0),
-            Quantity::DrivingWork | Quantity::ResistingWork | Quantity::KineticEnergy => ("J", "", 0),
-            Quantity::Offset => ("m", "", 0),
-            Quantity::Balancing if self.balances_by_moment => ("N m", "", 0),
-            Quantity::Balancing | Quantity::Force | Quantity::InertiaForce | Quantity::ShakingForce => {
-                ("N", "", 0)
-            }
-            Quantity::Load => match column.owner {
-                Owner::Load(load) => (self.loads[load].1, "", 0),
-                _ => ("N", "", 0),
-            },
-            Quantity::Condition | Quantity::Residual(_) => ("", "", 0),
-        };
-        match times {
-            0 => base.to_owned(),
-            1 => format!("{base}/{per}"),
-            times => format!("{base}/{per}{times}"),
-        }
+    /// Whether the balancing load is a moment, otherwise a force.
+    pub fn balances_by_moment(&self) -> bool {
+        self.balances_by_moment
+    }
+
+    /// The SI unit of a load.
+    pub fn unit_of_load(&self, load: usize) -> &'static str {
+        self.loads[load].1
     }
 }
 
 /// Names and units of the loads of a scene: forces, moments, springs, contacts.
-fn loads(mechanism: &Mechanism) -> Vec<(String, &'static str)> {
-    let forces = mechanism.forces.iter().map(|load| (load.name.to_string(), "N"));
-    let moments = mechanism.moments.iter().map(|load| (load.name.to_string(), "N m"));
-    let springs = mechanism.springs.iter().map(|load| (load.name.to_string(), "N"));
-    let contacts = mechanism.contacts.iter().map(|load| (load.name.to_string(), "N"));
+fn loads(mechanism: &Mechanism) -> Vec<(Name, &'static str)> {
+    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), "N"));
+    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), "N m"));
+    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), "N"));
+    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), "N"));
     forces.chain(moments).chain(springs).chain(contacts).collect()
 }

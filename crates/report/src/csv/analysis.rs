@@ -3,8 +3,8 @@
 use assur_analysis::results::{Analysis, Column, Quantity, Schema, Table};
 
 use super::{CsvError, header, number};
-use crate::names;
 use crate::template::{Template, Templates};
+use assur_book::catalogue;
 
 /// The names of all files that an analysis may have.
 pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
@@ -51,7 +51,7 @@ type Has<'a> = dyn Fn(usize) -> bool + 'a;
 /// Columns that CSV has, with numbers in any row, in the order of the schema.
 fn shown(schema: &Schema, has: &Has<'_>, wanted: impl Fn(Column) -> bool) -> Vec<(usize, String)> {
     let each = schema.select(|column| wanted(*column)).into_iter().filter(|column| has(*column));
-    each.filter_map(|column| Some((column, names::csv(schema, schema.columns()[column])?))).collect()
+    each.filter_map(|column| Some((column, catalogue::csv(schema, schema.columns()[column])?))).collect()
 }
 
 fn places(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {

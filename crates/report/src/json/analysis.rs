@@ -3,11 +3,11 @@
 use assur_analysis::results::{
     Analysis, Check, Cycle, Dynamics, Failure, InputReport, Integration, StructureReport, Table,
 };
+use assur_book::catalogue;
 use serde::Serialize;
 
 use super::rows::{self, POSITIONS, Rows, TRAJECTORY};
 use super::{JsonError, NotFinite, serialized};
-use crate::names;
 
 /// The version of the format that is written.
 const FORMAT: u32 = 1;
@@ -66,7 +66,7 @@ impl<'a> Tail<'a> {
 pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
     let place = |list: &str, table: &Table, (row, column): (usize, usize)| {
         let schema = table.schema();
-        let path = names::path(schema, schema.columns()[column]).unwrap_or_default();
+        let path = catalogue::path(schema, schema.columns()[column]).unwrap_or_default();
         NotFinite { place: format!("{list}[{row}]{}", rows::spelled(&path)) }
     };
     if let Some(at) = analysis.survey.not_finite {

@@ -7,8 +7,8 @@ use assur_analysis::results::{Schema, Table};
 use rayon::prelude::*;
 
 use super::quoted;
-use crate::names::{KEYS, Step, path};
 use crate::template::{Template, Templates};
+use assur_book::catalogue::{KEYS, Step, path};
 
 /// Numbers that a thread writes at a time: some milliseconds of work.
 const NUMBERS: usize = 1 << 16;

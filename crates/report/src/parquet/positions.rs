@@ -3,9 +3,10 @@
 use std::io::Write;
 
 use assur_analysis::results::{Analysis, Section, Table};
+use assur_book::catalogue;
 
 use super::{Column, File, ParquetError, Values};
-use crate::{csv, names};
+use crate::csv;
 
 /// Numbers of one group of rows: 96 MB, kept until they are compressed. Of each column of each group a kilobyte is kept until
 /// the file ends: smaller groups take more memory in long files, larger ones in short files.
@@ -30,7 +31,8 @@ impl<W: Write + Send> Writer<W> {
         let schema = analysis.positions.schema();
         let all =
             (0..schema.columns().len()).filter(|column| analysis.survey.has(schema.section_of(*column)));
-        let named = all.filter_map(|column| Some((column, names::csv(schema, schema.columns()[column])?)));
+        let named =
+            all.filter_map(|column| Some((column, catalogue::csv(schema, schema.columns()[column])?)));
         let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();
         let mut names = csv::unique(std::iter::once("index".to_owned()).chain(names)).into_iter();
         let name = names.next().unwrap_or_default();

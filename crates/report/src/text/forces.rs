@@ -229,7 +229,7 @@ pub(super) fn write_loads(source: &Source<'_>, page: &mut Page) {
     page.section("Loads and inertia loads");
     let load = |owner: &Owner| {
         let values = Values::of(Quantity::Load, *owner);
-        let unit = if schema.unit(values) == "N m" { MOMENT } else { FORCE };
+        let unit = if assur_book::catalogue::unit(schema, values) == "N m" { MOMENT } else { FORCE };
         vec![column(source, schema.name(*owner), unit, values)]
     };
     let caption = "Loads: a force along its direction, a moment counter-clockwise, the tension of a spring";

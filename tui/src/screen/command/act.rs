@@ -51,8 +51,11 @@ pub(super) fn quantity(state: &mut State, by: isize) {
 pub(super) fn extreme(state: &mut State, sense: isize) {
     let of_series = |series: &crate::screen::state::Series| {
         let summary = series.summary()?;
-        let first =
-            if assur_book::sign_is_sense(series.column) { summary.farthest } else { summary.greatest };
+        let first = if assur_book::catalogue::sign_is_sense(series.column) {
+            summary.farthest
+        } else {
+            summary.greatest
+        };
         let other = if first == summary.least { summary.greatest } else { summary.least };
         let (word, extreme) = if sense > 0 { ("greatest", first) } else { ("least", other) };
         let at = extreme.number;

@@ -47,15 +47,10 @@ impl Found {
         self.analysis.add_checks(checks);
         let table = &self.analysis.positions;
         let mut gather = Gather { table, ending: &self.ending, series: std::mem::take(&mut self.series) };
-        for column in table.schema().columns() {
-            if let Quantity::Residual(of) = column.quantity {
-                // Results count groups from 0, readers from 1.
-                let name = match column.owner {
-                    Owner::Group(group) => format!("residual group {}", group + 1),
-                    owner => format!("residual {}", of.name(owner)),
-                };
-                gather.add([name.clone(), name], "", *column);
-            }
+        let all = table.schema().columns().iter();
+        let residuals = all.filter(|column| matches!(column.quantity, Quantity::Residual(_)));
+        for column in residuals {
+            gather.add(*column);
         }
         self.series = gather.series;
     }

@@ -50,58 +50,46 @@ pub(super) struct Gather<'a> {
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
-    pub(super) fn add(&mut self, names: [String; 2], kind: &'static str, column: Column) -> Option<usize> {
+    pub(super) fn add(&mut self, column: Column) -> Option<usize> {
         let course = Course::of(self.table, Some(self.ending), Column::COORDINATE, column);
         if course.is_empty() {
             return None;
         }
-        let ([of, short], unit) = (names, self.table.schema().unit(column));
-        self.series.push(Series { column, of, short, kind, unit, factor: 1.0, course, floor: 0.0 });
+        self.series.push(Series::of(self.table.schema(), column, course, 0.0));
         Some(self.series.len() - 1)
     }
 
-    /// Adds both projections of a vector and its modulus; a letter follows the names.
-    fn add_vector(&mut self, [of, short]: [String; 2], kind: &'static str, vector: Column) -> Vec<usize> {
-        let names = |letter: &str| [&of, &short].map(|name| format!("{name}{letter}"));
-        let x = self.add(names("x"), kind, vector.part(Part::X));
-        let y = self.add(names("y"), kind, vector.part(Part::Y));
-        let modulus = self.add(names(""), kind, vector.part(Part::Modulus));
-        [x, y, modulus].into_iter().flatten().collect()
+    /// Adds a whole quantity, or both projections of a vector and its modulus.
+    fn add_all(&mut self, whole: Column) -> Vec<usize> {
+        let is_vector = self.table.schema().find(whole.part(Part::X)).is_some();
+        let parts: &[Part] = if is_vector { &[Part::X, Part::Y, Part::Modulus] } else { &[Part::Whole] };
+        parts.iter().filter_map(|part| self.add(whole.part(*part))).collect()
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
     pub(super) fn motion(&mut self) -> Vec<usize> {
         let all = [
-            ("input speed", "w", Quantity::Velocity),
-            ("input acceleration", "e", Quantity::Acceleration),
-            ("reduced inertia J", "J", Quantity::ReducedInertia),
-            ("derivative J'", "J'", Quantity::ReducedInertiaDerivative),
-            ("reduced moment Q", "Q", Quantity::ReducedMoment),
+            Quantity::Velocity,
+            Quantity::Acceleration,
+            Quantity::ReducedInertia,
+            Quantity::ReducedInertiaDerivative,
+            Quantity::ReducedMoment,
         ];
-        let add = |(of, short, quantity): (&str, &str, Quantity)| {
-            self.add([of, short].map(str::to_owned), "", Column::of(quantity, Owner::Input))
-        };
-        all.into_iter().filter_map(add).collect()
+        all.into_iter().filter_map(|quantity| self.add(Column::of(quantity, Owner::Input))).collect()
+    }
+
+    /// Every owner of these quantities but the input.
+    fn add_owned(&mut self, quantities: &[Quantity]) {
+        let schema = self.table.schema();
+        for quantity in quantities {
+            let owners = schema.owners(*quantity).into_iter().filter(|owner| *owner != Owner::Input);
+            owners.for_each(|owner| drop(self.add_all(Column::of(*quantity, owner))));
+        }
     }
 
     /// Velocities and accelerations of points, links and slides.
     pub(super) fn rates(&mut self) {
-        let schema = self.table.schema();
-        for (order, quantity) in RATES.into_iter().enumerate() {
-            let ([linear, angular], kind) =
-                ([["v", "w"], ["a", "e"]][order], ["velocity", "acceleration"][order]);
-            for owner in schema.owners(quantity) {
-                let (name, column) = (schema.name(owner), Column::of(quantity, owner));
-                let names =
-                    |of: &str, letter: &str| [format!("{of} {name} {letter}"), format!("{name}.{letter}")];
-                match owner {
-                    Owner::Point(_) => drop(self.add_vector(names("point", linear), kind, column)),
-                    Owner::Link(_) => drop(self.add(names("link", angular), kind, column)),
-                    Owner::Slide(_) => drop(self.add(names("slide", linear), kind, column)),
-                    _ => {}
-                }
-            }
-        }
+        self.add_owned(&RATES);
     }
 
     /// Force and moment of every pair, then the balancing load.
@@ -110,17 +98,14 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
             let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
-            let names = |what: &str| [format!("{pair} on {link} {what}"), format!("{pair}>{link}.{what}")];
-            let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
-            let series = self.add_vector(names("F"), "force", force);
-            let moment = self.add(names("M"), "moment", Column::of(Quantity::Moment, Owner::Pair(id)));
+            let series = self.add_all(Column::of(Quantity::Force, Owner::PairOn(id, on)));
+            let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
                 found.push(Reaction { pair, link, series, moment });
             }
         }
         self.mark_rounding(&found);
-        let names = [BALANCING, "balancing"].map(str::to_owned);
-        if let Some(index) = self.add(names, "", Column::BALANCING) {
+        if let Some(index) = self.add(Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
             found.push(Reaction { pair, link, series: vec![index], moment: None });
         }
@@ -129,32 +114,11 @@ impl Gather<'_> {
 
     /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
     pub(super) fn others(&mut self) {
-        let schema = self.table.schema();
-        for (quantity, before, after) in [
-            (Quantity::Load, "load ", ""),
-            (Quantity::InertiaForce, "", " inertia F"),
-            (Quantity::InertiaMoment, "", " inertia M"),
-            (Quantity::ShakingForce, "", "shaking F"),
-            (Quantity::ShakingMoment, "", "shaking M"),
-            (Quantity::Condition, "condition of group ", ""),
-        ] {
-            for owner in schema.owners(quantity) {
-                // Results count groups from 0, readers from 1.
-                let name = match owner {
-                    Owner::Group(group) => (group + 1).to_string(),
-                    _ => schema.name(owner).into_owned(),
-                };
-                let of = format!("{before}{name}{after}");
-                let names = [of.clone(), of];
-                let column = Column::of(quantity, owner);
-                match quantity {
-                    Quantity::InertiaForce | Quantity::ShakingForce => {
-                        drop(self.add_vector(names, "", column));
-                    }
-                    _ => drop(self.add(names, "", column)),
-                }
-            }
+        self.add_owned(&[Quantity::Load, Quantity::InertiaForce, Quantity::InertiaMoment]);
+        for quantity in [Quantity::ShakingForce, Quantity::ShakingMoment] {
+            self.add_all(Column::of(quantity, Owner::Input));
         }
+        self.add_owned(&[Quantity::Condition]);
     }
 
     /// Sets the limit below which forces of the pairs count as zero.

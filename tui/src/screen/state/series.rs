@@ -1,6 +1,7 @@
 //! Every quantity over the positions, in the unit that is shown.
 
-use assur_analysis::results::{Column, Owner};
+use assur_analysis::results::{Column, Owner, Schema};
+use assur_book::catalogue::{self, Shown};
 use assur_book::{Course, Extreme, Summary};
 
 use crate::number::number;
@@ -15,7 +16,7 @@ pub(crate) struct Series {
     /// Column header: `D.x'`; no two quantities have the same.
     pub(crate) short: String,
     /// What it is, in words by which it is looked for: `velocity`, `PF1`.
-    pub(crate) kind: &'static str,
+    pub(crate) kind: String,
     /// Unit of the values that are shown.
     pub(crate) unit: String,
     /// Number of these units in the SI unit.
@@ -27,6 +28,15 @@ pub(crate) struct Series {
 }
 
 impl Series {
+    /// A column of results with its values; values below `floor`, SI, count as zero.
+    pub(crate) fn of(schema: &Schema, column: Column, course: Course, floor: f64) -> Self {
+        let of = catalogue::subject(schema, column).to_string();
+        let short = catalogue::short(schema, column).to_string();
+        let kind = catalogue::further(column).to_string();
+        let Shown { unit, factor } = catalogue::shown(schema, column);
+        Self { column, of, short, kind, unit, factor, course, floor }
+    }
+
     /// Value at a position; NaN where there is none.
     pub(crate) fn at(&self, position: usize) -> f64 {
         self.course.get(position).map_or(f64::NAN, |value| self.factor * value)

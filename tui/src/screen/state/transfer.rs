@@ -1,6 +1,7 @@
 //! The series of a linkage: coordinate, then PF0, PF1, PF2 of points, links and slides.
 
-use assur_analysis::results::{Column, Owner, Part, Quantity};
+use assur_analysis::results::{Column, Owner, Part, Quantity, Schema};
+use assur_book::catalogue;
 use assur_book::{Course, Node};
 use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
 
@@ -16,7 +17,8 @@ pub(crate) fn series(
     end: Option<&Position>,
 ) -> (Vec<Series>, Vec<Transfer>) {
     let end = end.map(|pose| (poses.len(), pose));
-    let mut gather = Gather { linkage, poses, end, series: Vec::new(), transfers: Vec::new() };
+    let schema = Schema::new(&linkage.mechanism);
+    let mut gather = Gather { schema, linkage, poses, end, series: Vec::new(), transfers: Vec::new() };
     gather.coordinate();
     gather.points();
     gather.links();
@@ -26,10 +28,11 @@ pub(crate) fn series(
 
 /// Unit in which the coordinate is shown, and its factor from SI.
 pub(crate) fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
-    if linkage.angular() { ("deg", 1.0_f64.to_degrees()) } else { ("mm", 1e3) }
+    if linkage.angular() { catalogue::ANGLE } else { catalogue::LENGTH }
 }
 
 struct Gather<'a> {
+    schema: Schema,
     linkage: &'a Linkage,
     poses: &'a [Option<Position>],
     /// The number after that of the last position, and the end of the cycle.
@@ -40,7 +43,6 @@ struct Gather<'a> {
 
 impl Gather<'_> {
     fn coordinate(&mut self) {
-        let (unit, factor) = coordinate_unit(self.linkage);
         let input = &self.linkage.mechanism.input;
         let node = |number| {
             let at = input.coordinate(number);
@@ -48,9 +50,7 @@ impl Gather<'_> {
         };
         let end = self.end.map(|(number, _)| node(number));
         let course = Course::from_nodes((0..self.poses.len()).map(node), end);
-        let [of, short, unit] = ["coordinate", "q", unit].map(str::to_owned);
-        let column = Column::COORDINATE;
-        self.series.push(Series { column, of, short, kind: "", unit, factor, course, floor: 0.0 });
+        self.series.push(Series::of(&self.schema, Column::COORDINATE, course, 0.0));
     }
 
     fn points(&mut self) {
@@ -59,10 +59,8 @@ impl Gather<'_> {
             if point.places.iter().any(|place| place.link == assur_mechanism::GROUND) {
                 continue;
             }
-            for (axis, (letter, part)) in [("x", Part::X), ("y", Part::Y)].into_iter().enumerate() {
-                let (name, short) =
-                    (format!("point {} {letter}", point.name), format!("{}.{letter}", point.name));
-                self.add(name, &short, place(Owner::Point(id)).part(part), |position| {
+            for (axis, part) in [Part::X, Part::Y].into_iter().enumerate() {
+                self.add(place(Owner::Point(id)).part(part), |position| {
                     let motion = linkage.point_motion(id, position);
                     [motion.pf0[axis], motion.pf1[axis], motion.pf2[axis]]
                 });
@@ -72,9 +70,9 @@ impl Gather<'_> {
 
     fn links(&mut self) {
         let linkage = self.linkage;
-        for (id, link) in linkage.mechanism.links.iter().enumerate().skip(1) {
+        for id in 1..linkage.mechanism.links.len() {
             let mut before: Option<[f64; 2]> = None;
-            self.add(format!("link {}", link.name), &link.name, place(Owner::Link(id)), |position| {
+            self.add(place(Owner::Link(id)), |position| {
                 let motion = linkage.link_motion(id, position);
                 let angle = before.map_or(first_angle(motion.pf0), |[at, angle]| {
                     let mut near = angle;
@@ -91,8 +89,8 @@ impl Gather<'_> {
 
     fn slides(&mut self) {
         let linkage = self.linkage;
-        for (id, slide) in linkage.mechanism.slides.iter().enumerate() {
-            self.add(format!("slide {}", slide.name), &slide.name, place(Owner::Slide(id)), |position| {
+        for id in 0..linkage.mechanism.slides.len() {
+            self.add(place(Owner::Slide(id)), |position| {
                 let motion = linkage.slide_motion(id, position);
                 [motion.pf0, motion.pf1, motion.pf2]
             });
@@ -100,13 +98,7 @@ impl Gather<'_> {
     }
 
     /// Adds PF0, PF1 and PF2 of a place, which `read` gives.
-    fn add(
-        &mut self,
-        name: String,
-        short: &str,
-        column: Column,
-        mut read: impl FnMut(&Position) -> [f64; 3],
-    ) {
+    fn add(&mut self, column: Column, mut read: impl FnMut(&Position) -> [f64; 3]) {
         let mut nodes: [Vec<Node>; 3] = Default::default();
         let poses = self.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
         for (number, pose) in poses.chain(self.end) {
@@ -114,28 +106,16 @@ impl Gather<'_> {
             let orders = read(pose).map(|value| Node { number, at, value });
             nodes.iter_mut().zip(orders).for_each(|(all, node)| all.push(node));
         }
-        let q = if self.linkage.angular() { "rad" } else { "m" };
         // Angles are of the order of 1; lengths of that of the mechanism.
-        let (shown, unit, size) = match column.owner {
-            Owner::Link(_) => (("deg", 1.0_f64.to_degrees()), "rad", 1.0),
-            _ => (("mm", 1e3), "m", self.linkage.structure.scale),
-        };
-        let units =
-            [(shown.0.to_owned(), shown.1), (format!("{unit}/{q}"), 1.0), (format!("{unit}/{q}2"), 1.0)];
+        let size = if let Owner::Link(_) = column.owner { 1.0 } else { self.linkage.structure.scale };
         let first = self.series.len();
-        for (order, ((unit, factor), mut nodes)) in (0_u8..).zip(units.into_iter().zip(nodes)) {
+        for (order, mut nodes) in (0_u8..).zip(nodes) {
             let end = if self.end.is_some() { nodes.pop() } else { None };
-            self.series.push(Series {
-                column: Column { quantity: Quantity::Transfer(order), ..column },
-                of: name.clone(),
-                short: format!("{short}{}", "'".repeat(order.into())),
-                kind: ["PF0", "PF1", "PF2"][usize::from(order)],
-                unit,
-                factor,
-                course: Course::from_nodes(nodes, end),
-                floor: ROUNDING * size,
-            });
+            let column = Column { quantity: Quantity::Transfer(order), ..column };
+            let course = Course::from_nodes(nodes, end);
+            self.series.push(Series::of(&self.schema, column, course, ROUNDING * size));
         }
+        let name = catalogue::subject(&self.schema, column).to_string();
         self.transfers.push(Transfer { name, owner: column.owner, orders: [first, first + 1, first + 2] });
     }
 }

@@ -54,9 +54,9 @@ fn several_quantities_of_one_unit_share_a_chart() {
     press(&mut state, "p");
     type_in(&mut state, "balancing");
     press(&mut state, "Enter Down");
-    assert_ne!(state.picked, ["balancing"], "the next quantity of all");
+    assert_ne!(state.picked, ["balancing load"], "the next quantity of all");
     press(&mut state, "Up");
-    assert_eq!(state.picked, ["balancing"]);
+    assert_eq!(state.picked, ["balancing load"]);
     press(&mut state, "Esc");
     assert!(state.picked.is_empty() && text(&state, 80, 24).contains("PF0"));
 }

@@ -1,0 +1,178 @@
+//! The quantities of the program: one row for each, from which everything that shows a quantity takes its words, symbol and
+//! unit, its place in the JSON and its name in a table.
+
+mod path;
+mod unit;
+mod words;
+
+use assur_analysis::results::{Column, Owner, Part, Quantity, Residual};
+
+pub use path::{KEYS, Step, csv, path};
+pub use unit::{ANGLE, LENGTH, Shown, shown, unit};
+pub use words::{further, kind, owner, short, subject};
+
+use unit::Measure;
+
+/// What is known of a quantity.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    /// Identity of its name in words; empty where the name of the owner says all.
+    name: &'static str,
+    /// Its symbol, to which the axis of a projection is added.
+    symbol: &'static str,
+    /// What it measures, from which its unit follows.
+    measure: Measure,
+    /// Its keys in the JSON of a row; empty where it has none. `*` stands for the name of the owner, `+` for the link on which a
+    /// force acts.
+    json: &'static str,
+    /// Its name in CSV and Parquet without the unit; empty where these don't have it. `%` stands for the axis of a projection.
+    csv: &'static str,
+    /// Whether its sign says in which sense it acts.
+    sense: bool,
+}
+
+const fn row(
+    name: &'static str,
+    symbol: &'static str,
+    measure: Measure,
+    json: &'static str,
+    csv: &'static str,
+) -> Row {
+    Row { name, symbol, measure, json, csv, sense: true }
+}
+
+/// A quantity whose sign says where it is, or which can't be negative.
+const fn without_sense(row: Row) -> Row {
+    Row { sense: false, ..row }
+}
+
+/// The row of a quantity and its kind of owner.
+fn of(column: Column) -> Row {
+    use Measure as M;
+    use Owner::{Input, Link, PairOn, Slide};
+    use Quantity as Q;
+    match (column.quantity, column.owner) {
+        (Q::Time, _) => without_sense(row("quantity-time", "t", M::Time, "time", "time")),
+        (Q::Transfer(_), Input) => {
+            without_sense(row("quantity-coordinate", "q", M::Place, "coordinate", "coordinate"))
+        }
+        (Q::Velocity, Input) => row("quantity-speed", "w", M::Rate(1), "speed", "speed"),
+        (Q::Acceleration, Input) => {
+            row("quantity-input-acceleration", "e", M::Rate(2), "acceleration", "acceleration")
+        }
+        (Q::DrivingWork, _) => {
+            without_sense(row("quantity-work-driving", "", M::Energy, "work_driving", "work_driving"))
+        }
+        (Q::ResistingWork, _) => {
+            without_sense(row("quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting"))
+        }
+        (Q::KineticEnergy, _) => {
+            without_sense(row("quantity-kinetic-energy", "T", M::Energy, "kinetic_energy", "kinetic_energy"))
+        }
+        (Q::Transfer(0), Link(_)) => {
+            without_sense(row("quantity-pf0", "", M::Place, "links.*.pf0", "*_angle"))
+        }
+        (Q::Transfer(1), Link(_)) => row("quantity-pf1", "", M::Transfer(1), "links.*.pf1", "*_angle_pf1"),
+        (Q::Transfer(order), Link(_)) => {
+            row("quantity-pf2", "", M::Transfer(order), "links.*.pf2", "*_angle_pf2")
+        }
+        (Q::Transfer(0), Slide(_)) => {
+            without_sense(row("quantity-pf0", "", M::Place, "slides.*.pf0", "*_displacement"))
+        }
+        (Q::Transfer(1), Slide(_)) => {
+            row("quantity-pf1", "", M::Transfer(1), "slides.*.pf1", "*_displacement_pf1")
+        }
+        (Q::Transfer(order), Slide(_)) => {
+            row("quantity-pf2", "", M::Transfer(order), "slides.*.pf2", "*_displacement_pf2")
+        }
+        (Q::Transfer(0), _) => without_sense(row("quantity-pf0", "", M::Place, "points.*.pf0", "*_%")),
+        (Q::Transfer(1), _) => row("quantity-pf1", "", M::Transfer(1), "points.*.pf1", "*_%_pf1"),
+        (Q::Transfer(order), _) => row("quantity-pf2", "", M::Transfer(order), "points.*.pf2", "*_%_pf2"),
+        (Q::Velocity, Link(_)) => row("quantity-velocity", "w", M::Rate(1), "velocities.links.*", "*_w"),
+        (Q::Velocity, Slide(_)) => row("quantity-velocity", "v", M::Rate(1), "velocities.slides.*", "*_v"),
+        (Q::Velocity, _) => row("quantity-velocity", "v", M::Rate(1), "velocities.points.*", "*_v%"),
+        (Q::Acceleration, Link(_)) => {
+            row("quantity-acceleration", "e", M::Rate(2), "accelerations.links.*", "*_e")
+        }
+        (Q::Acceleration, Slide(_)) => {
+            row("quantity-acceleration", "a", M::Rate(2), "accelerations.slides.*", "*_a")
+        }
+        (Q::Acceleration, _) => {
+            row("quantity-acceleration", "a", M::Rate(2), "accelerations.points.*", "*_a%")
+        }
+        (Q::ReducedInertia, Link(_)) => without_sense(row(
+            "quantity-reduced-inertia",
+            "J",
+            M::Inertia,
+            "reduced.inertia_of_links.*",
+            "*_reduced_inertia",
+        )),
+        (Q::ReducedInertia, _) => without_sense(row(
+            "quantity-reduced-inertia",
+            "J",
+            M::Inertia,
+            "reduced.inertia",
+            "reduced_inertia",
+        )),
+        (Q::ReducedInertiaDerivative, _) => row(
+            "quantity-reduced-inertia-derivative",
+            "J'",
+            M::InertiaDerivative,
+            "reduced.inertia_derivative",
+            "reduced_inertia_derivative",
+        ),
+        (Q::ReducedMoment, _) => {
+            row("quantity-reduced-moment", "Q", M::OnInput, "reduced.moment", "reduced_moment")
+        }
+        (Q::Load, _) => row("", "", M::Load, "loads.*", "load_*"),
+        (Q::InertiaForce, _) => {
+            row("quantity-inertia-force", "F", M::Force, "inertia_loads.*.force", "*_inertia_f%")
+        }
+        (Q::InertiaMoment, _) => {
+            row("quantity-inertia-moment", "M", M::Moment, "inertia_loads.*.moment", "*_inertia_moment")
+        }
+        (Q::ShakingForce, _) => row("quantity-shaking-force", "F", M::Force, "shaking.force", "shaking_f%"),
+        (Q::ShakingMoment, _) => {
+            row("quantity-shaking-moment", "M", M::Moment, "shaking.moment", "shaking_moment")
+        }
+        (Q::Force, PairOn(..)) => row("quantity-force", "F", M::Force, "reactions.*.+", "*_+_f%"),
+        (Q::Force, _) => row("quantity-force", "F", M::Force, "", ""),
+        (Q::Moment, _) => row("quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment"),
+        (Q::Offset, _) => without_sense(row("quantity-offset", "", M::Length, "", "")),
+        (Q::Balancing, _) => row("quantity-balancing", "", M::Balancing, "balancing", "balancing"),
+        (Q::Holding, _) => row("quantity-holding", "", M::OnInput, "holding.moment", ""),
+        (Q::HoldingBound, _) => row("quantity-holding-bound", "", M::OnInput, "holding.bound", ""),
+        (Q::Condition, _) => {
+            without_sense(row("quantity-condition", "", M::Number, "condition.*", "condition_*"))
+        }
+        (Q::Residual(of), _) => without_sense(row(residual(of), "", M::Number, "residuals.*", "residual_*")),
+        // A quantity that a later family brings has a row of its own here before it is shown.
+        _ => without_sense(row("", "", M::Number, "", "")),
+    }
+}
+
+/// The identity of the name of a residual.
+const fn residual(of: Residual) -> &'static str {
+    match of {
+        Residual::TestPf => "quantity-residual-test-pf",
+        Residual::Equilibrium => "quantity-residual-equilibrium",
+        Residual::Dynamics => "quantity-residual-dynamics",
+        Residual::Global => "quantity-residual-global",
+    }
+}
+
+/// Whether the sign of a quantity says in which sense it acts, so that the greatest value is the one of greatest modulus: a
+/// moment of -90 N m loads a guide more than one of 30 N m. The sign of a place, of an energy or of a modulus says where it is or
+/// that it can't be negative.
+pub fn sign_is_sense(column: Column) -> bool {
+    of(column).sense && column.part != Part::Modulus
+}
+
+/// The letter of the axis of a projection; empty for a whole quantity or a modulus.
+const fn axis(part: Part) -> &'static str {
+    match part {
+        Part::X => "x",
+        Part::Y => "y",
+        Part::Whole | Part::Modulus => "",
+    }
+}

@@ -1,0 +1,76 @@
+//! What the columns of tables are called in JSON and in CSV.
+
+use std::borrow::Cow;
+
+use assur_analysis::results::{Column, Owner, Part, Quantity, Schema};
+
+use super::{axis, of, unit};
+
+/// A step into an object or an array of JSON.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Step<'a> {
+    /// Into an object.
+    Key(Cow<'a, str>),
+    /// Into an array.
+    Item(usize),
+}
+
+/// The keys of a row in JSON, in their order.
+pub const KEYS: &str = "time coordinate speed acceleration work_driving work_resisting kinetic_energy links \
+                        points slides velocities accelerations reduced loads inertia_loads shaking reactions \
+                        balancing reactions_by_cause balancing_by_cause holding residuals condition";
+
+/// The name of the owner of a column; of a residual its own.
+fn owner(schema: &Schema, column: Column) -> Cow<'_, str> {
+    match column.quantity {
+        Quantity::Residual(of) => of.name(column.owner),
+        _ => schema.name(column.owner),
+    }
+}
+
+/// The name of the link on which a force acts.
+fn link(schema: &Schema, column: Column) -> &str {
+    if let Owner::PairOn(_, link) = column.owner { schema.link(link) } else { "" }
+}
+
+/// Where a column stands in the object of a row; `None` where JSON does not have it. The share of a cause stands under the
+/// cause.
+pub fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
+    let pattern = Some(of(column).json).filter(|keys| !keys.is_empty())?;
+    let key = |key| match key {
+        "*" => owner(schema, column),
+        "+" => link(schema, column).into(),
+        key => key.into(),
+    };
+    let mut keys: Vec<Cow<'_, str>> = pattern.split('.').map(key).collect();
+    if let Some(cause) = column.cause {
+        keys[0] += "_by_cause";
+        keys.insert(1, schema.causes[cause].as_str().into());
+    }
+    let item = match column.part {
+        Part::Whole | Part::Modulus => None,
+        Part::X => Some(Step::Item(0)),
+        Part::Y => Some(Step::Item(1)),
+    };
+    Some(keys.into_iter().map(Step::Key).chain(item).collect())
+}
+
+/// The name of a column in CSV and Parquet, with its unit; `None` where these don't have it.
+pub fn csv(schema: &Schema, column: Column) -> Option<String> {
+    let pattern = Some(of(column).csv).filter(|pattern| !pattern.is_empty() && column.cause.is_none())?;
+    let mut name = String::new();
+    for c in pattern.chars() {
+        match c {
+            '*' => name += &owner(schema, column),
+            '+' => name += link(schema, column),
+            '%' => name += axis(column.part),
+            c => name.push(c),
+        }
+    }
+    if matches!(column.quantity, Quantity::Residual(_)) {
+        name = name.replace(' ', "_");
+    }
+    // `m_per_rad2`, `kgm2`.
+    let unit = unit(schema, column).replace('/', "_per_").replace(' ', "");
+    Some(if unit.is_empty() { name } else { name + "_" + &unit })
+}

@@ -1,0 +1,83 @@
+//! What a reader calls a quantity of an owner.
+
+use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_words::{Text, joined, name, text};
+
+use super::{axis, of};
+
+/// Several texts with a space between them, without the empty ones.
+fn spaced(parts: impl IntoIterator<Item = Text>) -> Text {
+    joined(" ", parts.into_iter().filter(|part| !part.is_empty()))
+}
+
+/// What a column belongs to: `point D`, `A on rod`, `load gas`; empty for the input.
+pub fn owner(schema: &Schema, column: Column) -> Text {
+    let of = |owner| schema.named(owner).map_or_else(Text::default, Text::from);
+    let own = || of(column.owner);
+    match column.owner {
+        Owner::Input => Text::default(),
+        Owner::Link(_) => text!("owner-link", name = own()),
+        Owner::Point(_) => text!("owner-point", name = own()),
+        Owner::Slide(_) => text!("owner-slide", name = own()),
+        Owner::PairOn(_, link) => {
+            text!("owner-pair-on", name = own(), link = of(Owner::Link(link)))
+        }
+        // Results count groups from 0, readers from 1.
+        Owner::Group(group) => text!("owner-group", number = group + 1),
+        Owner::Load(_) => text!("owner-load", name = own()),
+        _ => own(),
+    }
+}
+
+/// The symbol of a column with the axis of a projection: `vx`.
+fn symbol(column: Column) -> String {
+    of(column).symbol.to_owned() + axis(column.part)
+}
+
+/// What a column is, in words: `velocity`, `PF1`; empty for a load, whose name says all.
+pub fn kind(column: Column) -> Text {
+    let id = of(column).name;
+    if id.is_empty() { Text::default() } else { text!(id) }
+}
+
+/// Whether owner and symbol alone don't tell what a column is: the input needs no name, and F of a link may be a reaction.
+const fn needs_its_kind(column: Column) -> bool {
+    use Quantity::{Condition, InertiaForce, InertiaMoment, Residual};
+    matches!(column.owner, Owner::Input)
+        || matches!(column.quantity, InertiaForce | InertiaMoment | Condition | Residual(_))
+}
+
+/// A column by owner and symbol, `point D vx`, and what it is in words where these don't tell: `link rod inertia force Fx`.
+pub fn subject(schema: &Schema, column: Column) -> Text {
+    let kind = if needs_its_kind(column) { kind(column) } else { Text::default() };
+    spaced([owner(schema, column), kind, name(symbol(column))])
+}
+
+/// What a column is in words, for behind its [`subject`]: `velocity`, `PF1`; empty where that says it.
+pub fn further(column: Column) -> Text {
+    if needs_its_kind(column) { Text::default() } else { kind(column) }
+}
+
+/// A column as the head of a table: `D.x'`, `A>rod.Fx`; no two columns have the same.
+pub fn short(schema: &Schema, column: Column) -> Text {
+    let own = || schema.name(column.owner).into_owned();
+    let symbol = symbol(column);
+    let dotted =
+        |of: String, symbol: &str| name(if symbol.is_empty() { of } else { format!("{of}.{symbol}") });
+    match (column.quantity, column.owner) {
+        (Quantity::Transfer(order), Owner::Point(_) | Owner::Link(_) | Owner::Slide(_)) => {
+            let primes = "'".repeat(order.into());
+            name(if symbol.is_empty() { own() + &primes } else { format!("{}.{symbol}{primes}", own()) })
+        }
+        (_, Owner::PairOn(_, link)) => dotted(format!("{}>{}", own(), schema.link(link)), &symbol),
+        (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
+            spaced([name(own()), kind(column), name(symbol)])
+        }
+        (_, Owner::Link(_) | Owner::Point(_) | Owner::Slide(_) | Owner::Pair(_)) => dotted(own(), &symbol),
+        (Quantity::ShakingForce | Quantity::ShakingMoment, _) | (_, Owner::Load(_) | Owner::Group(_)) => {
+            spaced([owner(schema, column), kind(column), name(symbol)])
+        }
+        _ if symbol.is_empty() => kind(column),
+        _ => name(symbol),
+    }
+}
