@@ -37,3 +37,11 @@ quantity-residual-test-pf = residual of TestPf
 quantity-residual-equilibrium = residual of equilibrium
 quantity-residual-dynamics = residual of the equation of motion
 quantity-residual-global = residual of the powers
+name-ground = ground
+
+# How facts stand in a table.
+fact-quantity = Quantity
+fact-value = Value
+fact-unit = Unit
+fact-place = At
+fact-range = { $least } to { $most }

@@ -37,3 +37,11 @@ quantity-residual-test-pf = невязка TestPf
 quantity-residual-equilibrium = невязка равновесия
 quantity-residual-dynamics = невязка уравнения движения
 quantity-residual-global = невязка мощностей
+name-ground = стойка
+
+# Как величины стоят в таблице.
+fact-quantity = Величина
+fact-value = Значение
+fact-unit = Единица
+fact-place = Где
+fact-range = от { $least } до { $most }

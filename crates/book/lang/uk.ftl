@@ -37,3 +37,11 @@ quantity-residual-test-pf = нев'язка TestPf
 quantity-residual-equilibrium = нев'язка рівноваги
 quantity-residual-dynamics = нев'язка рівняння руху
 quantity-residual-global = нев'язка потужностей
+name-ground = стояк
+
+# Як величини стоять у таблиці.
+fact-quantity = Величина
+fact-value = Значення
+fact-unit = Одиниця
+fact-place = Де
+fact-range = від { $least } до { $most }

@@ -7,8 +7,18 @@
 
 pub mod catalogue;
 mod course;
+mod document;
+mod fact;
+mod name;
+mod number;
+mod table;
 
 pub use course::{Course, Extreme, Node, Summary};
+pub use document::{Block, Document, Term};
+pub use fact::{Fact, Value};
+pub use name::{link_name, listed, named};
+pub use number::{Digits, Unit};
+pub use table::{Cell, Column, Group, Printed, Table};
 
 assur_words::resources!();
 

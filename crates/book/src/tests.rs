@@ -1,5 +1,7 @@
 //! Tests of courses.
 
+mod table;
+
 use std::f64::consts::TAU;
 
 use crate::{Course, Node};

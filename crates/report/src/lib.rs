@@ -10,9 +10,12 @@ pub mod json;
 pub mod parquet;
 mod template;
 pub mod text;
+pub mod topic;
 
 pub use explain::explain;
 pub use fold::to_ascii;
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

@@ -116,7 +116,8 @@ fn numbers_that_are_not_finite_are_never_written() {
         assert!(matches!(&fault, CsvError::NotFinite { column, row: 1 } if column == "b"), "{fault}");
         let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
         let linkage = assur_kinematics::Linkage::compile(scene).unwrap();
-        let fault = crate::text::report(&analysis(bad), &linkage, None, false).unwrap_err();
+        let fault =
+            crate::text::report(&analysis(bad), &linkage, None, crate::text::Style::english()).unwrap_err();
         assert_eq!(fault.place, "positions[0].links.größe.pf0");
     }
 }

@@ -125,7 +125,7 @@ impl Language {
             let (base, power) = factor.split_at(end);
             let power: String = power.trim_start_matches('^').chars().map(raised).collect();
             let own = match base {
-                "" => String::new(),
+                "" => return factor.to_owned(),
                 base => {
                     let id = format!("unit-{base}");
                     if self.has(&id) { self.message(&id, &[]) } else { base.to_owned() }

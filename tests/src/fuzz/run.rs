@@ -96,7 +96,12 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     let written =
         writer::analysis::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;
-    let report = text::report(&analysis, &calculation.linkage, None, true);
+    let report = text::report(
+        &analysis,
+        &calculation.linkage,
+        None,
+        text::Style { ascii: true, ..text::Style::english() },
+    );
     clean("report", &report.map_err(|why| Finding::new("not finite", why))?, scene)?;
     for sheet in csv::of_positions(&analysis, true).into_iter().chain(csv::of_trajectory(&analysis, true)) {
         let header = sheet.header().map_err(|why| Finding::new("CSV", why))?;

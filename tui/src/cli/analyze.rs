@@ -40,7 +40,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         Form::Csv => results.csv(output, status),
         Form::Parquet => results.parquet(output, status),
         Form::Text => {
-            let report = text::report(&analysis, &study.linkage, positions.as_deref(), style.ascii);
+            let report = text::report(&analysis, &study.linkage, positions.as_deref(), style.words());
             output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
         }
     };

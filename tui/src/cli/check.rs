@@ -17,7 +17,7 @@ pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::other)?;
     drop(line);
     analysis.add_checks(checks);
-    output::print(&text::checks(&analysis.checks, style.ascii))?;
+    output::print(&text::checks(&analysis.checks, style.words()))?;
     let verdict = Verdict::of(&analysis, &study, &args.scene.scene, style);
     verdict.tell(style);
     Ok(verdict.proved())

@@ -50,7 +50,7 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
         }
     };
     let text = match args.format {
-        Format::Text => text::geometry(&found, style.ascii).map_err(Fault::other)?,
+        Format::Text => text::geometry(&found, style.words()).map_err(Fault::other)?,
         Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
         Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::other)?,
     };

@@ -67,7 +67,7 @@ fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
     let study = Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new().watch())
         .map_err(|error| scene::fault(path, &error, style))?;
     let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error, style))?;
-    output::print(&assur_report::text::advice(&motors, count, style.ascii))?;
+    output::print(&assur_report::text::advice(&motors, count, style.words()))?;
     Ok(Status::Done)
 }
 

@@ -142,8 +142,10 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
         };
         let heading = format!("Plans of position {} ({} {coordinate})", plans.index, analysis.input.link);
         let rule = "-".repeat(heading.chars().count());
-        text += &style
-            .text(&format!("\n{heading}\n{rule}\n{}", assur_report::text::plans(&plans.sheet, style.ascii)));
+        text += &style.text(&format!(
+            "\n{heading}\n{rule}\n{}",
+            assur_report::text::plans(&plans.sheet, style.words())
+        ));
     }
     text
 }

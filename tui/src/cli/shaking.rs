@@ -47,7 +47,7 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
         }
     };
     let text = match args.format {
-        Format::Text => text::shaking(&found, style.ascii).map_err(Fault::other)?,
+        Format::Text => text::shaking(&found, style.words()).map_err(Fault::other)?,
         Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
         Format::Csv => csv::shaking(&found, style.ascii).map_err(Fault::other)?,
     };

@@ -36,6 +36,11 @@ impl Style {
         Self { ascii: ascii || !is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
     }
 
+    /// How a report is written.
+    pub(crate) fn words(self) -> assur_report::text::Style<'static> {
+        assur_report::text::Style { ascii: self.ascii, ..assur_report::text::Style::english() }
+    }
+
     /// Text as it may be printed.
     pub(crate) fn text(self, text: &str) -> Cow<'_, str> {
         if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }

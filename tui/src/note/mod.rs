@@ -18,10 +18,12 @@ mod tests;
 mod typst;
 
 use assur_analysis::results::{Analysis, Failure};
+use assur_book::Fact;
 use assur_figure::Figure;
 use assur_kinematics::Position;
-use assur_report::text::{Finding, summary};
+use assur_report::topic::summary;
 use assur_scene::Note;
+use assur_words::Language;
 use document::{Block, Cover};
 
 use crate::screen::state::{State, View};
@@ -196,11 +198,10 @@ fn lost(analysis: &Analysis, poses: &[Option<Position>], words: &Words) -> Vec<B
 fn main_results(context: &Context<'_>) -> Vec<Block> {
     let words = context.words;
     let (Some(scene), Some(found)) = (&context.state.scene, context.state.found()) else { return Vec::new() };
-    let row = |one: Finding| {
-        let is_number = one.value.parse::<f64>().is_ok();
-        let value =
-            if is_number { words.number(&one.value) } else { words.name(&one.value).replace("->", "→") };
-        vec![words.phrase(&one.what), value, words.unit(one.unit), words.phrase(&one.at)]
+    let language = Language::find(words.language).unwrap_or(Language::english());
+    let row = |one: Fact| {
+        let value = one.value().render(language).replace("->", "→");
+        vec![one.what().render(language), value, words.unit(one.unit.name), one.place().render(language)]
     };
     let rows = summary(&found.analysis, &scene.linkage).into_iter().map(row).collect();
     let head = ["quantity", "value", "unit", "at"].map(|id| words.get(id));

@@ -1,215 +1,196 @@
-//! Lines, sections and tables of at most [`WIDTH`] columns.
+//! A document as lines of at most [`WIDTH`] columns.
 
 use std::borrow::Cow;
 
+use assur_book::{Block, Document, Fact, Printed, Table};
+use assur_words::{Language, Text, text};
 use textwrap::Options;
 use textwrap::WordSeparator::AsciiSpace;
 use textwrap::WordSplitter::NoHyphenation;
 use unicode_width::UnicodeWidthStr;
 
-use super::number;
-use super::units::Unit;
 use crate::to_ascii;
 
 /// Columns of the report.
 const WIDTH: usize = 100;
 /// Blanks between the columns of a table.
 const GAP: usize = 2;
-
-/// Rows of a list that are shown.
+/// Rows of a table that are shown.
 const MOST_ROWS: usize = 4096;
-/// Lines of a table of numbers that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
+/// Lines of a table that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
 const MOST_LINES: usize = 16 * MOST_ROWS;
+/// A fact whose value is longer has lines of its own, since columns don't break.
+const LONG: usize = 30;
 
-/// One column of a table of numbers.
-#[derive(Debug, Clone)]
-pub(super) struct Column {
-    head: String,
-    unit: &'static str,
-    cells: Cells,
+/// How a text is written.
+#[derive(Debug, Clone, Copy)]
+pub struct Style<'l> {
+    /// Its language.
+    pub language: &'l Language,
+    /// No character beyond ASCII.
+    pub ascii: bool,
 }
 
-#[derive(Debug, Clone)]
-enum Cells {
-    /// Text as it is.
-    Text(Vec<String>),
-    /// Numbers, whose digits are set when the other columns of their unit are known; `None` is a dash.
-    Numbers(Vec<Option<f64>>),
+/// A document as lines.
+pub fn written(document: &Document, style: Style<'_>) -> String {
+    let mut page = Page { text: String::new(), style, sections: 0 };
+    document.blocks.iter().for_each(|block| page.block(block));
+    page.text
 }
 
-impl Column {
-    /// A quantity of each row, converted from SI.
-    pub(super) fn of<'r, T: 'r>(
-        rows: impl IntoIterator<Item = &'r T>,
-        head: impl Into<String>,
-        unit: Unit,
-        value: impl Fn(&T) -> Option<f64>,
-    ) -> Self {
-        Self::numbers(head, unit, rows.into_iter().map(value))
+impl Style<'_> {
+    /// English, with all characters.
+    pub fn english() -> Self {
+        Self { language: Language::english(), ascii: false }
     }
 
-    /// Numbers, converted from SI.
-    pub(super) fn numbers(
-        head: impl Into<String>,
-        unit: Unit,
-        values: impl IntoIterator<Item = Option<f64>>,
-    ) -> Self {
-        let values = values.into_iter().map(|value| value.map(|value| value * unit.factor));
-        Self { head: head.into(), unit: unit.name, cells: Cells::Numbers(values.collect()) }
+    /// A text in the language.
+    pub fn line(self, text: &Text) -> String {
+        let line = text.render(self.language);
+        if self.ascii { to_ascii(&line).into_owned() } else { line }
     }
+}
 
-    /// Texts under a head.
-    pub(super) fn texts(head: &str, cells: Vec<String>) -> Self {
-        Self { head: head.to_owned(), unit: "", cells: Cells::Text(cells) }
-    }
+/// A text that is being written.
+#[derive(Debug)]
+struct Page<'l> {
+    text: String,
+    style: Style<'l>,
+    sections: usize,
+}
 
-    /// The largest number.
-    fn largest(&self) -> f64 {
-        match &self.cells {
-            Cells::Text(_) => 0.0,
-            Cells::Numbers(values) => {
-                values.iter().flatten().fold(0.0, |largest, value| largest.max(value.abs()))
-            }
+impl Page<'_> {
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Title(title) => self.underlined(&self.style.line(title), "="),
+            Block::Heading(name) => self.section(name),
+            Block::Subheading(name) => self.caption(name),
+            Block::Paragraph(words) => self.paragraph(words),
+            Block::Facts { caption, facts } => self.facts(caption, facts),
+            Block::Table(table) => self.table(table),
+            // Lines have no drawings, and no equations.
+            Block::Figure { .. } | Block::Equation(_) => {}
         }
     }
 
-    /// The formatted cells; `largest`: of all columns of this unit.
-    fn ready(self, largest: f64, ascii: bool) -> Ready {
-        let cells = match self.cells {
-            Cells::Text(cells) => cells,
-            Cells::Numbers(values) => number::column(&values, largest),
+    fn underlined(&mut self, line: &str, with: &str) {
+        self.text.extend([line, "\n", &with.repeat(line.width()), "\n"]);
+    }
+
+    /// A numbered heading.
+    fn section(&mut self, name: &Text) {
+        self.sections += 1;
+        if !self.text.is_empty() {
+            self.text.push('\n');
+        }
+        self.underlined(&format!("{}. {}", self.sections, self.style.line(name)), "-");
+    }
+
+    /// A line that names the table below it.
+    fn caption(&mut self, caption: &Text) {
+        if !caption.is_empty() {
+            self.text.extend(["\n", &self.style.line(caption), "\n"]);
+        }
+    }
+
+    /// Words, broken into lines.
+    fn paragraph(&mut self, words: &Text) {
+        self.text += &wrap(&self.style.line(words), 0, 2);
+    }
+
+    fn facts(&mut self, caption: &Text, facts: &[Fact]) {
+        self.caption(caption);
+        let is_long = |fact: &&Fact| self.style.line(&fact.value()).len() > LONG;
+        let (long, short): (Vec<_>, Vec<_>) = facts.iter().partition(is_long);
+        for fact in long {
+            self.paragraph(&text!("report-fact", what = fact.what(), value = fact.with_unit()));
+        }
+        let facts = short.into_iter().cloned().collect();
+        if let Some(table) = (Block::Facts { caption: Text::default(), facts }).as_table() {
+            self.table(&table);
+        }
+    }
+
+    /// A table in blocks of the page's width, each with the key columns in front. Columns of one group stay together where
+    /// they fit.
+    fn table(&mut self, table: &Table) {
+        self.caption(&table.caption);
+        let (keys, groups) = table.printed();
+        let keys: Vec<_> = keys.into_iter().map(|key| self.ready(key)).collect();
+        let room = WIDTH - total(&keys).min(WIDTH);
+        if groups
+            .iter()
+            .flatten()
+            .any(|column| column.cells.iter().any(|cell| self.style.line(cell).width() > room))
+        {
+            return self.rows(table);
+        }
+        let mut blocks: Vec<Vec<Ready>> = Vec::new();
+        for group in groups {
+            let group: Vec<_> = group.into_iter().map(|column| self.ready(column)).collect();
+            let fits = total(&group) <= room;
+            let pieces = if fits { vec![group] } else { group.into_iter().map(|one| vec![one]).collect() };
+            for piece in pieces {
+                match blocks.last_mut().filter(|block| total(block) + total(&piece) <= room) {
+                    Some(block) => block.extend(piece),
+                    None => blocks.push(piece),
+                }
+            }
+        }
+        self.blocks(&keys, &blocks, table.height());
+    }
+
+    /// Rows of which a cell has no room beside the keys: each as a paragraph.
+    fn rows(&mut self, table: &Table) {
+        let (keys, groups) = table.printed();
+        for row in 0..table.height().min(MOST_ROWS) {
+            let cells = |columns: &mut dyn Iterator<Item = &Printed>| {
+                let cells = columns.filter_map(|column| column.cells.get(row).cloned());
+                assur_words::joined("; ", cells.collect::<Vec<_>>())
+            };
+            let (what, value) = (cells(&mut keys.iter()), cells(&mut groups.iter().flatten()));
+            self.paragraph(&text!("report-fact", what = what, value = value));
+        }
+    }
+
+    fn blocks(&mut self, keys: &[Ready], blocks: &[Vec<Ready>], height: usize) {
+        let rows = height.min(MOST_ROWS);
+        let most = (MOST_LINES / rows.max(1)).max(1);
+        let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
+        let (all, shown) = (count(blocks), count(&blocks[..blocks.len().min(most)]));
+        let lines: Vec<_> = match blocks {
+            [] => vec![grid(keys.iter().collect(), rows)],
+            blocks => {
+                blocks.iter().take(most).map(|block| grid(keys.iter().chain(block).collect(), rows)).collect()
+            }
         };
-        let (head, unit) = (fold(&self.head, ascii).into_owned(), fold(self.unit, ascii).into_owned());
-        let all = cells.iter().chain([&head, &unit]);
-        Ready { width: all.map(|text| text.width()).max().unwrap_or(0), head, unit, cells }
+        self.text += &lines.join("\n");
+        let mut shortened = |text: Text| self.text.extend([self.style.line(&text).as_str(), "\n"]);
+        if rows < height {
+            shortened(text!("report-rows-shown", shown = rows, all = height));
+        }
+        if shown < all {
+            shortened(text!("report-columns-shown", shown = shown, all = all));
+        }
+    }
+
+    fn ready(&self, column: Printed) -> Ready {
+        let right = column.is_of_numbers();
+        let cells: Vec<_> = column.cells.iter().map(|cell| self.style.line(cell)).collect();
+        let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
+        let width = cells.iter().chain([&head, &unit]).map(|text| text.width()).max().unwrap_or(0);
+        Ready { head, unit, cells, width, right }
     }
 }
 
-/// A column of texts.
+/// A column of texts, flush right or left.
 #[derive(Debug)]
 struct Ready {
     head: String,
     unit: String,
     cells: Vec<String>,
     width: usize,
-}
-
-fn fold(text: &str, ascii: bool) -> Cow<'_, str> {
-    if ascii { to_ascii(text) } else { Cow::Borrowed(text) }
-}
-
-/// A report that is being written.
-#[derive(Debug)]
-pub(super) struct Page {
-    text: String,
-    ascii: bool,
-    sections: usize,
-}
-
-impl Page {
-    pub(super) fn new(ascii: bool) -> Self {
-        Self { text: String::new(), ascii, sections: 0 }
-    }
-
-    pub(super) fn finish(self) -> String {
-        self.text
-    }
-
-    pub(super) fn title(&mut self, title: &str) {
-        self.underlined(title, "=");
-    }
-
-    fn underlined(&mut self, line: &str, with: &str) {
-        let line = fold(line, self.ascii);
-        self.lines(&[&line, &with.repeat(line.width())]);
-    }
-
-    fn lines(&mut self, lines: &[&str]) {
-        for line in lines {
-            self.text += line;
-            self.text.push('\n');
-        }
-    }
-
-    /// A numbered heading.
-    pub(super) fn section(&mut self, name: &str) {
-        self.sections += 1;
-        if !self.text.is_empty() {
-            self.text.push('\n');
-        }
-        self.underlined(&format!("{}. {name}", self.sections), "-");
-    }
-
-    /// A line that names the table below it.
-    pub(super) fn caption(&mut self, caption: &str) {
-        self.lines(&["", &fold(caption, self.ascii)]);
-    }
-
-    /// Words, broken into lines.
-    pub(super) fn paragraph(&mut self, words: &str) {
-        self.text += &wrap(&fold(words, self.ascii), 0, 2);
-    }
-
-    /// Text that is already formatted.
-    pub(super) fn text(&mut self, text: &str) {
-        self.text += text;
-    }
-
-    /// Rows of words in aligned columns below their heads.
-    pub(super) fn rows(&mut self, head: &[&str], rows: &[Vec<String>]) {
-        self.text += &columns(head, &rows[..rows.len().min(MOST_ROWS)], self.ascii);
-        self.shortened(MOST_ROWS, rows.len(), "rows");
-    }
-
-    /// A table of numbers in blocks of the page's width, each with the key columns in front; nothing without groups.
-    /// Columns of one group stay together where they fit.
-    pub(super) fn table(&mut self, caption: &str, keys: &[Column], groups: Vec<Vec<Column>>) {
-        if groups.is_empty() {
-            return;
-        }
-        if !caption.is_empty() {
-            self.caption(caption);
-        }
-        let ready = |key: &Column| key.clone().ready(key.largest(), self.ascii);
-        let keys: Vec<_> = keys.iter().map(ready).collect();
-        let room = WIDTH - total(&keys).min(WIDTH);
-        let mut blocks: Vec<Vec<Ready>> = Vec::new();
-        for group in pieces(groups, room, self.ascii) {
-            match blocks.last_mut().filter(|block| total(block) + total(&group) <= room) {
-                Some(block) => block.extend(group),
-                None => blocks.push(group),
-            }
-        }
-        let rows = keys.iter().map(|key| key.cells.len()).max().unwrap_or(0);
-        let most = (MOST_LINES / rows.max(1)).max(1);
-        let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
-        let (all, shown) = (count(&blocks), count(&blocks[..blocks.len().min(most)]));
-        let blocks: Vec<_> = blocks.iter().take(most).map(|block| block_text(&keys, block)).collect();
-        self.text += &blocks.join("\n");
-        self.shortened(shown, all, "columns");
-    }
-
-    /// Says how many of all rows or columns are shown, where not all are.
-    fn shortened(&mut self, shown: usize, all: usize, what: &str) {
-        if shown < all {
-            let line = format!("... {shown} of {all} {what} shown; all are in the other forms (`--format`)");
-            self.lines(&[&line]);
-        }
-    }
-}
-
-/// Key columns and columns of a block, all flush right.
-fn block_text(keys: &[Ready], columns: &[Ready]) -> String {
-    let all: Vec<_> = keys.iter().chain(columns).collect();
-    let mut heads: Vec<Vec<&str>> = vec![all.iter().map(|column| column.head.as_str()).collect()];
-    if all.iter().any(|column| !column.unit.is_empty()) {
-        heads.push(all.iter().map(|column| column.unit.as_str()).collect());
-    }
-    let count = all.iter().map(|column| column.cells.len()).max().unwrap_or(0);
-    let cell = |column: &Ready, row: usize| -> String { column.cells.get(row).cloned().unwrap_or_default() };
-    let rows: Vec<Vec<String>> =
-        (0..count).map(|row| all.iter().map(|column| cell(column, row)).collect()).collect();
-    grid(&heads, &rows, &vec![true; all.len()])
+    right: bool,
 }
 
 /// Width of columns with the gaps in front of them.
@@ -217,77 +198,53 @@ fn total(columns: &[Ready]) -> usize {
     columns.iter().map(|column| column.width + GAP).sum()
 }
 
-/// Groups of columns, those that are wider than a page cut into single columns.
-fn pieces(groups: Vec<Vec<Column>>, room: usize, ascii: bool) -> Vec<Vec<Ready>> {
-    // The largest number of each unit.
-    let mut scales: Vec<(&str, f64)> = Vec::new();
-    for column in groups.iter().flatten() {
-        match scales.iter_mut().find(|(unit, _)| *unit == column.unit) {
-            Some((_, scale)) => *scale = scale.max(column.largest()),
-            None => scales.push((column.unit, column.largest())),
+/// Heads, units, a line, and rows.
+fn grid(columns: Vec<&Ready>, rows: usize) -> String {
+    let mut text = String::new();
+    let mut line = |cell: &dyn Fn(&Ready) -> String| {
+        let mut line = String::new();
+        for (number, column) in columns.iter().enumerate() {
+            let cell = cell(column);
+            let blanks = " ".repeat(column.width - cell.width());
+            let gap = " ".repeat(if number == 0 { 0 } else { GAP });
+            let (before, after) = if column.right { (&*blanks, "") } else { ("", &*blanks) };
+            line.extend([&gap, before, &cell, after]);
         }
-    }
-    let largest = |unit: &str| scales.iter().find(|(known, _)| *known == unit).map_or(0.0, |found| found.1);
-    let ready = |column: Column| {
-        let largest = largest(column.unit);
-        column.ready(largest, ascii)
+        text.extend([line.trim_end(), "\n"]);
     };
-    let mut pieces = Vec::new();
-    for group in groups {
-        let group: Vec<_> = group.into_iter().map(ready).collect();
-        if total(&group) <= room {
-            pieces.push(group);
-        } else {
-            pieces.extend(group.into_iter().map(|column| vec![column]));
-        }
+    line(&|column| column.head.clone());
+    if columns.iter().any(|column| !column.unit.is_empty()) {
+        line(&|column| column.unit.clone());
     }
-    pieces
+    line(&|column| "-".repeat(column.width));
+    (0..rows).for_each(|row| line(&|column| column.cells.get(row).cloned().unwrap_or_default()));
+    text
 }
 
 /// Rows of words in aligned columns below their heads and a line; columns of numbers are flush right.
 pub fn columns(head: &[&str], rows: &[Vec<String>], ascii: bool) -> String {
-    let head: Vec<_> = head.iter().map(|cell| fold(cell, ascii)).collect();
-    let fold_row = |row: &Vec<String>| row.iter().map(|cell| fold(cell, ascii).into_owned()).collect();
-    let rows: Vec<Vec<String>> = rows.iter().map(fold_row).collect();
-    let number = |cell: &String| cell == "-" || cell.is_empty() || cell.parse::<f64>().is_ok();
-    let is_numeric = |column: usize| rows.iter().filter_map(|row| row.get(column)).all(number);
-    let right: Vec<bool> = (0..head.len()).map(is_numeric).collect();
-    grid(&[head.iter().map(|cell| &**cell).collect()], &rows, &right)
+    let fold = |text: &str| if ascii { to_ascii(text).into_owned() } else { text.to_owned() };
+    let column = |(number, head): (usize, &&str)| {
+        let cells: Vec<_> =
+            rows.iter().map(|row| row.get(number).map_or_else(String::new, |cell| fold(cell))).collect();
+        let head = fold(head);
+        let right = cells.iter().all(|cell| cell.is_empty() || cell == "-" || cell.parse::<f64>().is_ok());
+        let width = cells.iter().chain([&head]).map(|text| text.width()).max().unwrap_or(0);
+        Ready { head, unit: String::new(), cells, width, right }
+    };
+    let all: Vec<_> = head.iter().enumerate().map(column).collect();
+    grid(all.iter().collect(), rows.len())
 }
 
-/// Heads, a line, and rows; each column as wide as its widest cell, flush `right` or left.
-fn grid(heads: &[Vec<&str>], rows: &[Vec<String>], right: &[bool]) -> String {
-    let rows: Vec<Vec<&str>> = rows.iter().map(|row| row.iter().map(String::as_str).collect()).collect();
-    let width = |column: usize| {
-        heads
-            .iter()
-            .chain(&rows)
-            .filter_map(|row| row.get(column))
-            .map(|cell| cell.width())
-            .max()
-            .unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..right.len()).map(width).collect();
-    let rule: Vec<_> = widths.iter().map(|width| "-".repeat(*width)).collect();
-    let rule: Vec<_> = rule.iter().map(String::as_str).collect();
-    let mut text = String::new();
-    for row in heads.iter().chain([&rule]).chain(&rows) {
-        let mut line = String::new();
-        for (column, cell) in row.iter().enumerate() {
-            let blanks = " ".repeat(widths[column] - cell.width());
-            let gap = " ".repeat(if column == 0 { 0 } else { GAP });
-            let (before, after) = if right[column] { (&*blanks, "") } else { ("", &*blanks) };
-            line.extend([&gap, before, cell, after]);
-        }
-        text += line.trim_end();
-        text.push('\n');
-    }
-    text
+/// Broken into lines of the report's width; all but the first are indented by `indent` columns.
+pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
+    wrap(&if ascii { to_ascii(words) } else { Cow::Borrowed(words) }, 0, indent)
 }
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
 pub(crate) fn wrap(words: &str, first: usize, rest: usize) -> String {
-    let words: Vec<_> = words.split_whitespace().collect();
+    // A space that does not break keeps the digits of a number together.
+    let words: Vec<_> = words.split_ascii_whitespace().collect();
     let indents = [first, rest].map(|columns| " ".repeat(columns));
     let options = Options::new(WIDTH).initial_indent(&indents[0]).subsequent_indent(&indents[1]);
     let whole = options.break_words(false).word_separator(AsciiSpace).word_splitter(NoHyphenation);

@@ -1,0 +1,131 @@
+//! Numbers and units as they are shown.
+
+use assur_words::{Text, name, number, quantity};
+
+/// What stands for a value that is not determined. No text shows a number that is not finite: every number of it passes
+/// through [`digits`].
+const NONE: &str = "-";
+
+/// Significant digits of the largest value of a column.
+const DIGITS: i32 = 6;
+
+/// A number below this part of the largest of its kind is shown as zero.
+const ROUNDING: f64 = 1e-13;
+
+/// How the numbers of a column are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Digits {
+    /// All with one number of decimals: as many as the largest of their unit in the table needs for six significant
+    /// digits, so that small values are seen to be small.
+    Even,
+    /// Each with six significant digits and no zeros at the end.
+    Short,
+    /// Each with three significant digits and an exponent.
+    Exponent,
+    /// Each with ten significant digits, to show how an iteration converges.
+    Long,
+}
+
+/// A unit and the factor from SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// Its English symbol; empty for a plain number.
+    pub name: &'static str,
+    /// Factor from SI.
+    pub factor: f64,
+}
+
+impl Unit {
+    /// A plain number.
+    pub const NONE: Self = Self::of("", 1.0);
+
+    /// A unit by its symbol and the factor from SI.
+    pub const fn of(name: &'static str, factor: f64) -> Self {
+        Self { name, factor }
+    }
+
+    /// A number in SI with this unit, with six significant digits.
+    pub fn show(self, value: f64) -> Text {
+        quantity(short(value * self.factor), self.name)
+    }
+
+    /// Several numbers in SI, then the unit once.
+    pub fn show_all(self, values: &[f64]) -> Text {
+        let all: Vec<_> = values.iter().map(|value| number(short(value * self.factor))).collect();
+        assur_words::joined(" ", [assur_words::joined("; ", all), assur_words::unit(self.name)])
+    }
+
+    /// The number alone.
+    pub fn number(self, value: f64) -> Text {
+        number(short(value * self.factor))
+    }
+}
+
+impl Digits {
+    /// A number as it is written; `largest`: of its column, `kind`: of its unit nearby.
+    pub(crate) fn write(self, value: f64, [largest, kind]: [f64; 2]) -> Text {
+        if !value.is_finite() {
+            return name(NONE);
+        }
+        let [clean, largest] =
+            [value, largest].map(|value| if is_rounding(value, kind) { 0.0 } else { value });
+        number(match self {
+            Self::Even => digits(clean, largest),
+            Self::Short => short(clean),
+            Self::Exponent if value == 0.0 => "0".to_owned(),
+            Self::Exponent => format!("{value:.2e}"),
+            Self::Long => long(value),
+        })
+    }
+}
+
+/// What stands for a value that is not determined.
+pub(crate) fn dash() -> Text {
+    name(NONE)
+}
+
+/// Whether a number is rounding compared with the greatest of its kind.
+fn is_rounding(value: f64, greatest: f64) -> bool {
+    value.abs() <= ROUNDING * greatest
+}
+
+/// One value with six significant digits and no zeros at the end.
+pub(crate) fn short(value: f64) -> String {
+    let text = digits(value, value.abs());
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+/// One value with as many decimals as the largest beside it needs for six significant digits.
+pub(crate) fn digits(value: f64, largest: f64) -> String {
+    if !value.is_finite() {
+        return NONE.to_owned();
+    }
+    if largest == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = largest.log10().floor();
+    if !(-4.0..7.0).contains(&exponent) {
+        return if value == 0.0 { "0".to_owned() } else { format!("{value:.5e}") };
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "between -4 and 7")]
+    let decimals = (DIGITS - 1 - exponent as i32).max(0);
+    let text = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
+    // No minus before a zero.
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+fn long(value: f64) -> String {
+    let size = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    if !(-4.0..10.0).contains(&size) {
+        return format!("{value:.9e}");
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 13")]
+    let decimals = (9.0 - size).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}

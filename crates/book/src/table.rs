@@ -1,0 +1,286 @@
+//! Tables: columns of numbers in SI, each with its unit, and of texts.
+
+use assur_mechanism::Name;
+use assur_words::{Text, count, joined, name};
+
+use crate::number::{Digits, Unit, dash};
+
+/// A table.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    /// What it shows; may be empty.
+    pub caption: Text,
+    /// What tells one row from another: number, coordinate, name.
+    pub keys: Vec<Column>,
+    /// What the owners of the groups are: links, points; may be empty.
+    pub owners: Text,
+    /// The other columns, those of one owner together.
+    pub groups: Vec<Group>,
+}
+
+/// Columns that belong together.
+#[derive(Debug, Clone)]
+pub struct Group {
+    /// Whose they are; empty where that needs no word.
+    pub owner: Text,
+    /// The columns.
+    pub columns: Vec<Column>,
+}
+
+/// One column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its head without the unit.
+    pub head: Text,
+    /// Its unit; numbers are in SI and multiplied by its factor when they are written.
+    pub unit: Unit,
+    /// How its numbers are written.
+    pub digits: Digits,
+    /// A cell for each row.
+    pub cells: Vec<Cell>,
+}
+
+/// One cell.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A number in SI.
+    Number(f64),
+    /// What is not determined, or has no meaning: a dash.
+    None,
+    /// A text.
+    Text(Text),
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::None, Into::into)
+    }
+}
+
+impl From<Text> for Cell {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<usize> for Cell {
+    /// A number of something, or a count.
+    fn from(number: usize) -> Self {
+        Self::Text(count(number))
+    }
+}
+
+impl From<&str> for Cell {
+    /// A name.
+    fn from(letters: &str) -> Self {
+        Self::Text(name(letters.to_owned()))
+    }
+}
+
+impl From<&String> for Cell {
+    /// A name.
+    fn from(letters: &String) -> Self {
+        Self::from(letters.as_str())
+    }
+}
+
+impl From<&Name> for Cell {
+    fn from(name: &Name) -> Self {
+        Self::Text(name.into())
+    }
+}
+
+/// The cells of a row: numbers, counts, names and texts.
+#[macro_export]
+macro_rules! row {
+    ($($cell:expr),* $(,)?) => {
+        [$($crate::Cell::from($cell)),*]
+    };
+}
+
+impl Column {
+    /// An empty column of texts.
+    pub fn of(head: Text) -> Self {
+        Self::short(head, Unit::NONE)
+    }
+
+    /// An empty column of numbers, of which each has its own digits.
+    pub fn short(head: Text, unit: impl Into<Unit>) -> Self {
+        Self { head, unit: unit.into(), digits: Digits::Short, cells: Vec::new() }
+    }
+
+    /// The same with other digits.
+    #[must_use]
+    pub fn with(self, digits: Digits) -> Self {
+        Self { digits, ..self }
+    }
+
+    /// Numbers in SI that have one number of decimals.
+    pub fn numbers(head: Text, unit: impl Into<Unit>, values: impl IntoIterator<Item = Option<f64>>) -> Self {
+        let cells = values.into_iter().map(Cell::from).collect();
+        Self { head, unit: unit.into(), digits: Digits::Even, cells }
+    }
+
+    /// A quantity of each row that always has a value.
+    pub fn each<'r, T: 'r>(
+        rows: impl IntoIterator<Item = &'r T>,
+        head: Text,
+        unit: impl Into<Unit>,
+        value: impl Fn(&T) -> f64,
+    ) -> Self {
+        Self::numbers(head, unit, rows.into_iter().map(|row| Some(value(row))))
+    }
+
+    /// Numbers of positions or samples.
+    pub fn counted(head: Text, numbers: impl IntoIterator<Item = usize>) -> Self {
+        Self { cells: numbers.into_iter().map(Cell::from).collect(), ..Self::of(head) }
+    }
+
+    /// The greatest modulus of a number, in the unit of the column.
+    fn greatest(&self) -> f64 {
+        let sizes = self.cells.iter().filter_map(|cell| match cell {
+            Cell::Number(value) if value.is_finite() => Some((value * self.unit.factor).abs()),
+            _ => None,
+        });
+        sizes.fold(0.0, f64::max)
+    }
+
+    /// The cells as they are shown; `kind`: the greatest number of their unit.
+    fn printed(&self, head: Text, kind: f64) -> Printed {
+        let sizes = [self.greatest(), kind];
+        let cell = |cell: &Cell| match cell {
+            Cell::Number(value) => self.digits.write(value * self.unit.factor, sizes),
+            Cell::None => dash(),
+            Cell::Text(text) => text.clone(),
+        };
+        Printed { head, unit: self.unit.name, cells: self.cells.iter().map(cell).collect() }
+    }
+}
+
+/// A column as it is shown.
+#[derive(Debug, Clone)]
+pub struct Printed {
+    /// Its head, with the owner where it is the first of its group.
+    pub head: Text,
+    /// The symbol of its unit in English; may be empty.
+    pub unit: &'static str,
+    /// The cells.
+    pub cells: Vec<Text>,
+}
+
+impl Printed {
+    /// Whether it has numbers, counts and dashes alone, so that it stands at the right.
+    pub fn is_of_numbers(&self) -> bool {
+        self.cells.iter().all(|cell| {
+            let english = cell.to_string();
+            english.is_empty() || english == "-" || english.parse::<f64>().is_ok()
+        })
+    }
+}
+
+impl Table {
+    /// A table whose rows follow; the first column tells one row from another.
+    pub fn list(caption: Text, columns: impl IntoIterator<Item = Column>) -> Self {
+        let mut columns = columns.into_iter();
+        let keys = columns.next().into_iter().collect();
+        let group = Group { owner: Text::default(), columns: columns.collect() };
+        Self { caption, keys, owners: Text::default(), groups: vec![group] }
+    }
+
+    /// A table over positions or samples, of columns that have no owner.
+    pub fn over(caption: Text, keys: Vec<Column>, columns: Vec<Column>) -> Self {
+        let groups = vec![Group { owner: Text::default(), columns }];
+        Self { caption, keys, owners: Text::default(), groups }
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = Cell>) {
+        let columns = self.keys.iter_mut().chain(self.groups.iter_mut().flat_map(|group| &mut group.columns));
+        columns.zip(cells).for_each(|(column, cell)| column.cells.push(cell));
+    }
+
+    /// The same with these rows.
+    #[must_use]
+    pub fn rows<C: IntoIterator<Item = Cell>>(mut self, rows: impl IntoIterator<Item = C>) -> Self {
+        rows.into_iter().for_each(|cells| self.row(cells));
+        self
+    }
+
+    /// All columns.
+    pub fn columns(&self) -> impl Iterator<Item = &Column> {
+        self.keys.iter().chain(self.groups.iter().flat_map(|group| &group.columns))
+    }
+
+    /// How many rows it has.
+    pub fn height(&self) -> usize {
+        self.columns().map(|column| column.cells.len()).max().unwrap_or(0)
+    }
+
+    /// Whether it has nothing to show.
+    pub fn is_empty(&self) -> bool {
+        self.groups.is_empty() || self.height() == 0
+    }
+
+    /// The key columns, and the others group by group.
+    pub fn printed(&self) -> (Vec<Printed>, Vec<Vec<Printed>>) {
+        let keys = self.keys.iter().map(|column| column.printed(column.head.clone(), column.greatest()));
+        let mut greatest: Vec<(&str, f64)> = Vec::new();
+        for column in self.groups.iter().flat_map(|group| &group.columns) {
+            match greatest.iter_mut().find(|(unit, _)| *unit == column.unit.name) {
+                Some((_, most)) => *most = most.max(column.greatest()),
+                None => greatest.push((column.unit.name, column.greatest())),
+            }
+        }
+        let of_unit = |column: &Column| match column.digits {
+            Digits::Even => {
+                greatest.iter().find(|(unit, _)| *unit == column.unit.name).map_or(0.0, |of| of.1)
+            }
+            _ => column.greatest(),
+        };
+        let group = |group: &Group| {
+            let columns = group.columns.iter().enumerate().map(|(index, column)| {
+                let owner = if index == 0 { group.owner.clone() } else { Text::default() };
+                let parts = [owner, column.head.clone()].into_iter().filter(|part| !part.is_empty());
+                column.printed(joined(" ", parts), of_unit(column))
+            });
+            columns.collect()
+        };
+        (keys.collect(), self.groups.iter().map(group).collect())
+    }
+
+    /// The same with a row for each owner: for few rows and many owners. A table whose groups have no owners stays.
+    #[must_use]
+    pub fn by_owner(&self) -> Self {
+        if self.groups.iter().all(|group| group.owner.is_empty()) {
+            return self.clone();
+        }
+        let mut columns: Vec<Column> = Vec::new();
+        for column in self.groups.iter().flat_map(|group| &group.columns) {
+            if !columns.iter().any(|known| known.head == column.head) {
+                columns.push(Column { cells: Vec::new(), ..column.clone() });
+            }
+        }
+        let keys = self.keys.iter().map(|key| Column { cells: Vec::new(), ..key.clone() });
+        let mut table = Self::list(
+            self.caption.clone(),
+            std::iter::once(Column::of(self.owners.clone())).chain(keys).chain(columns.iter().cloned()),
+        );
+        for (group, row) in
+            self.groups.iter().flat_map(|group| (0..self.height()).map(move |row| (group, row)))
+        {
+            let cell = |column: &Column| column.cells.get(row).cloned().unwrap_or(Cell::None);
+            let of = |wanted: &Column| {
+                group.columns.iter().find(|column| column.head == wanted.head).map_or(Cell::None, cell)
+            };
+            let cells = std::iter::once(Cell::Text(group.owner.clone()));
+            table.row(cells.chain(self.keys.iter().map(cell)).chain(columns.iter().map(of)));
+        }
+        table
+    }
+}

@@ -1,0 +1,82 @@
+//! The checks of the numbers.
+
+use assur_analysis::results::Check;
+use assur_book::{Cell, Column, Digits, Document, Table, Unit, row};
+use assur_words::{Text, list, name, number, text};
+
+/// The checks, one row each: name, largest residual, where, limit, whether it holds, or that nothing could be checked;
+/// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
+pub fn checks(checks: &[Check], page: &mut Document) {
+    let size = |head| Column::short(head, Unit::NONE).with(Digits::Exponent);
+    let heads = [
+        Column::of(text!("head-check")),
+        size(text!("head-residual")),
+        Column::of(text!("head-position")),
+        Column::of(text!("head-place")),
+        size(text!("head-limit")),
+        Column::of(text!("head-result")),
+    ];
+    let row = |check: &Check| {
+        let place = (!check.place.is_empty()).then(|| name(check.place.clone()));
+        row![name(check.name), check.residual, check.at.map(number), place, check.limit, verdict(check)]
+    };
+    page.table(Table::list(Text::default(), heads).rows(checks.iter().map(row)));
+    sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
+}
+
+/// Of how many positions a sample was checked: one sentence for the checks that have it in common.
+fn sampled(checks: &[Check]) -> Vec<Text> {
+    let mut kinds: Vec<([usize; 2], Vec<Text>)> = Vec::new();
+    for check in checks {
+        let Some(sample) = check.sample else { continue };
+        match kinds.iter_mut().find(|kind| kind.0 == sample) {
+            Some((_, names)) => names.push(name(check.name)),
+            None => kinds.push((sample, vec![name(check.name)])),
+        }
+    }
+    let sentence = |([checked, of], names): ([usize; 2], Vec<Text>)| {
+        text!(
+            "report-checked-in",
+            checked = number(checked),
+            of = number(thousands(of)),
+            checks = list(names)
+        )
+    };
+    kinds.into_iter().map(sentence).collect()
+}
+
+/// A number with a comma after every third digit: 1,000,000.
+fn thousands(number: usize) -> String {
+    let digits = number.to_string();
+    let from_the_end = digits.chars().rev().enumerate();
+    let grouped =
+        from_the_end.flat_map(|(i, digit)| (i > 0 && i % 3 == 0).then_some(',').into_iter().chain([digit]));
+    grouped.collect::<String>().chars().rev().collect()
+}
+
+fn verdict(check: &Check) -> Cell {
+    Cell::Text(match check.verdict() {
+        Some(false) => text!("report-check-failed"),
+        Some(true) => text!("report-check-ok"),
+        None => text!("report-check-not-judged"),
+    })
+}
+
+/// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
+pub fn not_judged(checks: &[Check]) -> Vec<Text> {
+    let mut kinds: Vec<(usize, Text, Vec<Text>)> = Vec::new();
+    for check in checks.iter().filter(|check| check.left_out > 0) {
+        let (count, why) = (check.left_out, name(check.why_left_out));
+        match kinds.iter_mut().find(|kind| kind.0 == count && kind.1 == why) {
+            Some((_, _, names)) => names.push(name(check.name)),
+            None => kinds.push((count, why, vec![name(check.name)])),
+        }
+    }
+    let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
+        text!("report-not-judged-in", count = count, checks = list(names), reason = why)
+    };
+    let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
+    let alone = alone
+        .map(|check| text!("report-not-judged", check = name(check.name), reason = name(check.why_left_out)));
+    kinds.into_iter().map(sentence).chain(alone).collect()
+}

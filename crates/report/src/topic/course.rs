@@ -1,0 +1,184 @@
+//! Motion over time: how it was found, its samples, energies, and the greatest reactions.
+
+use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
+use assur_book::{Column, Document, Table, Unit, named, row};
+use assur_words::{name, number, text};
+
+use super::forces::{force, has_reactions, shown};
+use super::units::{FORCE, JOULE, SECOND};
+use super::{Source, Values, each, modulus};
+
+/// Rows of the table; of more samples every so many are shown.
+const ROWS: usize = 51;
+/// Events that are listed.
+const EVENTS: usize = 20;
+
+/// Why the motion is not found, where it is not.
+pub fn no_motion(source: &Source<'_>, page: &mut Document) {
+    if let Some(problem) = &source.analysis.no_motion {
+        page.heading(text!("report-motion"));
+        page.paragraph(text!("report-no-motion", reason = name(problem.clone())));
+    }
+}
+
+/// How a motion from an initial state was found, and its course.
+pub fn motion_over_time(source: &Source<'_>, page: &mut Document) {
+    if let Some(found) = &source.analysis.integration {
+        page.heading(text!("report-motion"));
+        integration(source, found, page);
+        samples(source, page);
+        holding(source, page);
+        events(source, found, page);
+        greatest(source, page);
+    }
+}
+
+fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
+    let case = number(found.case);
+    page.paragraph(text!("report-equation", equation = name(found.equation.clone()), case = case));
+    let method = name(found.method.clone());
+    page.paragraph(text!("report-integrator", method = method, reason = name(found.reason.clone())));
+    let cost = &found.statistics;
+    page.paragraph(text!(
+        "report-integration-cost",
+        tolerance = number(format_args!("{:e}", found.tolerance)),
+        steps = cost.steps,
+        rejected = cost.rejected,
+        evaluations = cost.evaluations,
+        jacobians = cost.jacobians,
+        pieces = cost.pieces
+    ));
+    if let Some(product) = cost.stiffness {
+        page.paragraph(text!("report-stiffness", value = Unit::NONE.show(product)));
+    }
+    if let Some(error) = cost.error {
+        page.paragraph(text!("report-motion-error", value = Unit::NONE.show(error)));
+    }
+    let raw = Unit::of(if source.analysis.input.angular { "rad" } else { "m" }, 1.0);
+    page.paragraph(text!(
+        "report-end",
+        time = SECOND.show(found.end.time),
+        raw = raw.show(found.end.coordinate),
+        coordinate = source.units.coordinate.show(found.end.coordinate),
+        speed = source.units.rates[0].show(found.end.speed)
+    ));
+    let energy = &found.energy;
+    page.paragraph(text!(
+        "report-energies",
+        start = JOULE.show(energy.kinetic_start),
+        end = JOULE.show(energy.kinetic_end),
+        potential_start = JOULE.show(energy.potential_start),
+        potential_end = JOULE.show(energy.potential_end)
+    ));
+    let change = number(format_args!("{:.2e}", energy.change));
+    page.paragraph(if energy.conservative {
+        text!("report-energy-drift", change = change)
+    } else {
+        text!("report-energy-work", change = change)
+    });
+}
+
+/// The rows that are shown: every n-th, so that there are at most [`ROWS`], always with the last one.
+fn some(all: &Results) -> Vec<usize> {
+    let stride = all.len().saturating_sub(1).div_ceil(ROWS - 1).max(1);
+    let mut rows: Vec<_> = (0..all.len()).step_by(stride).collect();
+    if !all.is_empty() && all.len() % stride != 1 && stride > 1 {
+        rows.push(all.len() - 1);
+    }
+    rows
+}
+
+fn samples(source: &Source<'_>, page: &mut Document) {
+    let all = &source.analysis.trajectory;
+    let (rows, units) = (some(all), &source.units);
+    let column = |head, unit, values| {
+        let values = each(all, values);
+        Column::numbers(head, unit, rows.iter().map(|row| values[*row]))
+    };
+    let of = |quantity| Values::of(quantity, Owner::Input);
+    let time = column(text!("head-time"), SECOND, of(Quantity::Time));
+    let mut columns = vec![
+        column(named(&source.analysis.input.link), units.coordinate, Values::COORDINATE),
+        column(text!("head-speed"), units.rates[0], of(Quantity::Velocity)),
+        column(text!("head-acceleration"), units.rates[1], of(Quantity::Acceleration)),
+    ];
+    for (head, quantity) in [
+        (text!("head-driving-work"), Quantity::DrivingWork),
+        (text!("head-resisting-work"), Quantity::ResistingWork),
+        (text!("head-kinetic-energy"), Quantity::KineticEnergy),
+    ] {
+        if all.schema().find(of(quantity)).is_some() {
+            columns.push(column(head, JOULE, of(quantity)));
+        }
+    }
+    let drive = all.schema().find(Values::BALANCING).filter(|column| all.has(*column));
+    if source.mechanism.drive.is_some() && drive.is_some() {
+        columns.push(column(text!("head-drive"), units.reduced[2], Values::BALANCING));
+    }
+    let caption = text!("report-course", shown = rows.len(), all = all.len());
+    page.table(Table::over(caption, vec![time], columns));
+}
+
+/// The load that holds the motion at rest or at its speed, from the first sample of each interval of holding.
+fn holding(source: &Source<'_>, page: &mut Document) {
+    let (moment, rate) = (source.units.reduced[2], source.units.rates[0]);
+    let all = &source.analysis.trajectory;
+    let of = |quantity| each(all, Values::of(quantity, Owner::Input));
+    let [time, speed, held, bound] =
+        [Quantity::Time, Quantity::Velocity, Quantity::Holding, Quantity::HoldingBound].map(of);
+    for row in 0..all.len() {
+        let (Some(holds), Some(bound), false) =
+            (held[row], bound[row], row.checked_sub(1).is_some_and(|before| held[before].is_some()))
+        else {
+            continue;
+        };
+        page.paragraph(text!(
+            "report-held",
+            speed = rate.show(speed[row].unwrap_or_default()),
+            time = SECOND.show(time[row].unwrap_or_default()),
+            held = moment.show(holds),
+            bound = moment.show(bound)
+        ));
+    }
+}
+
+fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
+    let row = |event: &Event| {
+        let Event { kind, state } = event;
+        row![name(kind.to_string()), state.time, state.coordinate, state.speed]
+    };
+    let shown = found.events.iter().take(EVENTS);
+    let caption = text!("report-events", shown = shown.len(), all = found.events.len());
+    let heads = [
+        Column::of(text!("head-event")),
+        Column::short(text!("head-time"), SECOND),
+        Column::short(text!("head-coordinate"), source.units.coordinate),
+        Column::short(text!("head-speed"), source.units.rates[0]),
+    ];
+    page.table(Table::list(caption, heads).rows(shown.map(row)));
+}
+
+/// The greatest reaction of each pair over the samples.
+fn greatest(source: &Source<'_>, page: &mut Document) {
+    let all = &source.analysis.trajectory;
+    if !has_reactions(all) {
+        return;
+    }
+    let (schema, times) = (all.schema(), each(all, Values::of(Quantity::Time, Owner::Input)));
+    let heads = [
+        Column::of(text!("head-pair")),
+        Column::of(text!("head-on")),
+        Column::short(text!("head-greatest-force"), FORCE),
+        Column::short(text!("head-time"), SECOND),
+    ];
+    let mut table = Table::list(text!("report-greatest-at-samples"), heads);
+    for (pair, links) in shown(all) {
+        for link in links {
+            let sizes = modulus(all, force(pair, link)).into_iter().zip(&times);
+            let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
+            let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            table.row(row![named(&schema.name(Owner::Pair(pair))), named(schema.link(link)), size, time]);
+        }
+    }
+    page.table(table);
+}

@@ -1,0 +1,263 @@
+//! Reduction, reactions with their causes, loads and the balancing load.
+
+use assur_analysis::results::{Owner, Part, Quantity, Table as Results};
+use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, named, row};
+use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
+use assur_words::{Text, name, number, text};
+
+use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
+use super::{Source, Values, each, modulus};
+
+/// Inertia, its derivative and the moment of the loads, reduced to the input link and to a point.
+pub fn reduction(source: &Source<'_>, page: &mut Document) {
+    let (table, units) = (&source.positions, source.units.reduced);
+    let of = |quantity| Values::of(quantity, Owner::Input);
+    let [inertia, moment] = [Quantity::ReducedInertia, Quantity::ReducedMoment].map(of);
+    if table.is_empty() || table.schema().find(inertia).is_none() {
+        return;
+    }
+    page.heading(text!("report-reduction"));
+    let columns = vec![
+        source.column(name("J"), units[0], inertia),
+        source.column(name("dJ/dq"), units[1], of(Quantity::ReducedInertiaDerivative)),
+        source.column(name("Q"), units[2], moment),
+    ];
+    page.table(Table::over(text!("report-reduced"), source.keys(), columns));
+    let share =
+        |owner| source.column(source.name(owner), units[0], Values::of(Quantity::ReducedInertia, owner));
+    let links = source.owners(Quantity::ReducedInertia, |owner| matches!(owner, Owner::Link(_)));
+    if links.len() > 1 {
+        let shares = links.into_iter().map(share).collect();
+        page.table(Table::over(text!("report-shares"), source.keys(), shares));
+    }
+    // E eqs. 4-6.
+    let dynamics = source.analysis.dynamics.as_ref();
+    let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };
+    let radius = point.radius;
+    let (to, r) = (name(point.name.clone()), LENGTH.show(radius));
+    let scaled = |values, by: f64| each(table, values).into_iter().map(move |value| Some(value? / by));
+    let columns = vec![
+        Column::numbers(name("m"), KILOGRAM, scaled(inertia, radius * radius)),
+        Column::numbers(name("F"), FORCE, scaled(moment, radius)),
+    ];
+    page.table(Table::over(text!("report-reduced-to-point", point = to, radius = r), source.keys(), columns));
+}
+
+/// All pairs that have reactions, each with the links that are shown: of two links the first that moves (the force on
+/// the other is opposite), of more links all.
+pub(super) fn shown(table: &Results) -> Vec<(PairId, Vec<LinkId>)> {
+    let mut pairs: Vec<(PairId, Vec<LinkId>)> = Vec::new();
+    for owner in table.schema().owners(Quantity::Force) {
+        let Owner::PairOn(pair, link) = owner else { continue };
+        match pairs.last_mut() {
+            Some((last, links)) if *last == pair => links.push(link),
+            _ => pairs.push((pair, vec![link])),
+        }
+    }
+    for (_, links) in &mut pairs {
+        if let [first, second] = links[..] {
+            *links = vec![if first == GROUND { second } else { first }];
+        }
+    }
+    pairs
+}
+
+/// Whether any row has reactions.
+pub(super) fn has_reactions(table: &Results) -> bool {
+    let first = table.schema().select(|column| column.quantity == Quantity::Force).first().copied();
+    first.is_some_and(|column| table.has(column))
+}
+
+/// The force of a pair on a link.
+pub(super) fn force(pair: PairId, link: LinkId) -> Values {
+    Values::of(Quantity::Force, Owner::PairOn(pair, link))
+}
+
+/// The reactions in the pairs: in each position, and over the cycle.
+pub fn reactions(source: &Source<'_>, page: &mut Document) {
+    if !has_reactions(&source.positions) {
+        return;
+    }
+    page.heading(text!("report-reactions"));
+    page.paragraph(text!("report-reactions-text"));
+    reactions_at_positions(source, page);
+    greatest(source, page);
+}
+
+/// The reactions in the shown positions.
+pub fn reactions_at_positions(source: &Source<'_>, page: &mut Document) {
+    let groups = shown(&source.positions)
+        .into_iter()
+        .flat_map(|(pair, links)| links.into_iter().map(move |link| of_pair(source, pair, link)));
+    page.table(source.table(text!("report-reactions-table"), text!("head-pair-on"), groups));
+}
+
+/// `B on rod`.
+fn pair_on(source: &Source<'_>, pair: PairId, link: LinkId) -> Text {
+    catalogue::owner(source.positions.schema(), force(pair, link))
+}
+
+fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Group {
+    let table = &source.positions;
+    let values = force(pair, link);
+    let [x, y] = [Part::X, Part::Y].map(|part| each(table, values.part(part)));
+    let directions = x.into_iter().zip(y).map(|(x, y)| direction([x?, y?]));
+    let mut columns = components(source, values);
+    columns.push(Column::numbers(text!("head-direction"), ANGLE, directions));
+    if matches!(pair, PairId::Slide(_)) {
+        let of = |quantity| Values::of(quantity, Owner::Pair(pair));
+        columns.push(source.column(name("M"), MOMENT, of(Quantity::Moment)));
+        columns.push(source.column(name("s"), LENGTH, of(Quantity::Offset)));
+    }
+    Group { owner: pair_on(source, pair, link), columns }
+}
+
+/// Angle of a force; a zero force has none. A component that is rounding counts as zero.
+fn direction(force: [f64; 2]) -> Option<f64> {
+    let modulus = force[0].hypot(force[1]);
+    let [x, y] = force.map(|part| if part.abs() <= 1e-12 * modulus { 0.0 } else { part });
+    (modulus > 1e-9).then(|| y.atan2(x))
+}
+
+fn greatest(source: &Source<'_>, page: &mut Document) {
+    let heads = [
+        Column::of(text!("head-pair")),
+        Column::of(text!("head-on")),
+        Column::short(text!("head-greatest-force"), FORCE),
+        Column::of(text!("head-position")),
+        Column::short(named(&source.analysis.input.link), source.units.coordinate),
+        Column::short(text!("head-rms-force"), FORCE),
+    ];
+    let mut table = Table::list(text!("report-greatest-reactions"), heads);
+    let schema = source.positions.schema();
+    for (pair, links) in shown(&source.positions) {
+        let name = schema.name(Owner::Pair(pair));
+        for on in links.into_iter().map(|link| schema.link(link)) {
+            let all = &source.analysis.cycle.reaction_extremes;
+            let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
+            let position = number(found.index);
+            table.row(row![named(&name), named(on), found.greatest, position, found.coordinate, found.rms]);
+        }
+    }
+    page.table(table);
+}
+
+impl Source<'_> {
+    /// Identity of the heading of the balancing load, its symbol and its unit.
+    fn balancing_load(&self) -> (Text, &'static str, Unit) {
+        if self.analysis.input.balancing_is_moment {
+            (text!("report-balancing-moment"), "Mb", MOMENT)
+        } else {
+            (text!("report-balancing-force"), "Fb", FORCE)
+        }
+    }
+}
+
+/// The balancing load in each position, and the greatest one.
+pub fn balancing(source: &Source<'_>, page: &mut Document) {
+    let Some((number, greatest)) = source.analysis.survey.greatest_balancing else { return };
+    let (heading, _, unit) = source.balancing_load();
+    page.heading(heading);
+    balancing_at_positions(source, page);
+    page.paragraph(text!(
+        "report-greatest-balancing",
+        load = unit.show(greatest),
+        position = assur_words::number(number),
+        at = source.units.coordinate.show(source.mechanism.input.coordinate(number))
+    ));
+}
+
+/// The balancing load in the shown positions.
+pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
+    let (_, symbol, unit) = source.balancing_load();
+    let link = match source.mechanism.balance {
+        Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => id,
+        None => source.mechanism.input.link,
+    };
+    let link = link_name(source.mechanism, link);
+    let caption = if source.analysis.input.balancing_is_moment {
+        text!("report-balancing-moment-on", link = link)
+    } else {
+        text!("report-balancing-force-on", link = link)
+    };
+    let column = source.column(name(symbol), unit, Values::BALANCING);
+    page.table(Table::over(caption, source.keys(), vec![column]));
+}
+
+/// The share of each cause.
+pub fn causes(source: &Source<'_>, page: &mut Document) {
+    let schema = source.positions.schema();
+    if schema.causes.is_empty() {
+        return;
+    }
+    page.heading(text!("report-causes"));
+    page.paragraph(text!("report-causes-text"));
+    let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), name(of.clone())));
+    let all = || causes().chain([(None, text!("report-whole"))]);
+    for (pair, links) in shown(&source.positions) {
+        for link in links {
+            let share = |(cause, owner)| Group {
+                owner,
+                columns: components(source, Values { cause, ..force(pair, link) }),
+            };
+            let caption = pair_on(source, pair, link);
+            page.table(source.table(caption, text!("head-cause"), all().map(share)));
+        }
+    }
+    let unit = source.balancing_load().2;
+    let share = |(cause, head)| source.column(head, unit, Values { cause, ..Values::BALANCING });
+    page.table(Table::over(text!("report-balancing"), source.keys(), all().map(share).collect()));
+}
+
+/// Projections and modulus.
+fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
+    vec![
+        source.column(name("Rx"), FORCE, force.part(Part::X)),
+        source.column(name("Ry"), FORCE, force.part(Part::Y)),
+        Column::numbers(name("R"), FORCE, modulus(&source.positions, force)),
+    ]
+}
+
+/// The loads, the inertia loads of the links, and the shaking force.
+pub fn loads(source: &Source<'_>, page: &mut Document) {
+    let schema = source.positions.schema();
+    let (loads, links) = (schema.owners(Quantity::Load), schema.owners(Quantity::InertiaForce));
+    if source.positions.is_empty() || loads.is_empty() && links.is_empty() {
+        return;
+    }
+    page.heading(text!("report-loads"));
+    let load = |owner: &Owner| {
+        let values = Values::of(Quantity::Load, *owner);
+        let unit = if catalogue::unit(schema, values) == "N m" { MOMENT } else { FORCE };
+        source.column(source.name(*owner), unit, values)
+    };
+    let columns: Vec<_> = loads.iter().map(load).collect();
+    if !columns.is_empty() {
+        page.table(Table::over(text!("report-loads-table"), source.keys(), columns));
+    }
+    inertia_loads(source, page);
+    if !links.is_empty() {
+        let shaking = wrench(source, Quantity::ShakingForce, Quantity::ShakingMoment, Owner::Input);
+        page.table(Table::over(text!("report-shaking-table"), source.keys(), shaking));
+    }
+}
+
+/// Principal vectors and principal moments of the inertia loads of the links.
+pub fn inertia_loads(source: &Source<'_>, page: &mut Document) {
+    let group = |owner| Group {
+        owner: source.name(owner),
+        columns: wrench(source, Quantity::InertiaForce, Quantity::InertiaMoment, owner),
+    };
+    let links = source.owners(Quantity::InertiaForce, |_| true);
+    page.table(source.table(text!("report-inertia-table"), text!("head-link"), links.into_iter().map(group)));
+}
+
+/// Projections of a force, and a moment.
+fn wrench(source: &Source<'_>, force: Quantity, moment: Quantity, owner: Owner) -> Vec<Column> {
+    let force = Values::of(force, owner);
+    vec![
+        source.column(name("Fx"), FORCE, force.part(Part::X)),
+        source.column(name("Fy"), FORCE, force.part(Part::Y)),
+        source.column(name("M"), MOMENT, Values::of(moment, owner)),
+    ]
+}

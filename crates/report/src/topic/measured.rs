@@ -1,0 +1,202 @@
+//! The geometry of the motion as tables.
+
+use assur_book::{Column, Document, Group, Table, Unit, listed, named, row};
+use assur_geometry::{AtPosition, CenterAt, Centers, Extremes, Geometry, Stroke};
+use assur_words::{Text, name, text};
+
+use super::Units;
+use super::units::{ANGLE, LENGTH, MOVING, TURNING};
+
+/// What was measured on the motion.
+pub fn geometry(found: &Geometry, page: &mut Document) {
+    let units = Units::of(found.angular);
+    if !found.title.is_empty() {
+        page.title(name(found.title.clone()));
+    }
+    strokes(found, &units, page);
+    extremes(found, &units, page);
+    force_angles(found, &units, page);
+    rests(found, &units, page);
+    centers(found, &units, page);
+    curvature(found, &units, page);
+}
+
+/// A value below this part of the value it stands beside is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A value beside another one of its kind.
+fn beside(value: f64, other: f64) -> f64 {
+    if value.abs() <= ROUNDING * other.abs() { 0.0 } else { value }
+}
+
+fn list(values: &[f64], unit: Unit) -> Text {
+    assur_words::list(values.iter().map(|&value| unit.number(value)))
+}
+
+/// What goes to and fro: name, stroke, units of its displacement and of its speed.
+fn swinging(found: &Geometry) -> impl Iterator<Item = (&str, &Stroke, Unit, Unit)> {
+    let slides = found.slides.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
+    let links = found.links.iter().map(|(name, at)| (name, &at.stroke, ANGLE, TURNING[0]));
+    let points = found.points.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
+    let all = slides.chain(links).chain(points);
+    all.filter_map(|(name, stroke, unit, speed)| Some((name.as_str(), stroke.as_ref()?, unit, speed)))
+}
+
+fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
+    page.heading(text!("geometry-strokes"));
+    let unit = units.coordinate;
+    let row = |(name, stroke, own, speed): (&str, &Stroke, Unit, Unit)| {
+        let overlap = stroke.overlap.zip(stroke.intervals);
+        let overlap = overlap.map(|(angle, [way, _])| beside(angle, way));
+        let speeds = stroke.mean_speeds.map(|speeds| list(&speeds, speed));
+        let dead = list(&stroke.dead_points, unit);
+        row![named(name), own.show(stroke.stroke), dead, stroke.time_ratio, overlap, speeds]
+    };
+    let heads = [
+        Column::of(text!("head-what")),
+        Column::of(text!("head-stroke")),
+        Column::short(text!("head-dead-points"), unit),
+        Column::of(text!("head-time-ratio")),
+        Column::short(text!("head-overlap"), unit),
+        Column::of(text!("head-mean-speeds")),
+    ];
+    let table = Table::list(Text::default(), heads).rows(swinging(found).map(row));
+    if table.is_empty() {
+        return page.paragraph(text!("geometry-no-strokes"));
+    }
+    page.table(table);
+}
+
+fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
+    let place = || Column::short(text!("head-at"), units.coordinate);
+    let heads = [
+        Column::of(text!("head-of")),
+        Column::of(text!("head-quantity")),
+        Column::of(text!("head-unit")),
+        Column::of(text!("head-least")),
+        place(),
+        Column::of(text!("head-greatest")),
+        place(),
+    ];
+    let mut table = Table::list(Text::default(), heads);
+    let mut add = |of: &str, what: Text, at: &Extremes, unit: Unit| {
+        let [least, most] = [beside(at.min, at.max), beside(at.max, at.min)].map(|value| unit.number(value));
+        table.row(row![named(of), what, assur_words::unit(unit.name), least, at.at_min, most, at.at_max]);
+    };
+    let (length, angle) = (units.length, units.angle);
+    for (of, at) in &found.slides {
+        add(of, text!("geometry-displacement"), &at.pf0, length[0]);
+        add(of, name("PF1"), &at.pf1, length[1]);
+        add(of, name("PF2"), &at.pf2, length[2]);
+    }
+    for (of, at) in &found.links {
+        at.pf0.iter().for_each(|pf0| add(of, text!("geometry-angle"), pf0, angle[0]));
+        add(of, name("PF1"), &at.pf1, angle[1]);
+        add(of, name("PF2"), &at.pf2, angle[2]);
+    }
+    for (of, at) in &found.points {
+        add(of, name("x"), &at.x, length[0]);
+        add(of, name("y"), &at.y, length[0]);
+        add(of, name("|PF1|"), &at.pf1, length[1]);
+        add(of, name("|PF2|"), &at.pf2, length[2]);
+    }
+    page.heading(text!("geometry-extremes"));
+    page.table(table);
+}
+
+fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
+    if found.groups.is_empty() {
+        return;
+    }
+    page.heading(text!("geometry-force-angles"));
+    for (group, at) in &found.groups {
+        let ends = &at.extremes;
+        let [least, most] = [ends.min, ends.max].map(|angle| ANGLE.show(angle));
+        let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| units.coordinate.show(at));
+        page.paragraph(text!(
+            "geometry-force-angle",
+            group = name(group.clone()),
+            what = name(at.what.to_string()),
+            least = least,
+            at_least = at_least,
+            most = most,
+            at_most = at_most
+        ));
+    }
+}
+
+fn rests(found: &Geometry, units: &Units, page: &mut Document) {
+    let links = found.links.iter().map(|(name, at)| (name, &at.rests));
+    let points = found.points.iter().map(|(name, at)| (name, &at.rests));
+    let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
+    let heads =
+        [Column::of(text!("head-link-or-point")), Column::short(text!("head-rests-at"), units.coordinate)];
+    let rows = at.map(|(of, at)| row![named(of), list(at, units.coordinate)]);
+    let table = Table::list(Text::default(), heads).rows(rows);
+    let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(name, _)| name.as_str());
+    let always: Vec<_> = always.collect();
+    if table.is_empty() && always.is_empty() {
+        return;
+    }
+    page.heading(text!("geometry-rests"));
+    page.table(table);
+    if !always.is_empty() {
+        page.paragraph(text!("geometry-rests-always", links = listed(always)));
+    }
+}
+
+/// Number and coordinate of the positions.
+fn keys(found: &Geometry, units: &Units) -> Vec<Column> {
+    let numbers = Column::counted(name("No."), found.positions.iter().map(|at| at.index));
+    let coordinate =
+        Column::each(&found.positions, text!("head-coordinate"), units.coordinate, |at| at.coordinate);
+    vec![numbers, coordinate]
+}
+
+fn centers(found: &Geometry, units: &Units, page: &mut Document) {
+    page.heading(text!("geometry-centers"));
+    let against = named(&found.against);
+    page.paragraph(text!("geometry-centers-text", link = against.clone()));
+    if !found.rigid.is_empty() {
+        let rigid = listed(found.rigid.iter().map(String::as_str));
+        page.paragraph(text!("geometry-rigid", against = against, links = rigid));
+    }
+    let Some(first) = found.positions.first() else { return };
+    let groups = first.links.keys().filter(|name| !found.rigid.contains(name)).map(|link| {
+        let column = |head: String, at: fn(&Centers) -> Option<[f64; 2]>, axis: usize| {
+            let value = |row: &AtPosition| at(row.links.get(link)?).map(|at| at[axis]);
+            Column::numbers(name(head), LENGTH, found.positions.iter().map(value))
+        };
+        let point = |letter: &str, at: fn(&Centers) -> Option<[f64; 2]>| {
+            [("x", 0), ("y", 1)].map(|(axis, i)| column(format!("{letter}{axis}"), at, i))
+        };
+        let all = [
+            point("P", |at| place(&at.center)),
+            point("p", |at| at.on_link),
+            point("J", |at| at.inflection_pole),
+            point("Q", |at| at.acceleration_pole),
+        ];
+        Group { owner: named(link), columns: all.into_iter().flatten().collect() }
+    });
+    let (groups, keys) = (groups.collect(), keys(found, units));
+    page.table(Table { caption: text!("head-links"), keys, owners: text!("head-link"), groups });
+}
+
+fn place(center: &CenterAt) -> Option<[f64; 2]> {
+    if let CenterAt::Point(place) = center { Some(*place) } else { None }
+}
+
+fn curvature(found: &Geometry, units: &Units, page: &mut Document) {
+    if found.points.is_empty() {
+        return;
+    }
+    page.heading(text!("geometry-curvature"));
+    page.paragraph(text!("geometry-curvature-text"));
+    let unit = Unit::of("1/m", 1.0);
+    let column = |point: &String| {
+        let value = |row: &AtPosition| row.points.get(point).map(|at| at.curvature);
+        Column::numbers(name(point.clone()), unit, found.positions.iter().map(value))
+    };
+    let columns = found.points.keys().map(column).collect();
+    page.table(Table::over(text!("head-curvature"), keys(found, units), columns));
+}

@@ -1,0 +1,164 @@
+//! What is told of a calculation, topic by topic: from the results to blocks of a document, which every form shows.
+
+mod checks;
+mod contact;
+mod course;
+mod drive;
+mod facts;
+mod forces;
+mod given;
+mod measured;
+mod motion;
+mod plans;
+mod regime;
+mod shaking;
+mod structure;
+mod task;
+mod units;
+
+use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table};
+use assur_book::{Column, Document, named};
+use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
+use assur_words::{Text, name, text};
+
+pub use checks::{checks, not_judged};
+pub use contact::contacts;
+pub use course::{motion_over_time, no_motion};
+pub use drive::{advice, drive};
+pub use facts::summary;
+pub use forces::{
+    balancing, balancing_at_positions, causes, inertia_loads, loads, reactions, reactions_at_positions,
+    reduction,
+};
+pub use given::{loads_given, motion_given, task_text};
+pub use measured::geometry;
+pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, shown_positions, transfer};
+pub use plans::plans;
+pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
+pub use shaking::shaking;
+pub use structure::{groups, mobility, pairs};
+pub use task::dimensions;
+pub(crate) use units::Units;
+
+/// What the topics are told from.
+#[derive(Debug)]
+pub struct Source<'a> {
+    analysis: &'a Analysis,
+    linkage: &'a Linkage,
+    mechanism: &'a Mechanism,
+    /// Those that are shown of the positions.
+    positions: Table,
+    units: Units,
+}
+
+impl<'a> Source<'a> {
+    /// A calculation, of which the tables show the positions of these numbers, `None` for all.
+    pub fn of(analysis: &'a Analysis, linkage: &'a Linkage, positions: Option<&[usize]>) -> Self {
+        let all = &analysis.positions;
+        let positions =
+            positions.map_or_else(|| all.clone(), |list| all.only(|number| list.contains(&number)));
+        let units = Units::of(analysis.input.angular);
+        Self { analysis, linkage, mechanism: &linkage.mechanism, positions, units }
+    }
+
+    /// Number and coordinate of the positions.
+    fn keys(&self) -> Vec<Column> {
+        let numbers = Column::counted(name("No."), self.positions.numbers().iter().copied());
+        let coordinate = each(&self.positions, Values::COORDINATE);
+        vec![numbers, Column::numbers(named(&self.analysis.input.link), self.units.coordinate, coordinate)]
+    }
+
+    /// A column of one quantity over the positions; a dash where a position has none.
+    fn column(&self, head: Text, unit: assur_book::Unit, values: Values) -> Column {
+        Column::numbers(head, unit, each(&self.positions, values))
+    }
+
+    /// The owners of a quantity that are shown.
+    fn owners(&self, quantity: Quantity, wanted: impl Fn(&Owner) -> bool) -> Vec<Owner> {
+        self.positions.schema().owners(quantity).into_iter().filter(wanted).collect()
+    }
+
+    /// The name of an owner.
+    fn name(&self, owner: Owner) -> Text {
+        named(&self.positions.schema().name(owner))
+    }
+}
+
+use assur_analysis::results::Column as Values;
+
+/// The numbers of a column in all rows.
+fn each(table: &Table, values: Values) -> Vec<Option<f64>> {
+    let found = table.schema().find(values);
+    found.map_or_else(|| vec![None; table.len()], |column| table.each(column).collect())
+}
+
+/// Modulus of a vector in all rows.
+fn modulus(table: &Table, values: Values) -> Vec<Option<f64>> {
+    let [x, y] = [Part::X, Part::Y].map(|part| each(table, values.part(part)));
+    x.into_iter().zip(y).map(|(x, y)| Some(x?.hypot(y?))).collect()
+}
+
+/// The whole report: first the results that are asked for first, then the tables.
+pub fn report(source: &Source<'_>) -> Document {
+    let mut page = Document::default();
+    let analysis = source.analysis;
+    if !analysis.title.is_empty() {
+        page.title(name(analysis.title.clone()));
+    }
+    page.heading(text!("report-results"));
+    page.facts(Text::default(), summary(analysis, source.linkage));
+    page.heading(text!("report-structure"));
+    mobility(source, &mut page);
+    pairs(source, &mut page);
+    groups(source, &mut page);
+    page.heading(text!("report-task"));
+    dimensions(source, &mut page);
+    loads_given(source, &mut page);
+    motion_given(source, &mut page);
+    for topic in [shown_positions, positions, transfer, rates, no_motion, motion_over_time] {
+        topic(source, &mut page);
+    }
+    regime(source, &mut page);
+    forces_of(source, &mut page);
+    contacts(source, &mut page);
+    condition(source, &mut page);
+    remarks(source, &mut page);
+    if !analysis.checks.is_empty() {
+        page.heading(text!("report-checks"));
+        checks(&analysis.checks, &mut page);
+    }
+    page
+}
+
+fn regime(source: &Source<'_>, page: &mut Document) {
+    let Some(found) = &source.analysis.dynamics else { return };
+    page.heading(text!("report-regime"));
+    page.facts(Text::default(), regime_facts(source.analysis));
+    iteration(source, page);
+    regime_over_cycle(source, page);
+    if found.motor.is_some() || found.flywheel.is_some() {
+        page.heading(text!("report-drive"));
+        drive(source, page);
+    }
+}
+
+fn forces_of(source: &Source<'_>, page: &mut Document) {
+    loads(source, page);
+    for topic in [reduction, reactions, balancing, causes] {
+        topic(source, page);
+    }
+}
+
+/// What was decided during the calculation, and what has no solution.
+fn remarks(source: &Source<'_>, page: &mut Document) {
+    let analysis = source.analysis;
+    let failures: Vec<_> = analysis.failures.iter().map(|failure| name(failure.message.clone())).collect();
+    let notes: Vec<_> = analysis.notes.iter().map(|note| name(note.clone())).collect();
+    for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
+        if !lines.is_empty() {
+            page.heading(heading);
+            lines.into_iter().for_each(|line| page.paragraph(line));
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The plans of a position as tables.
+
+use assur_book::{Cell, Column, Document, Table, Unit, named, row};
+use assur_diagram::{JointForce, Plan, PlanVector, Sheet, Split};
+use assur_geometry::{Center, CenterAt};
+use assur_words::{Text, name, number, text, unit};
+
+use super::units::FORCE;
+
+/// All plans of a position, one table after the other.
+pub fn plans(sheet: &Sheet, page: &mut Document) {
+    plan(&sheet.velocities, page);
+    plan(&sheet.accelerations, page);
+    centers(&sheet.centers, page);
+    sheet.polygons.iter().chain(&sheet.constructions).for_each(|one| plan(one, page));
+    sheet.by_cause.iter().for_each(|split| causes(split, page));
+}
+
+/// A plan: name, size and direction of every vector, its start, its meaning; then the points.
+fn plan(plan: &Plan, page: &mut Document) {
+    let title = name(plan.title.clone());
+    let (own, residual) = (unit(plan.unit.clone()), number(format_args!("{:.1e}", plan.residual)));
+    page.blocks.push(assur_book::Block::Subheading(if plan.scale > 0.0 {
+        text!("plan-with-scale", title = title, unit = own, scale = number(plan.scale), residual = residual)
+    } else {
+        text!("plan-without-scale", title = title, unit = own, residual = residual)
+    }));
+    let ends = plan.items.iter().flat_map(|item| [item.start, item.end]);
+    let places = beside(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
+    let row = |item: &PlanVector| {
+        let sizes = beside(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size));
+        let size = sizes(item.size);
+        let vector = [0, 1].map(|axis| item.end[axis] - item.start[axis]);
+        let angle = if size == 0.0 { Cell::None } else { degrees(vector) };
+        let [x, y] = item.start.map(&places);
+        let (own, note) = (unit(item.unit.clone()), name(item.note.clone()));
+        row![name(item.name.clone()), size, own, angle, x, y, note]
+    };
+    let heads = [
+        Column::of(text!("head-vector")),
+        Column::of(text!("head-size")),
+        Column::of(text!("head-unit")),
+        Column::short(text!("head-direction"), Unit::of("deg", 1.0)),
+        Column::of(text!("head-from-x")),
+        Column::of(name("y")),
+        Column::of(text!("head-meaning")),
+    ];
+    page.table(Table::list(Text::default(), heads).rows(plan.items.iter().map(row)));
+    let heads = [text!("head-point"), name("x"), name("y")].map(Column::of);
+    let point = |point: &assur_diagram::PlanPoint| {
+        let [x, y] = point.at.map(&places);
+        row![name(point.name.clone()), x, y]
+    };
+    page.table(Table::list(Text::default(), heads).rows(plan.points.iter().map(point)));
+}
+
+fn centers(centers: &[Center], page: &mut Document) {
+    let meters = |letter| Column::short(name(letter), Unit::of("m", 1.0));
+    let heads = [
+        Column::of(text!("head-link")),
+        Column::of(text!("head-against")),
+        meters("x"),
+        meters("y"),
+        Column::of(text!("head-remark")),
+    ];
+    let places = centers.iter().filter_map(|center| match center.at {
+        CenterAt::Point(place) => Some(place),
+        _ => None,
+    });
+    let (place, direction) = (beside(places.flatten()), beside([1.0]));
+    let row = |center: &Center| {
+        let ([x, y], note) = match center.at {
+            CenterAt::Point(at) => (at.map(|x| Cell::from(place(x))), Text::default()),
+            CenterAt::Direction(along) => {
+                (along.map(|x| Cell::from(direction(x))), text!("plan-at-infinity"))
+            }
+            CenterAt::Everywhere => ([Cell::None, Cell::None], text!("plan-no-relative-motion")),
+        };
+        row![named(&center.link), named(&center.against), x, y, note]
+    };
+    page.table(Table::list(text!("plan-centers"), heads).rows(centers.iter().map(row)));
+}
+
+/// Reactions by cause: for each cause and for the whole a row of each joint and link, and the balancing load.
+fn causes(split: &Split, page: &mut Document) {
+    let shares = || split.shares.iter().chain([&split.whole]);
+    let force = beside(shares().flat_map(|share| &share.reactions).flat_map(|reaction| reaction.force));
+    let balancing = beside(shares().map(|share| share.balancing));
+    let heads = [
+        Column::of(text!("head-cause")),
+        Column::of(text!("head-pair")),
+        Column::of(text!("head-on")),
+        Column::short(name("Rx"), FORCE),
+        Column::short(name("Ry"), FORCE),
+        Column::short(name("R"), FORCE),
+    ];
+    let residual = number(format_args!("{:.1e}", split.residual));
+    let mut table = Table::list(text!("plan-causes", residual = residual), heads);
+    for share in shares() {
+        let cause = || name(share.cause.clone());
+        for JointForce { joint, on, force: [fx, fy], .. } in &share.reactions {
+            let size = force(fx.hypot(*fy));
+            table.row(row![cause(), named(joint), named(on), force(*fx), force(*fy), size]);
+        }
+        let load = balancing(share.balancing);
+        table.row(row![cause(), text!("plan-balancing"), Cell::None, Cell::None, Cell::None, load]);
+    }
+    page.table(table);
+}
+
+/// Direction of a vector, degrees in (-180, 180], to four decimals; a dash for none.
+fn degrees([x, y]: [f64; 2]) -> Cell {
+    if x == 0.0 && y == 0.0 {
+        return Cell::None;
+    }
+    Cell::Text(number(match format!("{:.4}", y.atan2(x).to_degrees()).as_str() {
+        "-0.0000" => "0.0000",
+        "-180.0000" => "180.0000",
+        degrees => degrees,
+    }))
+}
+
+/// Numbers of one kind: one that is rounding compared to the greatest is zero.
+fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> f64 {
+    /// In parts of the greatest.
+    const ROUNDING: f64 = 1e-13;
+    let greatest = all.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    move |value| if value.abs() <= ROUNDING * greatest { 0.0 } else { value }
+}

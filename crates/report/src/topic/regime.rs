@@ -1,0 +1,140 @@
+//! The periodic regime: its numbers, how it was found, its course over the cycle.
+
+use assur_analysis::results::{
+    Analysis, Dynamics, Iteration, MotorReport, Owner, Quantity, RegimePoint, RegimeReport, Trial,
+};
+use assur_book::{Column, Digits, Document, Fact, Table, Unit, named, row};
+use assur_words::{Text, name, number, text};
+
+use super::units::{INERTIA, JOULE, POWER, SECOND};
+use super::{Source, Units, Values, each};
+
+/// Rows of the table over a cycle, without the first.
+const ROWS: usize = 48;
+
+/// The numbers of the regime and of its drive; none without a regime. Every form takes them from here.
+pub fn facts(analysis: &Analysis) -> Vec<Fact> {
+    let Some(found) = &analysis.dynamics else { return Vec::new() };
+    let units = Units::of(analysis.input.angular);
+    let ([rate, _], place, moment) = (units.rates, units.coordinate, units.reduced[2]);
+    let (figures, regime) = (&found.figures, &found.regime);
+    let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
+    let is_motor = |motor: &&MotorReport| !motor.designation.is_empty();
+    let motor = found.motor.as_ref().filter(is_motor);
+    let speed_min = Fact::number("fact-least-speed", figures.speed_min, rate);
+    let speed_max = Fact::number("fact-greatest-speed", figures.speed_max, rate);
+    let [driving, resisting] = [Quantity::DrivingWork, Quantity::ResistingWork].map(|of| last(analysis, of));
+    [
+        some("fact-mean-speed", Some(figures.mean_speed), rate),
+        some("fact-unevenness", Some(figures.unevenness), Unit::NONE),
+        some("fact-dynamic-unevenness", figures.dynamic_unevenness, Unit::NONE),
+        Some(speed_min.at(&[figures.coordinate_at_min], place)),
+        Some(speed_max.at(&[figures.coordinate_at_max], place)),
+        some("fact-cycle-time", Some(regime.cycle_time), SECOND),
+        some("fact-excess-work", Some(figures.excess_work), JOULE),
+        some("fact-mean-resistance", Some(regime.mean_resistance), moment),
+        some("fact-resistance-work", Some(regime.resistance_work), JOULE),
+        some("fact-driving-work", driving, JOULE),
+        some("fact-resisting-work", resisting, JOULE),
+        energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, JOULE)),
+        some("fact-driving-moment", figures.torque, moment),
+        some("fact-required-power", required_power(found, regime), POWER),
+        motor.map(|motor| Fact::text("fact-motor", name(motor.designation.clone()))),
+        some("fact-rated-power", found.motor.as_ref().map(|motor| motor.rated.power), POWER),
+        some("fact-gear-ratio", figures.ratio, Unit::NONE),
+        some("fact-flywheel", found.flywheel, INERTIA),
+        some(
+            "fact-shaft-inertia",
+            Some(regime.shaft_inertia).filter(|inertia| *inertia > 0.0),
+            units.reduced[0],
+        ),
+        some("fact-multiplier", Some(regime.multiplier), Unit::NONE),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The power that the motor needs, W; `None` without a motor where it is only rounding of the powers in the cycle.
+fn required_power(found: &Dynamics, regime: &RegimeReport) -> Option<f64> {
+    /// In parts of the power that accelerates and brakes the links.
+    const ROUNDING: f64 = 1e-9;
+    let is_rounding =
+        found.figures.required_power.abs() * regime.cycle_time <= ROUNDING * found.figures.excess_work.abs();
+    (found.motor.is_some() || !is_rounding).then_some(found.figures.required_power)
+}
+
+/// The work over the whole cycle.
+fn last(analysis: &Analysis, work: Quantity) -> Option<f64> {
+    each(&analysis.trajectory, Values::of(work, Owner::Input)).into_iter().flatten().last()
+}
+
+/// The range of the kinetic energy (E eq. 1).
+fn energies(analysis: &Analysis) -> Option<[f64; 2]> {
+    let all = || {
+        each(&analysis.trajectory, Values::of(Quantity::KineticEnergy, Owner::Input)).into_iter().flatten()
+    };
+    Some([all().reduce(f64::min)?, all().reduce(f64::max)?])
+}
+
+/// How the regime was found, and the trials of ratio and flywheel.
+pub fn iteration(source: &Source<'_>, page: &mut Document) {
+    let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
+    let effort = &regime.effort;
+    page.paragraph(text!(
+        "report-effort",
+        cycles = effort.cycles,
+        panels = effort.panels,
+        evaluations = effort.evaluations,
+        residual = number(format_args!("{:.1e}", effort.residual))
+    ));
+    let rate = source.units.rates[0];
+    let long = |head: Text, unit: Unit| Column::short(head, unit).with(Digits::Long);
+    let row = |turn: &Iteration| row![number(turn.number), turn.speed_start, turn.speed_end, turn.residual];
+    let heads = [
+        Column::of(text!("head-cycle")),
+        long(text!("head-start-speed"), rate),
+        long(text!("head-end-speed"), rate),
+        Column::short(text!("head-difference"), rate).with(Digits::Exponent),
+    ];
+    page.table(Table::list(text!("report-iteration"), heads).rows(regime.iteration.iter().map(row)));
+    if regime.trials.len() > 1 {
+        let row = |trial: &Trial| {
+            row![number(trial.number), trial.ratio, trial.flywheel, trial.mean_speed, trial.unevenness]
+        };
+        let heads = [
+            Column::of(text!("head-trial")),
+            long(text!("head-ratio"), Unit::NONE),
+            long(text!("head-flywheel"), INERTIA),
+            long(text!("head-mean-speed"), rate),
+            long(text!("head-unevenness"), Unit::NONE),
+        ];
+        page.table(Table::list(text!("report-trials"), heads).rows(regime.trials.iter().map(row)));
+    }
+}
+
+/// Speed, moments and inertia over the cycle.
+pub fn course(source: &Source<'_>, page: &mut Document) {
+    let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
+    let units = &source.units;
+    // Every so many rows, both ends included; JSON has all.
+    let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
+    let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
+    let column = |head, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| {
+        Column::numbers(head, unit, rows.iter().map(|row| value(row)))
+    };
+    let key = column(named(&source.analysis.input.link), units.coordinate, &|row| Some(row.coordinate));
+    let mean = regime.mean_resistance;
+    let columns = vec![
+        column(text!("head-speed"), units.rates[0], &|row| Some(row.speed)),
+        column(text!("head-first-turn"), units.rates[0], &|row| row.first_turn),
+        column(text!("head-loads"), units.reduced[2], &|row| Some(row.load)),
+        column(text!("head-drive"), units.reduced[2], &|row| Some(row.drive)),
+        column(text!("head-mean-load"), units.reduced[2], &|row| {
+            Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })
+        }),
+        column(name("J"), units.reduced[0], &|row| Some(row.inertia)),
+        column(name("dJ/dq"), units.reduced[1], &|row| Some(row.inertia_derivative)),
+    ];
+    page.table(Table::over(text!("report-regime-course"), vec![key], columns));
+}

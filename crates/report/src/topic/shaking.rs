@@ -1,0 +1,146 @@
+//! Shaking force, its harmonics and counterweights as tables.
+
+use assur_book::{Column, Digits, Document, Table, Unit, listed, named, row};
+use assur_shaking::{AtPosition, Balanced, Criterion, Harmonic, Shaking, Size};
+use assur_words::{Text, name, number, text};
+
+use super::Units;
+use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
+
+/// What the inertia loads do to the ground, and counterweights against it.
+pub fn shaking(found: &Shaking, page: &mut Document) {
+    if !found.title.is_empty() {
+        page.title(name(found.title.clone()));
+    }
+    sizes(found, page);
+    counterweights(found, page);
+    harmonics(found, page);
+    positions(found, page);
+}
+
+/// `on crank, rocker: least squares`.
+fn balance_name(balance: &Balanced) -> Text {
+    let links = listed(balance.counterweights.iter().map(|weight| weight.link.as_str()));
+    match balance.criterion {
+        Criterion::LeastSquares => text!("shaking-least-squares", links = links),
+        Criterion::LeastMaximum => text!("shaking-least-maximum", links = links),
+    }
+}
+
+fn sizes(found: &Shaking, page: &mut Document) {
+    page.heading(text!("shaking-sizes"));
+    page.paragraph(text!("shaking-sizes-text"));
+    let before = (text!("shaking-no-counterweight"), &found.before);
+    let after = found.balances.iter().map(|balance| (balance_name(balance), &balance.after));
+    let row = |(what, size): (Text, &Size)| {
+        let of = |value: fn(&Size) -> f64| beside(value(&found.before), value(size));
+        row![
+            what,
+            of(|size| size.greatest_force),
+            of(|size| size.rms_force),
+            of(|size| size.greatest_moment),
+            of(|size| size.rms_moment)
+        ]
+    };
+    let heads = [
+        Column::of(text!("head-counterweights")),
+        Column::short(text!("head-greatest-force"), FORCE),
+        Column::short(text!("head-rms-force"), FORCE),
+        Column::short(text!("head-greatest-moment"), MOMENT),
+        Column::short(text!("head-rms-moment"), MOMENT),
+    ];
+    page.table(Table::list(Text::default(), heads).rows(std::iter::once(before).chain(after).map(row)));
+    proofs(found, page);
+}
+
+/// A size with that before balancing, beside which it may be rounding.
+fn beside(before: f64, value: f64) -> f64 {
+    if value < 1e-9 * before { 0.0 } else { value }
+}
+
+fn proofs(found: &Shaking, page: &mut Document) {
+    let row = |balance: &Balanced| {
+        let proof = balance.proof?;
+        Some(row![balance_name(balance), beside(found.before.greatest_force, proof.bound), proof.gap])
+    };
+    let heads = [
+        Column::of(text!("head-counterweights")),
+        Column::short(text!("head-bound"), FORCE),
+        Column::of(text!("head-gap")).with(Digits::Exponent),
+    ];
+    let table = Table::list(Text::default(), heads).rows(found.balances.iter().filter_map(row));
+    if !table.is_empty() {
+        page.paragraph(text!("shaking-proof"));
+    }
+    page.table(table);
+}
+
+fn counterweights(found: &Shaking, page: &mut Document) {
+    page.heading(text!("shaking-counterweights"));
+    if found.balances.is_empty() {
+        return page.paragraph(text!("shaking-no-pivot"));
+    }
+    page.paragraph(text!("shaking-counterweights-text"));
+    let heads = [
+        Column::of(text!("head-counterweights")),
+        Column::of(text!("head-link")),
+        Column::short(text!("head-mass-radius"), Unit::of("kg·m", 1.0)),
+        Column::short(text!("head-direction"), ANGLE),
+        Column::short(text!("head-radius"), LENGTH),
+        Column::short(text!("head-mass"), KILOGRAM),
+    ];
+    let mut table = Table::list(Text::default(), heads);
+    for balance in &found.balances {
+        for one in &balance.counterweights {
+            let link = named(&one.link);
+            table.row(row![balance_name(balance), link, one.product, one.angle, one.radius, one.mass]);
+        }
+    }
+    page.table(table);
+}
+
+/// A part of a harmonic.
+type Part = (Text, Unit, fn(&Harmonic) -> f64);
+
+fn harmonics(found: &Shaking, page: &mut Document) {
+    page.heading(text!("shaking-harmonics"));
+    page.paragraph(text!("shaking-harmonics-text"));
+    let input = if found.angular { MOMENT } else { FORCE };
+    let parts: [Part; 8] = [
+        (name("Fx cos"), FORCE, |at| at.x[0]),
+        (name("Fx sin"), FORCE, |at| at.x[1]),
+        (name("Fy cos"), FORCE, |at| at.y[0]),
+        (name("Fy sin"), FORCE, |at| at.y[1]),
+        (name("M cos"), MOMENT, |at| at.moment[0]),
+        (name("M sin"), MOMENT, |at| at.moment[1]),
+        (text!("head-input-load-cos"), input, |at| at.torque[0]),
+        (text!("head-input-load-sin"), input, |at| at.torque[1]),
+    ];
+    let orders = found.harmonics.iter().map(|at| number(at.order).into()).collect();
+    let columns = parts.map(|(head, unit, value)| Column::each(&found.harmonics, head, unit, value));
+    let key = Column { cells: orders, ..Column::of(name("k")) };
+    page.table(Table::over(Text::default(), vec![key], columns.into()));
+}
+
+fn positions(found: &Shaking, page: &mut Document) {
+    page.heading(text!("shaking-positions"));
+    let units = Units::of(found.angular);
+    let input = if found.angular { MOMENT } else { FORCE };
+    let column = |head: Text, unit: Unit, value: &dyn Fn(&AtPosition) -> f64| {
+        Column::each(&found.positions, head, unit, value)
+    };
+    let numbers = Column::counted(name("No."), found.positions.iter().map(|at| at.index));
+    let coordinate = column(text!("head-coordinate"), units.coordinate, &|at| at.coordinate);
+    let mut columns = vec![
+        column(name("Fx"), FORCE, &|at| at.force[0]),
+        column(name("Fy"), FORCE, &|at| at.force[1]),
+        column(name("F"), FORCE, &|at| at.force[0].hypot(at.force[1])),
+        column(name("M"), MOMENT, &|at| at.moment),
+        column(text!("head-input-load"), input, &|at| at.torque),
+    ];
+    for i in 0..found.balances.len() {
+        let size = |at: &AtPosition| at.balanced.get(i).map_or(0.0, |[x, y]| x.hypot(*y));
+        columns.push(column(text!("head-balanced", number = i + 1), FORCE, &size));
+    }
+    page.table(Table::over(Text::default(), vec![numbers, coordinate], columns));
+}

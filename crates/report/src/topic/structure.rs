@@ -1,0 +1,84 @@
+//! Structure: mobility, pairs and groups.
+
+use assur_analysis::results::GroupReport;
+use assur_book::{Column, Document, Table, Unit, link_name, listed, named, row};
+use assur_structure::roman;
+use assur_words::{list, name, text};
+
+use super::Source;
+
+/// Links, mobility, formula of structure and class.
+pub fn mobility(source: &Source<'_>, page: &mut Document) {
+    let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
+    let names: Vec<_> = mechanism.links.iter().skip(1).map(|link| link.name.as_str()).collect();
+    let input = named(&source.analysis.input.link);
+    page.paragraph(text!("report-links", count = names.len(), links = listed(names), input = input));
+    page.paragraph(text!(
+        "report-chebyshev",
+        links = name(structure.moving_links.to_string()),
+        pairs = name(structure.pairs.to_string()),
+        mobility = assur_words::number(structure.mobility)
+    ));
+    if let Some(found) = structure.mobility_by_rank {
+        page.paragraph(text!("report-mobility-by-rank", mobility = assur_words::number(found)));
+    }
+    if let Some(note) = &structure.note {
+        page.paragraph(text!("report-note", note = name(note.clone())));
+    }
+    let class = name(roman(structure.class));
+    page.paragraph(text!("report-formula", formula = name(structure.formula.clone())));
+    page.paragraph(text!("report-class", class = class));
+}
+
+/// The kinematic pairs.
+pub fn pairs(source: &Source<'_>, page: &mut Document) {
+    let mechanism = source.mechanism;
+    let heads = [text!("head-pair"), text!("head-sort"), text!("head-links"), text!("head-count")];
+    let mut table = Table::list(text!("report-pairs"), heads.map(Column::of));
+    for pin in mechanism.points.iter().filter(|point| point.is_pin()) {
+        let links = list(pin.places.iter().map(|place| link_name(mechanism, place.link)));
+        let sort = if pin.places.len() > 2 { text!("report-multiple-joint") } else { name("R") };
+        table.row(row![&pin.name, sort, links, pin.places.len() - 1]);
+    }
+    for slide in &mechanism.slides {
+        let links = list([slide.link, slide.on].map(|link| link_name(mechanism, link)));
+        table.row(row![&slide.name, name("P"), links, 1_usize]);
+    }
+    page.table(table);
+}
+
+/// The groups in solving order.
+pub fn groups(source: &Source<'_>, page: &mut Document) {
+    let heads = [
+        text!("head-group"),
+        text!("head-kind"),
+        text!("head-class"),
+        text!("head-type"),
+        text!("head-order"),
+        text!("head-links"),
+        text!("head-inner"),
+        text!("head-outer"),
+        text!("head-way"),
+        text!("head-ways"),
+    ];
+    let names = |all: &[String]| listed(all.iter().map(String::as_str));
+    let of = |(index, group): (usize, &GroupReport)| {
+        row![
+            index + 1,
+            &group.kind,
+            name(roman(group.class)),
+            (group.number > 0).then(|| assur_words::number(group.number)),
+            assur_words::number(group.order),
+            names(&group.links),
+            names(&group.inner),
+            names(&group.outer),
+            assur_words::number(group.way),
+            assur_words::number(group.ways),
+        ]
+    };
+    let columns = heads.map(|head| Column::short(head, Unit::NONE));
+    page.table(
+        Table::list(text!("report-groups"), columns)
+            .rows(source.analysis.structure.groups.iter().enumerate().map(of)),
+    );
+}

@@ -1,0 +1,75 @@
+//! The mechanism as it is given: dimensions and masses.
+
+use assur_book::{Column, Document, Table, link_name, row};
+use assur_mechanism::Link;
+use assur_words::{name, text};
+
+use super::Source;
+use super::units::{ANGLE, INERTIA, KILOGRAM, LENGTH};
+
+/// Points, slides, masses.
+pub fn dimensions(source: &Source<'_>, page: &mut Document) {
+    points(source, page);
+    slides(source, page);
+    masses(source, page);
+}
+
+/// A column of lengths.
+fn mm(head: &'static str) -> Column {
+    Column::short(name(head), LENGTH)
+}
+
+fn points(source: &Source<'_>, page: &mut Document) {
+    let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), mm("x"), mm("y")];
+    let mut table = Table::list(text!("report-points"), heads);
+    for (id, link) in source.mechanism.links.iter().enumerate() {
+        for (point_id, point) in source.mechanism.points.iter().enumerate() {
+            if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
+                table.row(row![&link.name, &point.name, x, y]);
+            }
+        }
+    }
+    page.table(table);
+}
+
+fn slides(source: &Source<'_>, page: &mut Document) {
+    let degrees = |head| Column::short(head, ANGLE);
+    let heads = [
+        Column::of(text!("head-slide")),
+        Column::short(text!("head-point-x"), LENGTH),
+        mm("y"),
+        Column::of(text!("head-on")),
+        Column::short(text!("head-through-x"), LENGTH),
+        mm("y"),
+        degrees(text!("head-angle")),
+        degrees(text!("head-tilt")),
+    ];
+    let mut table = Table::list(text!("report-slides"), heads);
+    for slide in &source.mechanism.slides {
+        let ([x, y], [through_x, through_y]) = (slide.point, slide.through);
+        let on = link_name(source.mechanism, slide.on);
+        table.row(row![&slide.name, x, y, on, through_x, through_y, slide.angle, slide.tilt]);
+    }
+    page.table(table);
+}
+
+fn masses(source: &Source<'_>, page: &mut Document) {
+    let heavy = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
+    let row = |link: &Link| {
+        let [x, y] = link.center;
+        row![&link.name, link.mass, x, y, link.inertia]
+    };
+    let heads = [
+        Column::of(text!("head-link")),
+        Column::short(text!("head-mass"), KILOGRAM),
+        Column::short(text!("head-center-x"), LENGTH),
+        mm("y"),
+        Column::short(text!("head-inertia"), INERTIA),
+    ];
+    let heavy = source.mechanism.links.iter().skip(1).filter(heavy);
+    let table = Table::list(text!("report-masses"), heads).rows(heavy.map(row));
+    if table.is_empty() {
+        return page.paragraph(text!("report-massless"));
+    }
+    page.table(table);
+}
